@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "geometry/point.h"
+
+namespace hsr {
+
+/// How many bits a set of numbers needs: each is a multiple of 2^lowest and smaller than 2^highest in magnitude.
+///
+/// Bounds every polynomial of the numbers, and so says which exact arithmetic suffices and where a filter's proof holds
+/// (docs/conventions.md, "Arithmetic"). All zero: bits() = 0.
+struct Certificate {
+  int lowest = 0;
+  int highest = 0;
+
+  int bits() const { return highest - lowest; }
+  bool is_zero() const { return highest == lowest; }
+
+  void add(double x);  ///< @pre finite
+  void add(const Point3& p);
+};
+
+/// The certificate of all coordinates of `points`. @pre finite. Cost: O(n).
+Certificate certificate(std::span<const Point3> points);
+
+}  // namespace hsr

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hsr {
+
+/// A number that counts one kind of thing: a VertexId is no FaceId.
+template <class Tag>
+struct Index {
+  std::uint32_t value = 0xffffffffU;
+
+  constexpr Index() = default;
+  constexpr explicit Index(std::size_t v) : value(static_cast<std::uint32_t>(v)) {}
+  constexpr bool is_valid() const { return value != 0xffffffffU; }
+  friend constexpr auto operator<=>(Index, Index) = default;
+};
+
+using VertexId = Index<struct VertexTag>;      ///< a point of the model, in file order
+using FaceId = Index<struct FaceTag>;          ///< a face of the model, in file order
+using TriangleId = Index<struct TriangleTag>;  ///< a triangle of the faces as used
+using EdgeId = Index<struct EdgeTag>;          ///< an edge of the mesh, sorted by its vertices
+
+/// A vector that one kind of index addresses.
+template <class Id, class T>
+class IndexedVector : public std::vector<T> {
+ public:
+  using std::vector<T>::vector;
+  T& operator[](Id id) { return std::vector<T>::operator[](id.value); }
+  const T& operator[](Id id) const { return std::vector<T>::operator[](id.value); }
+  Id next_id() const { return Id(this->size()); }
+};
+
+}  // namespace hsr

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/index.h"
+#include "geometry/point.h"
+
+namespace hsr {
+
+/// Polygons and segments over shared points, as a file gives them.
+struct Polygons {
+  std::vector<std::uint32_t> first = {0};             ///< polygon f has corners[first[f]] ... corners[first[f + 1] - 1]
+  std::vector<std::uint32_t> corners;                 ///< indices of points
+  std::vector<std::array<std::uint32_t, 2>> segments; ///< wires: drawn, they hide nothing
+
+  std::size_t size() const { return first.size() - 1; }
+  std::span<const std::uint32_t> operator[](std::size_t f) const {
+    return {corners.data() + first[f], corners.data() + first[f + 1]};
+  }
+};
+
+/// How a face is used.
+enum class FaceUse : std::uint8_t {
+  planar,         ///< one planar face; its triangles are only a covering of it
+  not_coplanar,   ///< cut into triangles that act as faces of their own
+  crosses_itself, ///< planar, and cut into triangles all the same
+  no_area,        ///< dropped
+};
+
+/// An undirected edge a < b.
+struct Edge {
+  VertexId a, b;
+  bool of_face = false;  ///< in the ring of a face
+  bool diagonal = false; ///< a diagonal of a face that is cut into triangles
+  bool wire = false;     ///< a segment of its own
+};
+
+/// The faces as used (docs/conventions.md), and who meets whom: any soup, non-manifold, open, flipped or duplicate.
+///
+///   (1) points are as given, but -0 is 0; no index but the lowest of bit-identical points is used anywhere
+///   (2) every triangle has an area; the triangles of one face are consecutive, faces ascending, each oriented like its face
+///   (3) edges ascend by (a, b); each side of each triangle is an edge, except a diagonal inside a planar face
+///   (4) the result is the same for any number of threads
+struct Mesh {
+  IndexedVector<VertexId, Point3> points;
+  IndexedVector<VertexId, VertexId> merged;  ///< the vertex that stands for each point
+  IndexedVector<FaceId, FaceUse> faces;
+  IndexedVector<FaceId, std::uint32_t> first_triangle;  ///< one more than faces
+  IndexedVector<TriangleId, std::array<VertexId, 3>> triangles;
+  IndexedVector<TriangleId, FaceId> face_of;
+  IndexedVector<EdgeId, Edge> edges;
+  IndexedVector<EdgeId, std::uint32_t> first_side;  ///< one more than edges
+  std::vector<TriangleId> sides;                    ///< edge e has the triangles sides[first_side[e]] ...
+
+  std::span<const TriangleId> triangles_at(EdgeId e) const {
+    return {sides.data() + first_side[e], sides.data() + first_side[EdgeId(e.value + 1U)]};
+  }
+  /// The corner of `t` that is not on the edge.
+  VertexId apex(TriangleId t, const Edge& e) const {
+    for (const VertexId v : triangles[t])
+      if (v != e.a && v != e.b) return v;
+    return {};
+  }
+};
+
+/// @throws InputError if a coordinate is not finite or an index is out of range (readers report these with their line).
+/// Exact: yes. Cost: O(n log n) in corners; a polygon of m corners that is no triangle costs up to O(m^2) exact signs.
+Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons);
+
+}  // namespace hsr

@@ -1,0 +1,56 @@
+#include "geometry/plane.h"
+
+#include "geometry/error.h"
+
+namespace hsr {
+
+namespace {
+
+constexpr Point3 unit(int axis) { return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0}; }
+
+Plane span(const Point3& o, const Point3& u, Plane::Support u_is, const Point3& v, Plane::Support v_is) {
+  Plane plane;
+  plane.u_is = u_is;
+  plane.v_is = v_is;
+  plane.o = o;
+  plane.u = u;
+  plane.v = v;
+  return plane;
+}
+
+}  // namespace
+
+Plane Plane::of_face(const Point3& a, const Point3& b, const Point3& c) { return span(a, b, Support::point, c, Support::point); }
+
+Plane Plane::of_sight(const Viewpoint& e, const Point3& c, const Point3& d) {
+  return e.is_direction ? span(c, d, Support::point, e.at, Support::direction) : span(e.at, c, Support::point, d, Support::point);
+}
+
+Plane Plane::along_axis(const Point3& c, const Point3& d, int axis) {
+  return span(c, d, Support::point, unit(axis), Support::axis);
+}
+
+Plane Plane::of_sight_along_axis(const Viewpoint& e, const Point3& c, int axis) {
+  return e.is_direction ? span(c, unit(axis), Support::axis, e.at, Support::direction) : along_axis(e.at, c, axis);
+}
+
+Plane Plane::near(const Point3& eye, const Point3& target, double k) {
+  Plane plane;
+  plane.kind = Kind::near;
+  plane.eye = eye;
+  plane.target = target;
+  plane.k = k;
+  return plane;
+}
+
+Plane Plane::near_line(const Point3& eye, const Point3& target, double k, const Plane& line) {
+  require(line.kind == Kind::span, "Plane::near_line: the line's plane must be spanned by points");
+  Plane plane = line;
+  plane.kind = Kind::near_line;
+  plane.eye = eye;
+  plane.target = target;
+  plane.k = k;
+  return plane;
+}
+
+}  // namespace hsr

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "geometry/point.h"
+
+namespace hsr {
+
+/// A plane, kept as the input points that span it: never as coefficients that were computed, so nothing is ever rounded.
+///
+/// `value(p)`, the polynomial whose sign `side` gives, is
+///   span       det(u - o, v - o, p - o), where a `u` or `v` that is a direction stands for itself; degree 3 in the input
+///   near       (p - eye) . (target - eye) - k |target - eye|^2; positive beyond the near plane
+///   near_line  near(p) L(eye) - near(eye) L(p): the plane of the eye and of the line where the near plane meets the span L
+///
+/// Degenerate: points that span no plane make `value` zero everywhere.
+struct Plane {
+  enum class Kind : unsigned char { span, near, near_line };
+  enum class Support : unsigned char { point, direction, axis };
+
+  Kind kind = Kind::span;
+  Support u_is = Support::point, v_is = Support::point;
+  Point3 o, u, v;
+  Point3 eye, target;  ///< near, near_line only
+  double k = 0;        ///< near, near_line only
+
+  /// The plane of a face. Positive where orientation(a, b, c, p) is.
+  static Plane of_face(const Point3& a, const Point3& b, const Point3& c);
+
+  /// The view plane of the viewpoint and of c and d. O(c, d, p) of the literature: with an eye det(c - e, d - e, p - e), with a
+  /// direction D toward the viewer its limit det(d - c, D, p - c).
+  static Plane of_sight(const Viewpoint& e, const Point3& c, const Point3& d);
+
+  /// The plane through c and d parallel to a coordinate axis: the line cd in the coordinates other than `axis`.
+  static Plane along_axis(const Point3& c, const Point3& d, int axis);
+
+  /// The plane through the viewpoint and c parallel to a coordinate axis, signed like `along_axis(e, c, axis)`.
+  static Plane of_sight_along_axis(const Viewpoint& e, const Point3& c, int axis);
+
+  static Plane near(const Point3& eye, const Point3& target, double k);
+  /// @pre `line` is a span
+  static Plane near_line(const Point3& eye, const Point3& target, double k, const Plane& line);
+};
+
+}  // namespace hsr

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/certificate.h"
+#include "geometry/number.h"
+#include "geometry/plane.h"
+#include "geometry/point.h"
+
+namespace hsr {
+
+/// Which arithmetic decides. All but `staged` are for comparison: `double_only` trusts the sign of a double and may be wrong,
+/// `interval` leaves out the double filter, `rational` leaves out every filter.
+enum class Arithmetic : unsigned char { staged, double_only, interval, rational };
+
+/// How often each stage decided a sign, and how many of these signs were zero.
+struct DecisionCounts {
+  std::uint64_t filter = 0, interval = 0, exact = 0, zero = 0;
+
+  DecisionCounts& operator+=(const DecisionCounts& o);
+};
+
+/// The three predicates that carry everything (docs/conventions.md, "Predicates"), for points under one certificate.
+///
+///   (1) each sign is the sign of the polynomial over the rationals, for every finite input, except under `double_only`
+///   (2) negating or swapping arguments as the polynomial does negates the sign
+///   (3) multiplying all points, or the direction, by a power of two that rounds nothing changes no sign
+///
+/// Stages: a double with a proven error bound; an interval ([0, 0] is a certified zero); exactly: fixed-width integers after
+/// lossless scaling where the certificate allows, big floats (CGAL::Mpzf) otherwise. One object per thread; it only counts.
+/// Cost: bench/predicates prints it for each stage. Source: Shewchuk 1997; Bronnimann, Burnikel & Pion 2001 (intervals).
+class Predicates {
+ public:
+  /// @param points certificate of every point, an eye included, that will be passed
+  /// @param direction certificate of the direction toward the viewer, if there is one
+  explicit Predicates(const Certificate& points, const Certificate& direction = {}, Arithmetic arithmetic = Arithmetic::staged);
+
+  /// On which side of `x` the point lies: the sign of x(p). Degree 3 (near: 3, near_line: 6).
+  Sign side(const Plane& x, const Point3& p);
+
+  /// The sign of x(p) y(q) - x(q) y(p). Where both planes cross the edge pq from their negative to their positive side, or both
+  /// the other way: negative if x crosses first, positive if y does, zero if both cross at one point... see `order_of_cuts`.
+  /// Degree 6 for spans.
+  Sign cross(const Plane& x, const Plane& y, const Point3& p, const Point3& q);
+
+  /// Which of the cuts x and y comes first on the way from p to q: negative, x; positive, y; zero, they coincide.
+  /// @pre each plane separates p from q or contains exactly one of them
+  Sign order_along_edge(const Plane& x, const Plane& y, const Point3& p, const Point3& q);
+
+  /// On which side of `x` the common point of a, b and c lies. @pre a, b, c are spans that meet in one point. Degree 9.
+  Sign side(const Plane& x, const Plane& a, const Plane& b, const Plane& c);
+
+  /// The sign of det(n_a, n_b, n_c) of the planes' normals: zero where they meet in no single point. Degree 6. @pre spans
+  Sign meet(const Plane& a, const Plane& b, const Plane& c);
+
+  Arithmetic arithmetic() const { return arithmetic_; }
+  const DecisionCounts& counts() const { return counts_; }
+  DecisionCounts& counts() { return counts_; }
+
+ private:
+  Sign exact_side(const Plane& x, const Point3& p);
+  Sign exact_cross(const Plane& x, const Plane& y, const Point3& p, const Point3& q);
+  template <class Filter, class Intervals, class Exact>
+  Sign staged(Filter&&, Intervals&&, Exact&&);
+
+  Certificate points_, direction_;
+  Arithmetic arithmetic_;
+  bool filter_is_proven_;
+  int limbs_;  // of a degree-3 value in fixed-width integers; 0: they do not suffice
+  int shift_, direction_shift_;
+  DecisionCounts counts_;
+};
+
+}  // namespace hsr

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "hsr/model.h"
+
+namespace hsr {
+
+/// The model in a file: OBJ, OFF family, PLY, STL, each also gzipped, glTF and GLB. Decimal numbers are rounded correctly.
+///
+/// The format is told by the content where the content says it, else by the ending.
+/// @throws InputError in one line: the file, the line or index, what was found and what was expected. Nothing is allocated by a
+///   count that the file's size has not confirmed.
+Model read_model(const std::string& path);
+
+}  // namespace hsr

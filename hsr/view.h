@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "geometry/mesh.h"
+#include "geometry/number.h"
+#include "geometry/plane.h"
+#include "geometry/point.h"
+
+namespace hsr {
+
+/// The plane of the paper: (x, y) is at origin + x right + y up. Computed once in doubles and exact from then on; it places
+/// coordinates and never decides what hides what.
+struct Frame {
+  Point3 origin, right, up;
+};
+
+/// From where the scene is looked at.
+struct View {
+  Viewpoint viewpoint;
+  Point3 target;
+  Point3 up;
+  double near = 0;  ///< k: the near plane is (p - eye).(target - eye) = k |target - eye|^2. Parallel views have none: 0.
+  Frame frame;
+
+  bool is_perspective() const { return !viewpoint.is_direction; }
+  Plane near_plane() const { return Plane::near(viewpoint.at, target, near); }
+};
+
+/// A parallel view; `direction` points from the scene toward the viewer.
+/// @throws InputError if the direction is zero or not finite, or `up` is parallel to it
+View parallel_view(const Point3& direction, const Point3& up, const Point3& target = {});
+
+/// A perspective view. @param near_distance in model units; nothing: |target - eye| / 1000
+/// @throws InputError if eye and target coincide or are not finite, `up` is parallel to the line of sight, or near <= 0
+View perspective_view(const Point3& eye, const Point3& target, const Point3& up, std::optional<double> near_distance = {});
+
+/// front, back, left, right, top, bottom, iso, for models with Z up; `y_up` turns the view (x, y, z -> x, z, -y), never the model.
+/// @throws InputError for another name
+View named_view(const std::string& name, const Point3& target = {}, bool y_up = false);
+
+/// The centre of the bounding box of all points that a face or a wire uses: the default target.
+Point3 centre(const Mesh& mesh);
+
+/// The image of a point on the paper, in units of the frame: exact.
+/// @pre not the eye's own plane parallel to the paper (points beyond the near plane never are)
+std::array<Rational, 2> image(const View& view, const std::array<Rational, 3>& p);
+
+}  // namespace hsr
