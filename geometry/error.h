@@ -5,7 +5,8 @@
 
 namespace hsr {
 
-/// Unreadable or unfit input. The message is one line and names the file, the line or index, what was found and what was expected.
+/// Unreadable or unfit input. The message is one line and names the file, the line or index, what was found and what was
+/// expected.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -12,9 +12,9 @@ namespace hsr {
 
 /// Polygons and segments over shared points, as a file gives them.
 struct Polygons {
-  std::vector<std::uint32_t> first = {0};             ///< polygon f has corners[first[f]] ... corners[first[f + 1] - 1]
-  std::vector<std::uint32_t> corners;                 ///< indices of points
-  std::vector<std::array<std::uint32_t, 2>> segments; ///< wires: drawn, they hide nothing
+  std::vector<std::uint32_t> first = {0};              ///< polygon f has corners[first[f]] ... corners[first[f + 1] - 1]
+  std::vector<std::uint32_t> corners;                  ///< indices of points
+  std::vector<std::array<std::uint32_t, 2>> segments;  ///< wires: drawn, they hide nothing
 
   std::size_t size() const { return first.size() - 1; }
   std::span<const std::uint32_t> operator[](std::size_t f) const {
@@ -24,18 +24,18 @@ struct Polygons {
 
 /// How a face is used.
 enum class FaceUse : std::uint8_t {
-  planar,         ///< one planar face; its triangles are only a covering of it
-  not_coplanar,   ///< cut into triangles that act as faces of their own
-  crosses_itself, ///< planar, and cut into triangles all the same
-  no_area,        ///< dropped
+  planar,          ///< one planar face; its triangles are only a covering of it
+  not_coplanar,    ///< cut into triangles that act as faces of their own
+  crosses_itself,  ///< planar, and cut into triangles all the same
+  no_area,         ///< dropped
 };
 
 /// An undirected edge a < b.
 struct Edge {
   VertexId a, b;
-  bool of_face = false;  ///< in the ring of a face
-  bool diagonal = false; ///< a diagonal of a face that is cut into triangles
-  bool wire = false;     ///< a segment of its own
+  bool of_face = false;   ///< in the ring of a face
+  bool diagonal = false;  ///< a diagonal of a face that is cut into triangles
+  bool wire = false;      ///< a segment of its own
 };
 
 /// The faces as used (docs/conventions.md), and who meets whom: any soup, non-manifold, open, flipped or duplicate.

@@ -15,8 +15,9 @@ Rational::Rational(double x) : Rational() {
 Rational Rational::from_string(const std::string& text) {
   Rational r;
   const auto digits = text.find_first_not_of("-0123456789/");
-  require(!text.empty() && digits == std::string::npos && mpq_set_str(r.q_, text.c_str(), 10) == 0 && mpz_sgn(mpq_denref(r.q_)) > 0,
-          "Rational: \"p\" or \"p/q\" expected");
+  require(
+      !text.empty() && digits == std::string::npos && mpq_set_str(r.q_, text.c_str(), 10) == 0 && mpz_sgn(mpq_denref(r.q_)) > 0,
+      "Rational: \"p\" or \"p/q\" expected");
   mpq_canonicalize(r.q_);
   return r;
 }
@@ -29,8 +30,8 @@ double Rational::to_double() const {
   mpz_init(rest);
   mpz_abs(n, mpq_numref(q_));
   mpz_set(d, mpq_denref(q_));
-  // |q| lies in [2^e, 2^(e+2)). Scale so that the integer quotient keeps 55 or 56 bits, or as many as reach one bit below the last
-  // subnormal place 2^-1074: then one rounding, with the remainder as a sticky bit, is the only one.
+  // |q| lies in [2^e, 2^(e+2)). Scale so that the integer quotient keeps 55 or 56 bits, or as many as reach one bit below the
+  // last subnormal place 2^-1074: then one rounding, with the remainder as a sticky bit, is the only one.
   const long e = static_cast<long>(mpz_sizeinbase(n, 2)) - static_cast<long>(mpz_sizeinbase(d, 2)) - 1;
   const long shift = std::min(55 - e, 1076L);
   if (shift > 0)

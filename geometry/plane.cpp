@@ -20,10 +20,13 @@ Plane span(const Point3& o, const Point3& u, Plane::Support u_is, const Point3& 
 
 }  // namespace
 
-Plane Plane::of_face(const Point3& a, const Point3& b, const Point3& c) { return span(a, b, Support::point, c, Support::point); }
+Plane Plane::of_face(const Point3& a, const Point3& b, const Point3& c) {
+  return span(a, b, Support::point, c, Support::point);
+}
 
 Plane Plane::of_sight(const Viewpoint& e, const Point3& c, const Point3& d) {
-  return e.is_direction ? span(c, d, Support::point, e.at, Support::direction) : span(e.at, c, Support::point, d, Support::point);
+  return e.is_direction ? span(c, d, Support::point, e.at, Support::direction)
+                        : span(e.at, c, Support::point, d, Support::point);
 }
 
 Plane Plane::along_axis(const Point3& c, const Point3& d, int axis) {

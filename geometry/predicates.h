@@ -35,39 +35,35 @@ class Predicates {
   /// @param direction certificate of the direction toward the viewer, if there is one
   explicit Predicates(const Certificate& points, const Certificate& direction = {}, Arithmetic arithmetic = Arithmetic::staged);
 
-  /// On which side of `x` the point lies: the sign of x(p). Degree 3 (near: 3, near_line: 6).
+  /// On which side of `x` the point lies: the sign of x(p). Degree 3 (near_line: 6).
   Sign side(const Plane& x, const Point3& p);
 
-  /// The sign of x(p) y(q) - x(q) y(p). Where both planes cross the edge pq from their negative to their positive side, or both
-  /// the other way: negative if x crosses first, positive if y does, zero if both cross at one point... see `order_of_cuts`.
-  /// Degree 6 for spans.
+  /// The sign of x(p) y(q) - x(q) y(p). Degree 6 for spans.
   Sign cross(const Plane& x, const Plane& y, const Point3& p, const Point3& q);
 
   /// Which of the cuts x and y comes first on the way from p to q: negative, x; positive, y; zero, they coincide.
   /// @pre each plane separates p from q or contains exactly one of them
   Sign order_along_edge(const Plane& x, const Plane& y, const Point3& p, const Point3& q);
 
-  /// On which side of `x` the common point of a, b and c lies. @pre a, b, c are spans that meet in one point. Degree 9.
+  /// On which side of `x` the common point of a, b and c lies. @pre a, b, c are spans that meet in one point, x is a span.
+  /// Degree 9.
   Sign side(const Plane& x, const Plane& a, const Plane& b, const Plane& c);
-
-  /// The sign of det(n_a, n_b, n_c) of the planes' normals: zero where they meet in no single point. Degree 6. @pre spans
-  Sign meet(const Plane& a, const Plane& b, const Plane& c);
 
   Arithmetic arithmetic() const { return arithmetic_; }
   const DecisionCounts& counts() const { return counts_; }
   DecisionCounts& counts() { return counts_; }
 
+  /// Below this the error bound of a PlaneFilter holds; else its answers must not be used.
+  bool filter_is_proven() const { return filter_is_proven_; }
+
  private:
-  Sign exact_side(const Plane& x, const Point3& p);
-  Sign exact_cross(const Plane& x, const Plane& y, const Point3& p, const Point3& q);
-  template <class Filter, class Intervals, class Exact>
-  Sign staged(Filter&&, Intervals&&, Exact&&);
+  template <class Polynomial>
+  Sign staged(const Polynomial& polynomial, bool only_spans, int degree);
 
   Certificate points_, direction_;
   Arithmetic arithmetic_;
   bool filter_is_proven_;
-  int limbs_;  // of a degree-3 value in fixed-width integers; 0: they do not suffice
-  int shift_, direction_shift_;
+  int width_;  // bits of a coordinate difference or a direction, whichever is more
   DecisionCounts counts_;
 };
 

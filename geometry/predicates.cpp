@@ -1,0 +1,198 @@
+#include "geometry/predicates.h"
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/error.h"
+#include "geometry/error_bounded.h"
+#include "geometry/fixed_integer.h"
+#include "geometry/plane_filter.h"
+#include "geometry/polynomials.h"
+#include "geometry/rational_arithmetic.h"
+
+namespace hsr {
+
+namespace {
+
+struct FilterArithmetic {
+  using Number = ErrorBounded;
+  static Number difference(const Point3& p, const Point3& q, int axis) {
+    const double d = p[axis] - q[axis];
+    return {d, ErrorBounded::u * std::fabs(d)};
+  }
+  static Number direction(const Point3& d, int axis) { return {d[axis], 0}; }
+  static Number axis(const Point3& d, int axis) { return {d[axis], 0}; }
+  static Number scalar(double k) { return {k, 0}; }
+};
+
+struct IntervalArithmetic {
+  using Number = CGAL::Interval_nt<false>;  // the rounding mode is held by the caller
+  static Number difference(const Point3& p, const Point3& q, int axis) { return Number(p[axis]) - Number(q[axis]); }
+  static Number direction(const Point3& d, int axis) { return Number(d[axis]); }
+  static Number axis(const Point3& d, int axis) { return Number(d[axis]); }
+  static Number scalar(double k) { return Number(k); }
+};
+
+struct BigArithmetic {
+  using Number = CGAL::Mpzf;
+  static Number difference(const Point3& p, const Point3& q, int axis) { return Number(p[axis]) - Number(q[axis]); }
+  static Number direction(const Point3& d, int axis) { return Number(d[axis]); }
+  static Number axis(const Point3& d, int axis) { return Number(d[axis]); }
+  static Number scalar(double k) { return Number(k); }
+};
+
+/// Every coordinate divided by 2^lowest, every entry of a direction by its own power: whole numbers, and no sign changes, since
+/// each polynomial of spans is homogeneous in the points and in the direction.
+template <std::size_t L>
+struct FixedArithmetic {
+  using Number = FixedInteger<L>;
+  int lowest, direction_lowest;
+
+  Number difference(const Point3& p, const Point3& q, int axis) const {
+    return Number::from_double(p[axis], lowest) - Number::from_double(q[axis], lowest);
+  }
+  Number direction(const Point3& d, int axis) const { return Number::from_double(d[axis], direction_lowest); }
+  static Number axis(const Point3& d, int axis) { return Number(static_cast<std::int64_t>(d[axis])); }
+  static Number scalar(double) { throw InvariantError("the near plane has no fixed-width stage"); }
+};
+
+Sign to_sign(int s) { return static_cast<Sign>(s < 0 ? -1 : s > 0 ? 1 : 0); }
+Sign exact_sign(const CGAL::Mpzf& x) { return to_sign(static_cast<int>(CGAL::sign(x))); }
+Sign exact_sign(const Rational& x) { return x.sign(); }
+template <std::size_t L>
+Sign exact_sign(const FixedInteger<L>& x) {
+  return x.sign();
+}
+
+}  // namespace
+
+DecisionCounts& DecisionCounts::operator+=(const DecisionCounts& o) {
+  filter += o.filter;
+  interval += o.interval;
+  exact += o.exact;
+  zero += o.zero;
+  return *this;
+}
+
+Predicates::Predicates(const Certificate& points, const Certificate& direction, Arithmetic arithmetic)
+    : points_(points),
+      direction_(direction),
+      arithmetic_(arithmetic),
+      filter_is_proven_(points.highest <= 100 && direction.highest <= 100),
+      width_(std::max({points.bits() + 1, direction.bits(), 1})) {}
+
+/// A polynomial of degree d in numbers of at most w bits (differences and directions) with at most 2^12 terms, as all of ours
+/// have, is smaller than 2^(d w + 12); one bit more for the sign.
+template <class Polynomial>
+Sign Predicates::staged(const Polynomial& polynomial, bool only_spans, int degree) {
+  if (arithmetic_ == Arithmetic::staged || arithmetic_ == Arithmetic::double_only) {
+    const ErrorBounded x = polynomial(FilterArithmetic{});
+    if (x.is_certain() || arithmetic_ == Arithmetic::double_only) {
+      ++counts_.filter;
+      const Sign s = sign_of(x.value);
+      if (s == Sign::zero) ++counts_.zero;
+      return s;
+    }
+  }
+  Sign s = Sign::zero;
+  if (arithmetic_ != Arithmetic::rational) {
+    const CGAL::Protect_FPU_rounding<true> directed;
+    const auto x = polynomial(IntervalArithmetic{});
+    if (x.inf() > 0 || x.sup() < 0 || (x.inf() == 0 && x.sup() == 0)) {
+      ++counts_.interval;
+      s = x.inf() > 0 ? Sign::positive : x.sup() < 0 ? Sign::negative : Sign::zero;
+      if (s == Sign::zero) ++counts_.zero;
+      return s;
+    }
+  }
+  const int bits = only_spans ? degree * width_ + 13 : 1 << 20;
+  if (arithmetic_ == Arithmetic::rational)
+    s = exact_sign(polynomial(RationalArithmetic{}));
+  else if (bits <= 192)
+    s = exact_sign(polynomial(FixedArithmetic<3>{points_.lowest, direction_.lowest}));
+  else if (bits <= 384)
+    s = exact_sign(polynomial(FixedArithmetic<6>{points_.lowest, direction_.lowest}));
+  else if (bits <= 768)
+    s = exact_sign(polynomial(FixedArithmetic<12>{points_.lowest, direction_.lowest}));
+  else
+    s = exact_sign(polynomial(BigArithmetic{}));
+  ++counts_.exact;
+  if (s == Sign::zero) ++counts_.zero;
+  return s;
+}
+
+Sign Predicates::side(const Plane& x, const Point3& p) {
+  return staged([&](const auto& a) { return polynomials::value(a, x, p); }, x.kind == Plane::Kind::span, 3);
+}
+
+Sign Predicates::cross(const Plane& x, const Plane& y, const Point3& p, const Point3& q) {
+  return staged([&](const auto& a) { return polynomials::cross_value(a, x, y, p, q); },
+                x.kind == Plane::Kind::span && y.kind == Plane::Kind::span, 6);
+}
+
+Sign Predicates::order_along_edge(const Plane& x, const Plane& y, const Point3& p, const Point3& q) {
+  // The cut x is at t = x(p) / (x(p) - x(q)); with r and s the signs of the two denominators, t_x < t_y iff
+  // r s (x(p) y(q) - x(q) y(p)) > 0.
+  const auto fall = [&](const Plane& plane) {
+    const Sign at_p = side(plane, p);
+    return at_p != Sign::zero ? at_p : -side(plane, q);
+  };
+  return -(fall(x) * fall(y) * cross(x, y, p, q));
+}
+
+Sign Predicates::side(const Plane& x, const Plane& a, const Plane& b, const Plane& c) {
+  require(
+      x.kind == Plane::Kind::span && a.kind == Plane::Kind::span && b.kind == Plane::Kind::span && c.kind == Plane::Kind::span,
+      "Predicates::side: spans expected");
+  const Sign meet = staged([&](const auto& k) { return polynomials::meet_value(k, a, b, c); }, true, 6);
+  require(meet != Sign::zero, "Predicates::side: the three planes meet in no single point");
+  return meet * staged([&](const auto& k) { return polynomials::meet_side_value(k, x, a, b, c); }, true, 9);
+}
+
+PlaneFilter::PlaneFilter(const Plane& plane, Arithmetic arithmetic) {
+  const FilterArithmetic a;
+  constexpr double u = ErrorBounded::u;
+  if (plane.kind == Plane::Kind::span) {
+    const auto s = polynomials::support(a, plane.u, plane.u_is, plane.o),
+               t = polynomials::support(a, plane.v, plane.v_is, plane.o);
+    const double yz = s.y.value * t.z.value, zy = s.z.value * t.y.value;
+    const double zx = s.z.value * t.x.value, xz = s.x.value * t.z.value;
+    const double xy = s.x.value * t.y.value, yx = s.y.value * t.x.value;
+    nx = yz - zy;
+    ny = zx - xz;
+    nz = xy - yx;
+    ox = plane.o.x;
+    oy = plane.o.y;
+    oz = plane.o.z;
+    slope = 10 * u * std::max({std::fabs(yz) + std::fabs(zy), std::fabs(zx) + std::fabs(xz), std::fabs(xy) + std::fabs(yx)});
+    least = 0x1p-900;
+  } else {
+    // Relative to the eye: n . (p - eye) + offset, where offset is near(eye), or zero for a near_line.
+    auto n = polynomials::difference(a, plane.target, plane.eye);
+    ErrorBounded at_eye = -polynomials::near_offset(a, plane);
+    if (plane.kind == Plane::Kind::near_line) {
+      const ErrorBounded line = polynomials::span_value(a, plane, plane.eye);
+      const auto m = polynomials::normal(a, plane);
+      n = {n.x * line - at_eye * m.x, n.y * line - at_eye * m.y, n.z * line - at_eye * m.z};
+      at_eye = {};
+    }
+    nx = n.x.value;
+    ny = n.y.value;
+    nz = n.z.value;
+    ox = plane.eye.x;
+    oy = plane.eye.y;
+    oz = plane.eye.z;
+    offset = at_eye.value;
+    // Coefficients err by n.error; the differences by u, the products and three sums by at most 4.1 u of the terms.
+    slope =
+        std::max({n.x.error, n.y.error, n.z.error}) * 1.01 + 6 * u * std::max({std::fabs(nx), std::fabs(ny), std::fabs(nz)});
+    least = at_eye.error * 1.01 + 6 * u * std::fabs(offset) + 0x1p-900;
+  }
+  if (arithmetic == Arithmetic::double_only) slope = least = 0;
+  if (arithmetic == Arithmetic::interval || arithmetic == Arithmetic::rational) least = HUGE_VAL;
+}
+
+}  // namespace hsr
