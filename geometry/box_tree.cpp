@@ -1,0 +1,133 @@
+#include "geometry/box_tree.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hsr {
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// The largest float not above x, the smallest not below.
+float down(double x) {
+  const auto f = static_cast<float>(x);
+  return static_cast<double>(f) > x ? std::nextafterf(f, -infinity) : f;
+}
+float up(double x) {
+  const auto f = static_cast<float>(x);
+  return static_cast<double>(f) < x ? std::nextafterf(f, infinity) : f;
+}
+
+/// The low 21 bits of x, two zeros before each.
+std::uint64_t spread(std::uint64_t x) {
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffff;
+  x = (x | x << 16) & 0x1f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  x = (x | x << 2) & 0x1249249249249249;
+  return x;
+}
+
+float finite(float x) { return std::clamp(x, std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max()); }
+
+std::array<double, 3> centre(const ImageBox& b) {
+  return {(static_cast<double>(finite(b.low[0])) + finite(b.high[0])) / 2,
+          (static_cast<double>(finite(b.low[1])) + finite(b.high[1])) / 2,
+          (static_cast<double>(finite(b.farthest)) + finite(b.nearest)) / 2};
+}
+
+}  // namespace
+
+ImageBox ImageBox::nothing() { return {{infinity, infinity}, {-infinity, -infinity}, infinity, -infinity}; }
+ImageBox ImageBox::everything() { return {{-infinity, -infinity}, {infinity, infinity}, -infinity, infinity}; }
+
+void ImageBox::add(const std::array<double, 3>& value, const std::array<double, 3>& error) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    float& least = k < 2 ? low[k] : farthest;
+    float& most = k < 2 ? high[k] : nearest;
+    // One more rounding here: a relative 2^-52 of both terms covers it.
+    const double margin = error[k] + (std::fabs(value[k]) + error[k]) * 0x1p-52;
+    const double a = value[k] - margin, b = value[k] + margin;
+    least = std::isnan(a) ? -infinity : std::min(least, down(a));
+    most = std::isnan(b) ? infinity : std::max(most, up(b));
+  }
+}
+
+void ImageBox::add(const ImageBox& box) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    low[k] = std::min(low[k], box.low[k]);
+    high[k] = std::max(high[k], box.high[k]);
+  }
+  farthest = std::min(farthest, box.farthest);
+  nearest = std::max(nearest, box.nearest);
+}
+
+BoxTree::BoxTree(std::span<const ImageBox> boxes) {
+  if (boxes.empty()) return;
+  std::array<double, 3> low = centre(boxes[0]), high = low;
+  for (const ImageBox& b : boxes) {
+    const auto c = centre(b);
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], c[k]);
+      high[k] = std::max(high[k], c[k]);
+    }
+  }
+  struct Place {
+    std::uint64_t key;
+    std::uint32_t box;
+    bool operator<(const Place& o) const { return key != o.key ? key < o.key : box < o.box; }
+  };
+  std::vector<Place> places(boxes.size());
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, boxes.size(), 4096), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const auto c = centre(boxes[i]);
+      std::uint64_t key = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double share = high[k] > low[k] ? (c[k] - low[k]) / (high[k] - low[k]) : 0;
+        key |= spread(static_cast<std::uint64_t>(share * 0x1fffff)) << k;
+      }
+      places[i] = {key, static_cast<std::uint32_t>(i)};
+    }
+  });
+  tbb::parallel_sort(places.begin(), places.end());
+  order_.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) order_[i] = places[i].box;
+
+  constexpr ImageBox none = {{infinity, infinity}, {-infinity, -infinity}, infinity, -infinity};
+  const auto set = [](Node& node, std::size_t k, const ImageBox& b) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      node.low[d][k] = b.low[d];
+      node.high[d][k] = b.high[d];
+    }
+    node.nearest[k] = b.nearest;
+  };
+  std::size_t below = order_.size();  // boxes on the level below
+  std::vector<ImageBox> level_boxes;
+  for (bool leaves = true; leaves || below > 1; leaves = false) {
+    const std::size_t count = (below + width - 1) / width, begin = nodes_.size();
+    level_begin_.push_back(static_cast<std::uint32_t>(begin));
+    nodes_.resize(begin + count);
+    std::vector<ImageBox> united(count, none);
+    tbb::parallel_for(Range(0, count, 1024), [&](const Range& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        for (std::size_t k = 0; k < width; ++k) {
+          const std::size_t child = i * width + k;
+          const ImageBox& box = child >= below ? none : leaves ? boxes[order_[child]] : level_boxes[child];
+          set(nodes_[begin + i], k, box);
+          united[i].add(box);
+        }
+      }
+    });
+    level_boxes = std::move(united);
+    below = count;
+  }
+}
+
+}  // namespace hsr

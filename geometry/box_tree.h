@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hsr {
+
+/// A closed box in an image: two image coordinates and the nearness to the viewer (larger is nearer). Conservative: what it
+/// stands for lies inside, whatever was rounded.
+struct ImageBox {
+  std::array<float, 2> low, high;
+  float farthest, nearest;
+
+  /// Grows the box to contain the interval [value - error, value + error] of each coordinate; an unknown value makes it
+  /// unbounded.
+  void add(const std::array<double, 3>& value, const std::array<double, 3>& error);
+  void add(const ImageBox& box);
+  static ImageBox nothing();
+  static ImageBox everything();
+};
+
+/// A static tree over boxes: a Z-order of their centres, eight to a node, level upon level.
+///
+/// `visit(query, f)` calls f(index of box) for every box that overlaps the query in the image and reaches nearer than the
+/// query's farthest point, i.e. for all that could hide some of it; stops when f returns false. Cost: build O(n log n),
+/// parallel; a query O(log n + k) on meshes. The same order of calls for any number of threads.
+class BoxTree {
+ public:
+  BoxTree() = default;
+  explicit BoxTree(std::span<const ImageBox> boxes);
+
+  template <class F>
+  void visit(const ImageBox& query, F&& f) const;
+
+ private:
+  static constexpr std::size_t width = 8;
+  /// Eight sibling boxes, a coordinate at a time.
+  struct Node {
+    std::array<std::array<float, width>, 2> low, high;
+    std::array<float, width> nearest;
+  };
+  std::vector<Node> nodes_;                 // level upon level, the leaves' level first
+  std::vector<std::uint32_t> level_begin_;  // of each level in nodes_
+  std::vector<std::uint32_t> order_;        // box at each place of the lowest level
+};
+
+template <class F>
+void BoxTree::visit(const ImageBox& query, F&& f) const {
+  if (nodes_.empty()) return;
+  // Depth first; at most width - 1 siblings wait on each level.
+  std::array<std::pair<std::uint32_t, std::uint32_t>, 12 * width> stack;  // level, node on it
+  std::size_t top = 0;
+  stack[top++] = {static_cast<std::uint32_t>(level_begin_.size() - 1), 0};
+  while (top > 0) {
+    const auto [level, place] = stack[--top];
+    const Node& node = nodes_[level_begin_[level] + place];
+    unsigned hit = 0;
+    for (unsigned k = 0; k < width; ++k) {
+      const bool overlaps = (node.low[0][k] <= query.high[0]) & (node.high[0][k] >= query.low[0]) &
+                            (node.low[1][k] <= query.high[1]) & (node.high[1][k] >= query.low[1]) &
+                            (node.nearest[k] >= query.farthest);
+      hit |= static_cast<unsigned>(overlaps) << k;
+    }
+    while (hit != 0) {
+      const auto k = static_cast<std::uint32_t>(__builtin_ctz(hit));
+      hit &= hit - 1;
+      const std::uint32_t child = place * width + k;
+      if (level > 0)
+        stack[top++] = {level - 1, child};
+      else if (!f(order_[child]))
+        return;
+    }
+  }
+}
+
+}  // namespace hsr
