@@ -68,7 +68,9 @@ double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.
 Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 Point3 unit(const Point3& a) { return (1 / std::sqrt(dot(a, a))) * a; }
 
-Point3 to_float32(const Point3& p) { return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}; }
+/// Never inlined: g++ 12 at -O2 joins the conversions of two coordinates into a vector and then drops them.
+[[gnu::noinline]] double to_float32(double x) { return static_cast<float>(x); }
+Point3 to_float32(const Point3& p) { return {to_float32(p.x), to_float32(p.y), to_float32(p.z)}; }
 
 void add_triangle(Polygons& polygons, std::size_t a, std::size_t b, std::size_t c) {
   for (const std::size_t corner : {a, b, c}) polygons.corners.push_back(static_cast<std::uint32_t>(corner));
@@ -184,7 +186,8 @@ Model crossing_triangles(std::size_t triangles) {
 Model terrain(std::size_t triangles) {
   Model model = empty_model("terrain");
   const std::size_t cells = std::max<std::size_t>(1, rounded(std::sqrt(static_cast<double>(triangles) / 2)));
-  for (std::size_t i = 0; i <= cells; ++i)
+  const std::size_t rows = std::max<std::size_t>(1, rounded(static_cast<double>(triangles) / 2 / static_cast<double>(cells)));
+  for (std::size_t i = 0; i <= rows; ++i)
     for (std::size_t j = 0; j <= cells; ++j) {
       const double x = static_cast<double>(i), y = static_cast<double>(j);
       double height = 0, wave = static_cast<double>(cells) / 2;
@@ -192,10 +195,9 @@ Model terrain(std::size_t triangles) {
         height += 0.35 * wave * value_noise(octave, x / wave, y / wave);
       model.points.push_back(to_float32({x, y, height}));
     }
-  const std::size_t row = cells + 1;
-  for (std::size_t i = 0; i < cells; ++i)
+  for (std::size_t i = 0; i < rows; ++i)
     for (std::size_t j = 0; j < cells; ++j) {
-      const std::size_t a = i * row + j, b = a + row, c = b + 1, d = a + 1;
+      const std::size_t a = i * (cells + 1) + j, b = a + cells + 1, c = b + 1, d = a + 1;
       add_triangle(model.polygons, a, b, c);
       add_triangle(model.polygons, a, c, d);
     }
