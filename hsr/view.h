@@ -37,7 +37,8 @@ View parallel_view(const Point3& direction, const Point3& up, const Point3& targ
 /// @throws InputError if eye and target coincide or are not finite, `up` is parallel to the line of sight, or near <= 0
 View perspective_view(const Point3& eye, const Point3& target, const Point3& up, std::optional<double> near_distance = {});
 
-/// front, back, left, right, top, bottom, iso, for models with Z up; `y_up` turns the view (x, y, z -> x, z, -y), never the model.
+/// front, back, left, right, top, bottom, iso, for models with Z up; `y_up` turns the view (x, y, z -> x, z, -y), never the
+/// model.
 /// @throws InputError for another name
 View named_view(const std::string& name, const Point3& target = {}, bool y_up = false);
 

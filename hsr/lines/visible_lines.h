@@ -18,15 +18,15 @@ enum class EdgeClass : std::uint8_t { outline, sharp, boundary, intersection, wi
 /// A place on an edge, kept as the symbol of what cuts the edge there: never as a rounded number.
 struct Cut {
   enum class Kind : std::uint8_t {
-    start,           ///< the first vertex, t = 0
-    end,             ///< the second vertex, t = 1
-    sight,           ///< the view plane of the vertices u and v
-    face,            ///< the plane of triangle u
-    near,            ///< the near plane
-    near_line,       ///< where triangle u is cut by the near plane, as seen from the eye
-    line,            ///< within an edge-on plane: the line of the vertices u and v; drop coordinate `axis`
-    sight_of_vertex, ///< within an edge-on plane: the line of sight of vertex u; drop `axis`
-    near_line_end,   ///< within an edge-on plane: where the line of u and v is cut by the near plane; drop `axis`
+    start,            ///< the first vertex, t = 0
+    end,              ///< the second vertex, t = 1
+    sight,            ///< the view plane of the vertices u and v
+    face,             ///< the plane of triangle u
+    near,             ///< the near plane
+    near_line,        ///< where triangle u is cut by the near plane, as seen from the eye
+    line,             ///< within an edge-on plane: the line of the vertices u and v; drop coordinate `axis`
+    sight_of_vertex,  ///< within an edge-on plane: the line of sight of vertex u; drop `axis`
+    near_line_end,    ///< within an edge-on plane: where the line of u and v is cut by the near plane; drop `axis`
   };
   Kind kind = Kind::start;
   std::uint8_t axis = 0;
@@ -60,7 +60,9 @@ struct VisibleLines {
   std::uint64_t pairs = 0;  ///< edge-triangle pairs that were tested
   DecisionCounts decisions;
 
-  std::span<const Cut> cuts_of(const LineOfEdge& line) const { return {cuts.data() + line.first_cut, cuts.data() + line.end_cut}; }
+  std::span<const Cut> cuts_of(const LineOfEdge& line) const {
+    return {cuts.data() + line.first_cut, cuts.data() + line.end_cut};
+  }
   std::span<const Occluder> occluders_of(const LineOfEdge& line) const {
     return {occluders.data() + line.first_occluder, occluders.data() + line.end_occluder};
   }

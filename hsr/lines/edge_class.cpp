@@ -1,0 +1,115 @@
+#include "hsr/lines/edge_class.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hsr {
+
+namespace {
+
+/// A triangle at the edge: the half-plane that starts at the edge and contains the apex.
+struct HalfPlane {
+  TriangleId triangle;
+  VertexId apex;
+  Sign side;  // of the edge's view plane; zero: seen edge-on
+};
+
+Point3 difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+/// Brought near length 1, so that no product underflows.
+Point3 scaled(const Point3& a) {
+  const double most = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
+  return most > 0 ? Point3{a.x / most, a.y / most, a.z / most} : a;
+}
+
+/// By how many degrees two half-planes at the edge ab deviate from one plane.
+double deviation(const Sight& sight, const Edge& e, VertexId apex0, VertexId apex1) {
+  const Point3& a = sight.point(e.a);
+  const Point3 along = scaled(difference(sight.point(e.b), a));
+  const Point3 n0 = scaled(cross(along, scaled(difference(sight.point(apex0), a))));
+  const Point3 n1 = scaled(cross(along, scaled(difference(sight.point(apex1), a))));
+  const Point3 n = cross(n0, n1);
+  return std::atan2(std::sqrt(dot(n, n)), -dot(n0, n1)) * 180 / std::numbers::pi;
+}
+
+/// The sign of the permutation that takes the triangle's corners to (edge.a, edge.b, apex).
+Sign parity(const std::array<VertexId, 3>& t, const Edge& e) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (t[k] == e.a) return t[(k + 1) % 3] == e.b ? Sign::positive : Sign::negative;
+  return Sign::zero;
+}
+
+/// Two half-planes at one edge, told apart exactly.
+class HalfPlanes {
+ public:
+  HalfPlanes(const Sight& sight, Predicates& exact, const Edge& edge) : sight_(sight), exact_(exact), edge_(edge) {}
+
+  HalfPlane of(TriangleId t) const {
+    return {t, sight_.mesh().apex(t, edge_), sight_.facing(t) * parity(sight_.mesh().triangles[t], edge_)};
+  }
+
+  Sign side(const HalfPlane& plane, const HalfPlane& other) const {
+    return exact_.side(sight_.face_plane(plane.triangle), sight_.point(other.apex));
+  }
+
+  bool coincide(const HalfPlane& x, const HalfPlane& y) const {
+    if (x.side != y.side || side(x, y) != Sign::zero) return false;
+    // In one plane with the edge: on the same side of it where the plane is seen as two coordinates.
+    for (int axis = 0; axis < 3; ++axis) {
+      const Plane line = Plane::along_axis(sight_.point(edge_.a), sight_.point(edge_.b), axis);
+      const Sign s = exact_.side(line, sight_.point(x.apex));
+      if (s != Sign::zero) return s == exact_.side(line, sight_.point(y.apex));
+    }
+    return true;
+  }
+
+  /// Both on one side of the view plane: the eye lies on the side -facing of a triangle's plane, and what is farther on the
+  /// other.
+  bool is_nearer(const HalfPlane& x, const HalfPlane& y) const {
+    return side(x, y) * sight_.facing(x.triangle) == Sign::positive;
+  }
+
+ private:
+  const Sight& sight_;
+  Predicates& exact_;
+  const Edge& edge_;
+};
+
+std::optional<EdgeClass> class_by_faces(const Sight& sight, Predicates& exact, EdgeId id, double crease) {
+  const Edge& edge = sight.mesh().edges[id];
+  const auto triangles = sight.mesh().triangles_at(id);
+  const bool only_diagonal = edge.diagonal && !edge.of_face;
+  const HalfPlanes half_planes(sight, exact, edge);
+
+  std::optional<HalfPlane> first, nearest[2];
+  bool differ = false;
+  for (const TriangleId t : triangles) {
+    const HalfPlane h = half_planes.of(t);
+    if (!first)
+      first = h;
+    else
+      differ = differ || !half_planes.coincide(*first, h);
+    if (h.side == Sign::zero) continue;
+    auto& best = nearest[h.side == Sign::positive ? 0 : 1];
+    if (!best || half_planes.is_nearer(h, *best)) best = h;
+  }
+  const bool one_side = nearest[0].has_value() != nearest[1].has_value();
+  if (only_diagonal) return one_side ? std::optional(EdgeClass::outline) : std::nullopt;
+  if (!first) return std::nullopt;
+  if (!differ) return EdgeClass::boundary;
+  if (one_side) return EdgeClass::outline;
+  if (!nearest[0] || half_planes.side(*nearest[0], *nearest[1]) == Sign::zero) return EdgeClass::smooth;
+  return deviation(sight, edge, nearest[0]->apex, nearest[1]->apex) > crease ? EdgeClass::sharp : EdgeClass::smooth;
+}
+
+}  // namespace
+
+std::optional<EdgeClass> edge_class(const Sight& sight, Predicates& exact, EdgeId edge, double crease) {
+  const auto by_faces = class_by_faces(sight, exact, edge, crease);
+  const bool plain = !by_faces || by_faces == EdgeClass::smooth;
+  return sight.mesh().edges[edge].wire && plain ? EdgeClass::wire : by_faces;
+}
+
+}  // namespace hsr

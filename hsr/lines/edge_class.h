@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry/predicates.h"
+#include "hsr/lines/visible_lines.h"
+#include "hsr/sight.h"
+
+namespace hsr {
+
+/// The class of an edge in a view; nothing for a diagonal that is no outline: it is never drawn.
+///
+/// On each side of the edge's view plane, of the faces at this edge, the one nearest to the eye counts (faces seen edge-on are
+/// on neither side; coinciding half-planes count once). First match wins:
+///   boundary  one half-plane in all
+///   outline   faces on one side only
+///   sharp     on both sides, and the two deviate from flat by more than `crease` degrees (in doubles; exactly flat never)
+///   smooth    else; also where two or more half-planes are all seen edge-on
+/// A wire is `wire`, unless its faces alone make it more than smooth.
+/// Exact: yes, but for the angle. Cost: O(m^2) degree-3 signs for m faces at the edge, nearly always m = 2.
+std::optional<EdgeClass> edge_class(const Sight& sight, Predicates& exact, EdgeId edge, double crease);
+
+}  // namespace hsr

@@ -1,0 +1,202 @@
+#include "hsr/lines/shadows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hsr/lines/cut_plane.h"
+
+namespace hsr {
+
+namespace {
+
+Cut cut_of(Cut::Kind kind, std::uint32_t u = 0, std::uint32_t v = 0, int axis = 0) {
+  return {kind, static_cast<std::uint8_t>(axis), u, v};
+}
+
+/// Neighbours share the cut by their common side: its vertices in one order.
+Cut sight_cut(VertexId u, VertexId v) { return cut_of(Cut::Kind::sight, std::min(u, v).value, std::max(u, v).value); }
+
+const Bound start_bound = {cut_of(Cut::Kind::start), 0, 0, Sign::positive};
+const Bound end_bound = {cut_of(Cut::Kind::end), 1, 0, Sign::positive};
+
+}  // namespace
+
+Shadows::Value Shadows::at(const PlaneFilter& filter, const Plane& plane, const Point3& p, bool on_plane) {
+  if (on_plane) return {{0, 0}, Sign::zero};
+  const ErrorBounded x = filter(p);
+  if (x.is_certain()) {
+    ++exact_.counts().filter;
+    return {x, sign_of(x.value)};
+  }
+  const Sign s = exact_.side(plane, p);
+  return {s == Sign::zero ? ErrorBounded{} : x, s};
+}
+
+Bound Shadows::bound(const Cut& cut, const Value& at_a, const Value& at_b) const {
+  // t = A / (A - B) with A and B of opposite signs: |dt/dA| and |dt/dB| are at most 1 / |A - B|, the division rounds thrice.
+  const double fall = at_a.x.value - at_b.x.value, loss = at_a.x.error + at_b.x.error;
+  const double least = std::fabs(at_a.x.value) + std::fabs(at_b.x.value) - loss;
+  const double t = at_a.x.value / fall;
+  const bool known = least > 0 && std::isfinite(t);
+  return {cut, known ? t : 0.5, known ? loss / least * 1.01 + 8 * ErrorBounded::u : HUGE_VAL, at_a.sign};
+}
+
+Sign Shadows::order(const Bound& x, const Bound& y) {
+  if (x.cut == y.cut) return Sign::zero;
+  using Kind = Cut::Kind;
+  if (x.cut.kind == Kind::start || y.cut.kind == Kind::end) return Sign::negative;
+  if (x.cut.kind == Kind::end || y.cut.kind == Kind::start) return Sign::positive;
+  const double gap = x.t - y.t;
+  if (std::fabs(gap) > x.error + y.error) {
+    ++exact_.counts().filter;
+    return sign_of(gap);
+  }
+  return -(x.fall * y.fall * exact_.cross(cut_plane(sight_, x.cut), cut_plane(sight_, y.cut), pa_, pb_));
+}
+
+bool Shadows::start(EdgeId id) {
+  const Edge& edge = sight_.mesh().edges[id];
+  a_ = edge.a;
+  b_ = edge.b;
+  pa_ = sight_.point(a_);
+  pb_ = sight_.point(b_);
+  const Plane sight_plane = sight_.sight_plane(a_, b_);
+  edge_sight_ = sight_.filter(sight_plane);
+
+  first_ = start_bound;
+  last_ = end_bound;
+  const Sign near_a = sight_.beyond_near(a_), near_b = sight_.beyond_near(b_);
+  if (near_a != Sign::positive && near_b != Sign::positive && !(near_a == Sign::zero && near_b == Sign::zero)) return false;
+  if (near_a * near_b == Sign::negative) {
+    const Plane near = sight_.near_plane();
+    const PlaneFilter filter = sight_.filter(near);
+    (near_a == Sign::negative ? first_ : last_) = bound(cut_of(Cut::Kind::near), {filter(pa_), near_a}, {filter(pb_), near_b});
+  }
+  // Seen as a point iff every plane of the line of sight of a contains b. A coefficient of the edge's view plane that is
+  // certainly not zero settles it: each errs by at most `slope`.
+  const double most = std::max({std::fabs(edge_sight_.nx), std::fabs(edge_sight_.ny), std::fabs(edge_sight_.nz)});
+  if (most > edge_sight_.slope && edge_sight_.least < HUGE_VAL && most > edge_sight_.least) return true;
+  for (int axis = 0; axis < 3; ++axis)
+    if (exact_.side(Plane::of_sight_along_axis(sight_.eye(), pa_, axis), pb_) != Sign::zero) return true;
+  return false;
+}
+
+/// True only if the corners that are not ends of the edge lie certainly on one side of its view plane: then the triangle's cone
+/// meets that plane in no more than a line of sight through an end.
+bool Shadows::misses(const std::array<VertexId, 3>& corners) const {
+  bool positive = false, negative = false;
+  for (const VertexId c : corners) {
+    if (c == a_ || c == b_) continue;
+    const ErrorBounded x = edge_sight_(sight_.point(c));
+    if (!x.is_certain()) return false;
+    (x.value > 0 ? positive : negative) = true;
+  }
+  return positive != negative;
+}
+
+bool Shadows::clip(const Cut& cut, const Value& at_a, const Value& at_b, Sign wanted, bool open) {
+  const Sign a = at_a.sign * wanted, b = at_b.sign * wanted;
+  if (a == Sign::zero && b == Sign::zero) return !open;
+  if (a != Sign::negative && b != Sign::negative) return true;
+  if (a != Sign::positive && b != Sign::positive) return false;
+  const Bound here = bound(cut, at_a, at_b);
+  if (a == Sign::negative) {
+    if (order(from_, here) == Sign::negative) from_ = here;
+  } else {
+    if (order(here, to_) == Sign::negative) to_ = here;
+  }
+  return true;
+}
+
+bool Shadows::clip(const Cut& cut, const Plane& plane, bool a_on, bool b_on, Sign wanted, bool open) {
+  const PlaneFilter filter = sight_.filter(plane);
+  return clip(cut, at(filter, plane, pa_, a_on), at(filter, plane, pb_, b_on), wanted, open);
+}
+
+void Shadows::cast(TriangleId triangle, std::vector<Shadow>& shadows) {
+  const auto& c = sight_.mesh().triangles[triangle];
+  const Sign facing = sight_.facing(triangle);
+  const bool a_on = is_corner(a_, c), b_on = is_corner(b_, c);
+  if (facing != Sign::zero && a_on && b_on) return;  // nothing hides in its own plane, unless seen edge-on
+  if (misses(c)) return;
+  if (facing == Sign::zero) {
+    edge_on(triangle, shadows);
+    return;
+  }
+  begin();
+  const Plane plane = sight_.face_plane(triangle);
+  if (!clip(cut_of(Cut::Kind::face, triangle.value), plane, a_on, b_on, facing, true)) return;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexId u = c[k], v = c[(k + 1) % 3];
+    // O(u, v, .) changes its sign with the order of u and v; the cut is named in one order.
+    const Sign wanted = u < v ? facing : -facing;
+    if (!clip(sight_cut(u, v), sight_.sight_plane(std::min(u, v), std::max(u, v)), a_ == u || a_ == v, b_ == u || b_ == v,
+              wanted, false))
+      return;
+  }
+  if (std::any_of(c.begin(), c.end(), [&](VertexId v) { return sight_.beyond_near(v) == Sign::negative; }) &&
+      !clip(cut_of(Cut::Kind::near_line, triangle.value), sight_.near_line(plane), false, false, -facing, false))
+    return;
+  if (order(from_, to_) == Sign::negative) shadows.push_back({from_, to_, sight_.mesh().face_of[triangle]});
+}
+
+/// A triangle whose plane contains the eye hides only points of that plane. There, with the coordinate `axis` dropped, p is
+/// hidden iff it is in the shadow of one of the three sides cd:
+///   strictly beyond the line cd, within the closed angle of the eye and cd, met beyond the near plane;
+/// or the way from p toward the eye starts inside the triangle: p in T, and where the edge runs along a side of T, the eye is
+/// strictly on the inner side of it, and likewise for the near plane.
+/// (The last point of T before the eye is on a side of T, and differs from p unless the way leaves T at once.)
+void Shadows::edge_on(TriangleId triangle, std::vector<Shadow>& shadows) {
+  const auto& c = sight_.mesh().triangles[triangle];
+  const Plane plane = sight_.face_plane(triangle);
+  const PlaneFilter filter = sight_.filter(plane);
+  if (at(filter, plane, pa_, is_corner(a_, c)).sign != Sign::zero) return;
+  if (at(filter, plane, pb_, is_corner(b_, c)).sign != Sign::zero) return;
+
+  int axis = 0;
+  Sign inner = Sign::zero;  // the side of the line c0 c1 on which c2 lies
+  for (; axis < 3; ++axis) {
+    inner = exact_.side(Plane::along_axis(sight_.point(c[0]), sight_.point(c[1]), axis), sight_.point(c[2]));
+    if (inner != Sign::zero) break;
+  }
+  const FaceId face = sight_.mesh().face_of[triangle];
+  const bool near_cuts = std::any_of(c.begin(), c.end(), [&](VertexId v) { return sight_.beyond_near(v) == Sign::negative; });
+  const auto add = [&] {
+    if (order(from_, to_) == Sign::negative) shadows.push_back({from_, to_, face});
+  };
+  const auto line_cut = [&](VertexId u, VertexId v) { return cut_of(Cut::Kind::line, u.value, v.value, axis); };
+
+  std::array<Sign, 3> eye_side;  // of each side's line
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexId u = c[k], v = c[(k + 1) % 3];
+    const Plane of_u = Plane::of_sight_along_axis(sight_.eye(), sight_.point(u), axis);
+    const Plane of_v = Plane::of_sight_along_axis(sight_.eye(), sight_.point(v), axis);
+    const Plane line = Plane::along_axis(sight_.point(u), sight_.point(v), axis);
+    const Sign eye = exact_.side(of_u, sight_.point(v));  // also the side of the line on which the eye lies
+    eye_side[k] = eye;
+    if (eye == Sign::zero) continue;
+    begin();
+    if (!clip(line_cut(u, v), line, a_ == u || a_ == v, b_ == u || b_ == v, -eye, true)) continue;
+    if (!clip(cut_of(Cut::Kind::sight_of_vertex, u.value, 0, axis), of_u, a_ == u, b_ == u, eye, false)) continue;
+    if (!clip(cut_of(Cut::Kind::sight_of_vertex, v.value, 0, axis), of_v, a_ == v, b_ == v, exact_.side(of_v, sight_.point(u)),
+              false))
+      continue;
+    if (near_cuts &&
+        !clip(cut_of(Cut::Kind::near_line_end, u.value, v.value, axis), sight_.near_line(line), false, false, eye, false))
+      continue;
+    add();
+  }
+
+  begin();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexId u = c[k], v = c[(k + 1) % 3];
+    const Plane line = Plane::along_axis(sight_.point(u), sight_.point(v), axis);
+    const bool runs_outside = eye_side[k] * inner != Sign::positive;
+    if (!clip(line_cut(u, v), line, a_ == u || a_ == v, b_ == u || b_ == v, inner, runs_outside)) return;
+  }
+  // What of the edge lies in the near plane itself has nothing of T before it.
+  if (near_cuts && sight_.beyond_near(a_) == Sign::zero && sight_.beyond_near(b_) == Sign::zero) return;
+  add();
+}
+
+}  // namespace hsr

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <vector>
+
+#include "hsr/lines/visible_lines.h"
+#include "hsr/sight.h"
+
+namespace hsr {
+
+/// A place on an edge with an approximate parameter, for sorting: the exact order is asked only where the errors overlap.
+struct Bound {
+  Cut cut;
+  double t = 0, error = 0;
+  Sign fall = Sign::positive;  ///< of x(a) - x(b), x the cutting plane
+};
+
+/// A part of an edge that one triangle hides.
+struct Shadow {
+  Bound from, to;
+  FaceId face;
+};
+
+/// The shadows that triangles cast on one edge at a time. One object per thread.
+///
+/// A point p is in the shadow of a triangle T, seen from the side, iff
+///   p is strictly beyond the plane of T: facing * T(p) > 0;
+///   p is in the closed cone of the eye and T: facing * O(t_i, t_i+1, p) >= 0 for its three sides;
+///   the line of sight meets T beyond the near plane, where T reaches before it: -facing * near_line(p) >= 0.
+/// All of these are linear along the edge, so the shadow is an interval. A T seen edge-on hides only in its own plane, where it
+/// acts by its three sides and its interior (see edge_on).
+class Shadows {
+ public:
+  explicit Shadows(const Sight& sight) : sight_(sight), exact_(sight.predicates()) {}
+
+  /// Turns to another edge. False: it is seen as a point, or nothing of it is beyond the near plane.
+  bool start(EdgeId edge);
+  /// Appends the shadows of `triangle` on the edge, at most four.
+  void cast(TriangleId triangle, std::vector<Shadow>& shadows);
+
+  /// The ends of what is beyond the near plane.
+  const Bound& first() const { return first_; }
+  const Bound& last() const { return last_; }
+  bool covers_all(const Shadow& s) const { return s.from.cut == first_.cut && s.to.cut == last_.cut; }
+
+  /// Which of two places comes first along the edge: negative, x; zero, they are one place.
+  Sign order(const Bound& x, const Bound& y);
+
+  Predicates& exact() { return exact_; }
+
+ private:
+  struct Value {
+    ErrorBounded x;
+    Sign sign;
+  };
+  Value at(const PlaneFilter& filter, const Plane& plane, const Point3& p, bool on_plane);
+  bool is_corner(VertexId v, const std::array<VertexId, 3>& c) const { return v == c[0] || v == c[1] || v == c[2]; }
+  bool misses(const std::array<VertexId, 3>& corners) const;
+
+  void begin() { from_ = first_, to_ = last_; }
+  bool clip(const Cut& cut, const Plane& plane, bool a_on, bool b_on, Sign wanted, bool open);
+  bool clip(const Cut& cut, const Value& at_a, const Value& at_b, Sign wanted, bool open);
+  Bound bound(const Cut& cut, const Value& at_a, const Value& at_b) const;
+  void edge_on(TriangleId triangle, std::vector<Shadow>& shadows);
+
+  const Sight& sight_;
+  Predicates exact_;
+  VertexId a_, b_;
+  Point3 pa_, pb_;
+  PlaneFilter edge_sight_;
+  Bound first_, last_, from_, to_;
+};
+
+}  // namespace hsr

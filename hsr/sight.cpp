@@ -1,0 +1,165 @@
+#include "hsr/sight.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hsr {
+
+namespace {
+
+using Range = tbb::blocked_range<std::size_t>;
+constexpr double u = ErrorBounded::u;
+
+/// The power of two that brings the largest number near 1, or 2^0 if that would round the smallest away.
+int scale_of(const Certificate& c) { return c.is_zero() || c.lowest - c.highest < -1000 ? 0 : -c.highest; }
+
+Point3 scaled(const Point3& p, int power) {
+  return {std::ldexp(p.x, power) + 0.0, std::ldexp(p.y, power) + 0.0, std::ldexp(p.z, power) + 0.0};
+}
+
+Certificate scaled(const Certificate& c, int power) {
+  return c.is_zero() ? c : Certificate{c.lowest + power, c.highest + power};
+}
+
+Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double size(const Point3& a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }
+
+}  // namespace
+
+Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(&mesh), arithmetic_(arithmetic) {
+  Certificate points = certificate(mesh.points), direction;
+  if (view.is_perspective()) {
+    points.add(view.viewpoint.at);
+    points.add(view.target);
+  } else {
+    direction.add(view.viewpoint.at);
+  }
+  const int power = scale_of(points), direction_power = scale_of(direction);
+  points_certificate_ = scaled(points, power);
+  direction_certificate_ = scaled(direction, direction_power);
+  points_.resize(mesh.points.size());
+  tbb::parallel_for(Range(0, points_.size(), 4096), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) points_[VertexId(i)] = scaled(mesh.points[VertexId(i)], power);
+  });
+  eye_ = {scaled(view.viewpoint.at, view.is_perspective() ? power : direction_power), view.viewpoint.is_direction};
+  target_ = view.is_perspective() ? scaled(view.target, power) : Point3{};
+  near_ = view.near;
+  // Outside the window of the filter's proof its bound is made infinite, and the predicates decide.
+  filter_arithmetic_ = arithmetic == Arithmetic::staged && !predicates().filter_is_proven() ? Arithmetic::interval : arithmetic;
+
+  if (is_perspective()) {
+    near_filter_ = filter(near_plane());
+    near_side_.resize(points_.size(), Sign::positive);
+    const Plane near = near_plane();
+    tbb::parallel_for(Range(0, points_.size(), 1024), [&](const Range& range) {
+      Predicates exact = predicates();
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        const ErrorBounded x = near_filter_(points_[VertexId(i)]);
+        near_side_[VertexId(i)] = x.is_certain() ? sign_of(x.value) : exact.side(near, points_[VertexId(i)]);
+      }
+    });
+  }
+  facing_.resize(mesh.triangles.size(), Sign::zero);
+  tbb::parallel_for(Range(0, mesh.triangles.size(), 1024), [&](const Range& range) {
+    Predicates exact = predicates();
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const auto& t = mesh.triangles[TriangleId(i)];
+      facing_[TriangleId(i)] = exact.side(sight_plane(t[0], t[1]), points_[t[2]]);
+    }
+  });
+
+  // Any map that is constant along lines of sight serves, so rounded rows are as good as others.
+  if (is_perspective()) {
+    depth_ = minus(target_, eye_.at);
+    const double length = std::max({std::fabs(depth_.x), std::fabs(depth_.y), std::fabs(depth_.z)});
+    depth_ = {depth_.x / length, depth_.y / length, depth_.z / length};
+    row_ = {view.frame.right, view.frame.up};
+  } else {
+    const Point3& d = eye_.at;
+    const int k = std::fabs(d.x) >= std::fabs(d.y) && std::fabs(d.x) >= std::fabs(d.z) ? 0
+                  : std::fabs(d.y) >= std::fabs(d.z)                                   ? 1
+                                                                                       : 2;
+    depth_ = {k == 0 ? std::copysign(1.0, d.x) : 0, k == 1 ? std::copysign(1.0, d.y) : 0, k == 2 ? std::copysign(1.0, d.z) : 0};
+    for (std::size_t r = 0; r < 2; ++r) {
+      std::array<double, 3> row = {0, 0, 0};
+      const std::size_t i = (static_cast<std::size_t>(k) + 1 + r) % 3;
+      row[i] = 1;
+      row[static_cast<std::size_t>(k)] = -d[static_cast<int>(i)] / d[k];
+      row_[r] = {row[0], row[1], row[2]};
+    }
+    if (!mesh.edges.empty()) {
+      const Point3& p = points_[mesh.edges.front().a];
+      middle_ = {dot(row_[0], p), dot(row_[1], p), dot(depth_, p)};
+    }
+  }
+}
+
+Plane Sight::face_plane(TriangleId t) const {
+  const auto& corners = mesh_->triangles[t];
+  return Plane::of_face(points_[corners[0]], points_[corners[1]], points_[corners[2]]);
+}
+
+/// Adds the image of a point that lies within `error` (in the sum of its coordinates' errors) of p.
+///
+/// Parallel: u = p_i - ratio p_k, where the ratio carries one rounding, the product and the difference one each: at most 3.1 u
+/// |p|. Perspective: each coordinate of p - eye carries one rounding, the dot products three more; the quotient of n and m with
+/// errors e_n and e_m differs from the exact one by at most (e_n + |n/m| e_m) / (|m| - e_m), and by u |n/m| for its own
+/// rounding.
+void Sight::add_to(ImageBox& box, const Point3& p, double error) const {
+  if (!is_perspective()) {
+    const std::array<double, 3> value = {dot(row_[0], p) - middle_[0], dot(row_[1], p) - middle_[1],
+                                         dot(depth_, p) - middle_[2]};
+    const auto bound = [&](std::size_t k) { return 5 * u * (size(p) + std::fabs(middle_[k])) + error + 0x1p-1000; };
+    box.add(value, {bound(0), bound(1), bound(2)});
+    return;
+  }
+  const Point3 v = minus(p, eye_.at);
+  const double e = 6 * u * size(v) + error * 1.01 + 0x1p-1000;
+  const double m = dot(depth_, v);
+  if (!(m > 2 * e)) {
+    box = ImageBox::everything();
+    return;
+  }
+  const double x = dot(row_[0], v) / m, y = dot(row_[1], v) / m;
+  const auto spread = [&](double q) { return (e + std::fabs(q) * e) / (m - e) * 1.01 + 4 * u * std::fabs(q); };
+  box.add({x, y, -m}, {spread(x), spread(y), e});
+}
+
+/// Adds the point where ab crosses the near plane: a + t (b - a), t = near(a) / (near(a) - near(b)).
+void Sight::add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const {
+  const Point3 &p = points_[a], &q = points_[b];
+  const ErrorBounded at_p = near_filter_(p), at_q = near_filter_(q);
+  const double fall = at_p.value - at_q.value, loss = at_p.error + at_q.error + u * std::fabs(fall);
+  if (!(std::fabs(fall) > 4 * loss)) {
+    box = ImageBox::everything();
+    return;
+  }
+  const double t = at_p.value / fall;
+  const double t_error = 2 * (at_p.error + std::fabs(t) * loss) / std::fabs(fall) + 4 * u;
+  const Point3 d = minus(q, p);
+  add_to(box, {p.x + t * d.x, p.y + t * d.y, p.z + t * d.z}, size(d) * (t_error + 4 * u) + 4 * u * (size(p) + size(q)));
+}
+
+ImageBox Sight::box(VertexId a, VertexId b) const {
+  ImageBox box = ImageBox::nothing();
+  for (const VertexId v : {a, b})
+    if (beyond_near(v) != Sign::negative) add_to(box, points_[v], 0);
+  if (beyond_near(a) * beyond_near(b) == Sign::negative) add_near_cut_to(box, a, b);
+  return box;
+}
+
+ImageBox Sight::box(TriangleId t) const {
+  const auto& c = mesh_->triangles[t];
+  ImageBox box = ImageBox::nothing();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexId a = c[k], b = c[(k + 1) % 3];
+    if (beyond_near(a) != Sign::negative) add_to(box, points_[a], 0);
+    if (beyond_near(a) * beyond_near(b) == Sign::negative) add_near_cut_to(box, a, b);
+  }
+  return box;
+}
+
+}  // namespace hsr

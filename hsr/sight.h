@@ -1,0 +1,67 @@
+#pragma once
+
+#include "geometry/box_tree.h"
+#include "geometry/certificate.h"
+#include "geometry/mesh.h"
+#include "geometry/plane_filter.h"
+#include "geometry/predicates.h"
+#include "hsr/view.h"
+
+namespace hsr {
+
+/// A mesh as one view sees it: what every method needs first.
+///
+/// Points, eye and target are multiplied by one power of two, and the direction by another, so that the largest coordinate is
+/// near 1: no predicate and no parameter along an edge changes by that, and scenes of any size pass the filters alike. Where
+/// the scaling would round (numbers about 2^1000 apart), it is left out.
+/// @pre mesh outlives it. Cost: O(n), parallel.
+class Sight {
+ public:
+  Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic);
+
+  const Mesh& mesh() const { return *mesh_; }
+  const Viewpoint& eye() const { return eye_; }
+  bool is_perspective() const { return !eye_.is_direction; }
+  const Point3& point(VertexId v) const { return points_[v]; }
+
+  /// Predicates for these points; one for each thread.
+  Predicates predicates() const { return Predicates(points_certificate_, direction_certificate_, arithmetic_); }
+  /// A plane prepared for many of these points.
+  PlaneFilter filter(const Plane& plane) const { return {plane, filter_arithmetic_}; }
+
+  Plane sight_plane(VertexId c, VertexId d) const { return Plane::of_sight(eye_, points_[c], points_[d]); }
+  Plane face_plane(TriangleId t) const;
+  Plane near_plane() const { return Plane::near(eye_.at, target_, near_); }
+  Plane near_line(const Plane& line) const { return Plane::near_line(eye_.at, target_, near_, line); }
+
+  /// The sign of O(t0, t1, t2): zero, the triangle is seen edge-on. The eye lies on the side -facing of its plane.
+  Sign facing(TriangleId t) const { return facing_[t]; }
+  /// On which side of the near plane: positive, beyond it. Parallel views have no near plane: positive.
+  Sign beyond_near(VertexId v) const { return is_perspective() ? near_side_[v] : Sign::positive; }
+
+  /// Conservative boxes of what is beyond the near plane, in an image of its own (not the paper's). @pre some of it is
+  ImageBox box(VertexId a, VertexId b) const;
+  ImageBox box(TriangleId t) const;
+
+ private:
+  void add_to(ImageBox& box, const Point3& p, double error) const;
+  void add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const;
+
+  const Mesh* mesh_;
+  Arithmetic arithmetic_, filter_arithmetic_;
+  IndexedVector<VertexId, Point3> points_;
+  Viewpoint eye_;
+  Point3 target_;
+  double near_ = 0;
+  Certificate points_certificate_, direction_certificate_;
+  IndexedVector<TriangleId, Sign> facing_;
+  IndexedVector<VertexId, Sign> near_side_;
+  PlaneFilter near_filter_;
+  // The image: rows of a fixed map; parallel, u = p[i] - ratio p[k]; perspective, u = row . (p - eye) / (depth . (p - eye)).
+  std::array<Point3, 2> row_;
+  Point3 depth_;
+  std::array<double, 3> middle_ = {0, 0,
+                                   0};  // parallel: image of some point of the mesh, subtracted to keep the floats' digits
+};
+
+}  // namespace hsr
