@@ -1,0 +1,126 @@
+#include "geometry/mesh.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "geometry/certificate.h"
+#include "geometry/error.h"
+#include "geometry/flat_orientation.h"
+#include "geometry/merge_points.h"
+#include "geometry/mesh_edges.h"
+#include "geometry/predicates.h"
+#include "geometry/triangulate.h"
+
+namespace hsr {
+
+namespace {
+
+void normalise(std::vector<Point3>& points) {
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (double* x : {&points[k].x, &points[k].y, &points[k].z}) {
+      if (!std::isfinite(*x)) {
+        throw InputError("point " + std::to_string(k) + ": a finite coordinate expected, found " +
+                         (std::isnan(*x) ? "nan"
+                          : *x < 0       ? "-inf"
+                                         : "inf"));
+      }
+      *x += 0.0;  // -0 + 0 = 0
+    }
+}
+
+void check(const Polygons& polygons, std::size_t points) {
+  const auto& first = polygons.first;
+  require(!first.empty() && first.front() == 0 && first.back() == polygons.corners.size() &&
+              std::is_sorted(first.begin(), first.end()),
+          "make_mesh: Polygons::first must ascend from 0 to the number of corners");
+  const auto fail = [&](const char* what, std::size_t k, std::uint32_t index) {
+    throw InputError(what + std::to_string(k) + ": an index below " + std::to_string(points) + " expected, found " +
+                     std::to_string(index));
+  };
+  for (std::size_t k = 0; k < polygons.corners.size(); ++k) {
+    if (polygons.corners[k] < points) continue;
+    const auto face = std::upper_bound(first.begin(), first.end(), k) - first.begin() - 1;
+    fail("face ", static_cast<std::size_t>(face), polygons.corners[k]);
+  }
+  for (std::size_t k = 0; k < polygons.segments.size(); ++k)
+    for (const std::uint32_t end : polygons.segments[k])
+      if (end >= points) fail("segment ", k, end);
+}
+
+// The triangles of some faces in a row. Blocks are made in parallel and joined in order.
+using Block = std::vector<FaceTriangle>;
+
+void make_faces(Mesh& mesh, const Polygons& polygons, std::size_t from, std::size_t to, Predicates& predicates, Block& block) {
+  std::vector<VertexId> polygon;
+  block.reserve(to - from);
+  for (std::size_t f = from; f < to; ++f) {
+    const auto corners = polygons[f];
+    const std::size_t before = block.size();
+    FaceUse use = FaceUse::no_area;
+    if (corners.size() == 3) {
+      const VertexId a = mesh.merged[VertexId(corners[0])], b = mesh.merged[VertexId(corners[1])],
+                     c = mesh.merged[VertexId(corners[2])];
+      if (a != b && b != c && c != a && has_area(mesh.points[a], mesh.points[b], mesh.points[c], predicates)) {
+        block.push_back({{a, b, c}});
+        use = FaceUse::planar;
+      }
+    } else if (corners.size() > 3) {
+      polygon.clear();
+      for (const std::uint32_t corner : corners) polygon.push_back(mesh.merged[VertexId(corner)]);
+      use = triangulate(mesh.points, polygon, predicates, block);
+    }
+    mesh.faces[FaceId(f)] = use;
+    mesh.first_triangle[FaceId(f + 1)] = static_cast<std::uint32_t>(block.size() - before);
+  }
+}
+
+}  // namespace
+
+Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons) {
+  if (points.size() >= 0xffffffffU)
+    throw InputError("fewer than 2^32 - 1 points expected, found " + std::to_string(points.size()));
+  check(polygons, points.size());
+  normalise(points);
+  Mesh mesh;
+  static_cast<std::vector<Point3>&>(mesh.points) = std::move(points);
+  mesh.merged = merge_points(mesh.points);
+
+  const std::size_t faces = polygons.size();
+  mesh.faces.resize(faces);
+  mesh.first_triangle.assign(faces + 1, 0);
+  constexpr std::size_t faces_of_block = 4096;
+  std::vector<Block> blocks((faces + faces_of_block - 1) / faces_of_block);
+  const Certificate all = certificate(mesh.points);
+  const auto for_each_block = [&](const auto& visit) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 1), [&](const auto& range) {
+      for (std::size_t k = range.begin(); k != range.end(); ++k)
+        visit(k, k * faces_of_block, std::min(faces, (k + 1) * faces_of_block));
+    });
+  };
+  for_each_block([&](std::size_t k, std::size_t from, std::size_t to) {
+    Predicates predicates(all);
+    make_faces(mesh, polygons, from, to, predicates, blocks[k]);
+  });
+  for (std::size_t f = 0; f < faces; ++f) mesh.first_triangle[FaceId(f + 1)] += mesh.first_triangle[FaceId(f)];
+  const std::uint32_t triangles = mesh.first_triangle[FaceId(faces)];
+  mesh.triangles.resize(triangles);
+  mesh.face_of.resize(triangles);
+  std::vector<std::uint8_t> ring_sides(triangles);
+  for_each_block([&](std::size_t k, std::size_t from, std::size_t to) {
+    const FaceTriangle* triangle = blocks[k].data();
+    for (std::size_t f = from; f < to; ++f)
+      for (std::uint32_t t = mesh.first_triangle[FaceId(f)]; t < mesh.first_triangle[FaceId(f + 1)]; ++t, ++triangle) {
+        mesh.triangles[TriangleId(t)] = triangle->corners;
+        mesh.face_of[TriangleId(t)] = FaceId(f);
+        ring_sides[t] = triangle->ring_sides;
+      }
+  });
+  connect_edges(mesh, ring_sides, polygons.segments);
+  return mesh;
+}
+
+}  // namespace hsr
