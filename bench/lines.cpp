@@ -1,0 +1,197 @@
+// lines: generates scenes, computes their visible lines and prints what that took. Nothing passes or fails by time.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <map>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "bench/memory.h"
+#include "bench/scenes.h"
+#include "geometry/error.h"
+#include "geometry/mesh.h"
+#include "hsr/lines/roberts.h"
+#include "hsr/view.h"
+
+namespace hsr::bench {
+namespace {
+
+struct Request {
+  std::vector<std::string> scenes, views;
+  std::string edges = "all", csv;
+  int threads = 1, repeat = 3;
+};
+
+/// Median and half the range of a few seconds.
+struct Seconds {
+  double median = 0, spread = 0;
+};
+
+struct Row {
+  std::string scene, view;
+  std::size_t triangles = 0, edges = 0;
+  Seconds mesh, lines;
+  std::uint64_t pairs = 0;
+  DecisionCounts decisions;
+  std::size_t visible = 0, hidden = 0;
+  double megabytes = 0;
+};
+
+Seconds seconds(std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  const std::size_t middle = times.size() / 2;
+  const double median = times.size() % 2 == 1 ? times[middle] : (times[middle - 1] + times[middle]) / 2;
+  return {median, (times.back() - times.front()) / 2};
+}
+
+template <class Work>
+double time_of(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// oblique: from above, in a direction that is no multiple of anything; elevation: from the front; perspective: from the same
+/// direction, two diagonals of the bounding box away from its centre.
+View view_of(const std::string& name, const Mesh& mesh) {
+  const Point3 oblique = {1, -0.83, 0.61}, up = {0, 0, 1}, target = centre(mesh);
+  if (name == "oblique") return parallel_view(oblique, up, target);
+  if (name == "elevation") return parallel_view({0, -1, 0}, up, target);
+  if (name != "perspective") throw InputError("view '" + name + "': expected oblique, elevation or perspective");
+  Point3 half;  // of the box
+  for (const Point3& p : mesh.points)
+    half = {std::max(half.x, std::fabs(p.x - target.x)), std::max(half.y, std::fabs(p.y - target.y)),
+            std::max(half.z, std::fabs(p.z - target.z))};
+  const double step = 4 * std::hypot(half.x, half.y, half.z) / std::hypot(oblique.x, oblique.y, oblique.z);
+  return perspective_view({target.x + step * oblique.x, target.y + step * oblique.y, target.z + step * oblique.z}, target, up);
+}
+
+Row measure(const Model& model, const std::string& view_name, const Request& request) {
+  Row row;
+  row.scene = model.name;
+  row.view = view_name;
+  LineOptions options;
+  if (request.edges == "all") options.classes.fill(true);
+  std::vector<double> mesh_times, line_times;
+  reset_peak_memory();
+  for (int k = 0; k < request.repeat; ++k) {
+    Mesh mesh;
+    VisibleLines result;
+    mesh_times.push_back(time_of([&] { mesh = make_mesh(model.points, model.polygons); }));
+    const View view = view_of(view_name, mesh);
+    line_times.push_back(time_of([&] { result = roberts(mesh, view, options); }));
+    if (k > 0) continue;
+    row.megabytes = peak_memory() / 1e6;
+    row.triangles = mesh.triangles.size();
+    row.edges = result.lines.size();
+    row.pairs = result.pairs;
+    row.decisions = result.decisions;
+    for (const LineOfEdge& line : result.lines)
+      for (std::uint32_t i = 0; i < line.intervals(); ++i) ++(line.hidden(i) ? row.hidden : row.visible);
+  }
+  row.mesh = seconds(mesh_times);
+  row.lines = seconds(line_times);
+  return row;
+}
+
+std::string family(const std::string& scene) { return scene.substr(0, scene.find_first_of("0123456789")); }
+
+void print_row(const Row& row) {
+  const auto& d = row.decisions;
+  const double all = std::max(1.0, static_cast<double>(d.filter + d.interval + d.exact));
+  const auto share = [&](std::uint64_t n) { return fmt::format("{:.4g} %", 100 * static_cast<double>(n) / all); };
+  fmt::print("| {} | {} | {} | {} | {:.3f} | {:.3f} ± {:.3f} | {} | {} | {} | {} | {} | {} | {} | {} | {:.0f} |\n", row.scene,
+             row.view, row.triangles, row.edges, row.mesh.median, row.lines.median, row.lines.spread, row.pairs,
+             static_cast<std::uint64_t>(all), share(d.filter), share(d.interval), share(d.exact), share(d.zero), row.visible,
+             row.hidden, row.megabytes);
+  std::fflush(stdout);
+}
+
+/// By how much the time grows with the number of triangles, from each size of a scene to the next: e in t ~ n^e, and what e
+/// n log n has between the same sizes.
+void print_growth(const std::vector<Row>& rows) {
+  std::map<std::pair<std::string, std::string>, std::vector<const Row*>> series;
+  for (const Row& row : rows) series[{family(row.scene), row.view}].push_back(&row);
+  fmt::print(
+      "\n| growth | view | from | to | e of mesh | e of lines | e of pairs | e of n log n "
+      "|\n|---|---|---|---|---|---|---|---|\n");
+  for (auto& [key, of_one] : series) {
+    std::stable_sort(of_one.begin(), of_one.end(), [](const Row* a, const Row* b) { return a->triangles < b->triangles; });
+    for (std::size_t k = 1; k < of_one.size(); ++k) {
+      const Row &a = *of_one[k - 1], &b = *of_one[k];
+      if (a.triangles == b.triangles) continue;
+      const double m = static_cast<double>(a.triangles), n = static_cast<double>(b.triangles), decade = std::log(n / m);
+      const auto exponent = [&](double from, double to) { return std::log(to / from) / decade; };
+      fmt::print("| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", key.first, key.second, a.scene, b.scene,
+                 exponent(a.mesh.median, b.mesh.median), exponent(a.lines.median, b.lines.median),
+                 exponent(static_cast<double>(a.pairs), static_cast<double>(b.pairs)),
+                 exponent(m * std::log(m), n * std::log(n)));
+    }
+  }
+}
+
+void write_csv(const std::string& path, const std::vector<Row>& rows, const Request& request) {
+  std::ofstream out(path);
+  out << "scene,view,classes,threads,triangles,edges,mesh_seconds,lines_seconds,lines_spread,pairs,filter,interval,exact,zero,"
+         "visible,hidden,peak_mb\n";
+  for (const Row& r : rows)
+    out << fmt::format("{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{},{},{},{},{},{},{},{:.1f}\n", r.scene, r.view, request.edges,
+                       request.threads, r.triangles, r.edges, r.mesh.median, r.lines.median, r.lines.spread, r.pairs,
+                       r.decisions.filter, r.decisions.interval, r.decisions.exact, r.decisions.zero, r.visible, r.hidden,
+                       r.megabytes);
+  if (!out.flush()) throw InputError(path + ": cannot be written");
+}
+
+void run(const Request& request) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.threads));
+  std::vector<Row> rows;
+  fmt::print("{} edges, {} of {} threads, median and half the range of {}\n\n", request.edges, request.threads,
+             std::thread::hardware_concurrency(), request.repeat);
+  fmt::print(
+      "| scene | view | triangles | edges | mesh s | lines s | pairs | signs | filter | interval | exact | zero | visible | "
+      "hidden | peak MB |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const std::string& name : request.scenes) {
+    const Model model = scene(name);
+    for (const std::string& view : request.views) {
+      rows.push_back(measure(model, view, request));
+      print_row(rows.back());
+    }
+  }
+  print_growth(rows);
+  if (!request.csv.empty()) write_csv(request.csv, rows, request);
+}
+
+}  // namespace
+}  // namespace hsr::bench
+
+int main(int argc, char** argv) {
+  hsr::bench::Request request;
+  CLI::App app{"Times, pairs and decisions of visible lines on generated scenes"};
+  app.add_option("--scene", request.scenes,
+                 "knot, city, rand or terrain and a size, as in knot100k; a city's is in boxes of 12");
+  app.add_option("--view", request.views, "oblique, elevation, perspective; default: all three");
+  app.add_option("--edges", request.edges, "all, or default: all but smooth ones")->check(CLI::IsMember({"all", "default"}));
+  app.add_option("--threads", request.threads, "number of threads")->check(CLI::PositiveNumber);
+  app.add_option("--repeat", request.repeat, "how often each is measured")->check(CLI::PositiveNumber);
+  app.add_option("--csv", request.csv, "write the table to this file, too");
+  CLI11_PARSE(app, argc, argv);
+  if (request.scenes.empty())
+    request.scenes = {"knot1k", "knot10k", "knot100k", "city100",   "city1k",     "city10k",
+                      "rand1k", "rand10k", "rand100k", "terrain1k", "terrain10k", "terrain100k"};
+  if (request.views.empty()) request.views = {"oblique", "elevation", "perspective"};
+  try {
+    hsr::bench::run(request);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+}
