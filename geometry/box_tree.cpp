@@ -100,7 +100,9 @@ BoxTree::BoxTree(std::span<const ImageBox> boxes) {
   order_.resize(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) order_[i] = places[i].box;
 
-  constexpr ImageBox none = {{infinity, infinity}, {-infinity, -infinity}, infinity, -infinity};
+  // An empty place holds no numbers: it overlaps nothing, not even an unbounded query.
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  constexpr ImageBox none = {{nan, nan}, {nan, nan}, nan, nan};
   const auto set = [](Node& node, std::size_t k, const ImageBox& b) {
     for (std::size_t d = 0; d < 2; ++d) {
       node.low[d][k] = b.low[d];
@@ -114,14 +116,14 @@ BoxTree::BoxTree(std::span<const ImageBox> boxes) {
     const std::size_t count = (below + width - 1) / width, begin = nodes_.size();
     level_begin_.push_back(static_cast<std::uint32_t>(begin));
     nodes_.resize(begin + count);
-    std::vector<ImageBox> united(count, none);
+    std::vector<ImageBox> united(count, ImageBox::nothing());
     tbb::parallel_for(Range(0, count, 1024), [&](const Range& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
         for (std::size_t k = 0; k < width; ++k) {
           const std::size_t child = i * width + k;
           const ImageBox& box = child >= below ? none : leaves ? boxes[order_[child]] : level_boxes[child];
           set(nodes_[begin + i], k, box);
-          united[i].add(box);
+          if (child < below) united[i].add(box);
         }
       }
     });
