@@ -1,0 +1,211 @@
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/lines/checked_lines.h"
+#include "tests/scenes/random_scenes.h"
+
+// The same picture, asked for in another way. These need no oracle.
+
+namespace hsr {
+namespace {
+
+using oracle::SeenEdge;
+using scenes::TestScene;
+
+std::vector<SeenEdge> seen(const TestScene& scene, const LineOptions& options = all_edges()) {
+  const Mesh mesh = scene.mesh();
+  return oracle::seen_edges(mesh, scene.view, roberts(mesh, scene.view, options));
+}
+
+// A scene without a view of its own can be moved: a view is given by what it was made of.
+View view_with(const View& view, const Point3& at, const Point3& target) {
+  return view.viewpoint.is_direction ? scenes::from_direction(at) : scenes::from_eye(at, target, view.near);
+}
+
+template <class Map>
+TestScene mapped(TestScene scene, const Map& map) {
+  for (Point3& p : scene.points) p = map(p);
+  scene.view = view_with(scene.view, map(scene.view.viewpoint.at), map(scene.view.target));
+  return scene;
+}
+
+template <class Check>
+void on_random_scenes(std::initializer_list<const char*> families, int count, const Check& check) {
+  for (const char* name : families) {
+    for (std::uint64_t seed = 500'000; seed < 500'000 + static_cast<std::uint64_t>(count); ++seed) {
+      const TestScene scene = scenes::family(name).make(seed);
+      INFO(name << " " << seed << "\n" << scenes::to_text(scene));
+      check(scene, seed);
+    }
+  }
+}
+
+TEST_CASE("the order of the faces changes no line", "[lines][metamorphic]") {
+  on_random_scenes({"triangles", "polygons", "edge_on", "slopes", "around_the_eye"}, 60, [](const TestScene& scene, auto) {
+    TestScene reversed = scene;
+    reversed.polygons.first = {0};
+    reversed.polygons.corners.clear();
+    for (std::size_t f = scene.polygons.size(); f-- > 0;)
+      reversed.add_face(std::vector<std::uint32_t>(scene.polygons[f].begin(), scene.polygons[f].end()));
+    CHECK(oracle::to_text(seen(reversed)) == oracle::to_text(seen(scene)));
+  });
+}
+
+TEST_CASE("turning the axes, mirroring and scaling by powers of two change no line", "[lines][metamorphic]") {
+  on_random_scenes({"triangles", "edge_on", "boxes", "around_the_eye"}, 60, [](const TestScene& scene, std::uint64_t seed) {
+    const std::string text = oracle::to_text(seen(scene));
+    CHECK(oracle::to_text(seen(mapped(scene, [](const Point3& p) { return Point3{p.y, p.z, p.x}; }))) == text);
+    CHECK(oracle::to_text(seen(mapped(scene, [](const Point3& p) { return Point3{p.x, p.y, -p.z}; }))) == text);
+    CHECK(oracle::to_text(seen(mapped(scene, [](const Point3& p) { return Point3{p.x, p.z, p.y}; }))) == text);
+    for (const int k : {900, -900, static_cast<int>(seed % 1800) - 900})
+      CHECK(oracle::to_text(seen(mapped(scene, [k](const Point3& p) {
+              return Point3{std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k)};
+            }))) == text);
+  });
+}
+
+TEST_CASE("moving far away changes no line while no coordinate is rounded", "[lines][metamorphic]") {
+  on_random_scenes({"triangles", "edge_on", "boxes", "around_the_eye"}, 60, [](const TestScene& scene, auto) {
+    const std::string text = oracle::to_text(seen(scene));
+    for (const double far : {0x1p20, 0x1p48}) {
+      TestScene moved = scene;
+      const auto move = [far](const Point3& p) { return Point3{p.x + far, p.y - far, p.z + 2 * far}; };
+      for (Point3& p : moved.points) p = move(p);
+      if (scene.view.is_perspective())
+        moved.view = scenes::from_eye(move(scene.view.viewpoint.at), move(scene.view.target), scene.view.near);
+      CHECK(oracle::to_text(seen(moved)) == text);
+    }
+  });
+}
+
+Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+TEST_CASE("a face behind everything changes no line", "[lines][metamorphic]") {
+  on_random_scenes({"triangles", "polygons", "edge_on", "boxes"}, 60, [](const TestScene& scene, auto) {
+    const View& view = scene.view;
+    const Point3 at = view.viewpoint.at;
+    const Point3 away = view.is_perspective() ? Point3{view.target.x - at.x, view.target.y - at.y, view.target.z - at.z}
+                                              : Point3{-at.x, -at.y, -at.z};
+    const Point3 u = cross(away, away.x == 0 && away.y == 0 ? Point3{1, 0, 0} : Point3{0, 0, 1}), v = cross(away, u);
+    double depth = view.is_perspective() ? dot(away, at) + 4 * dot(away, away) : 0;
+    for (const Point3& p : scene.points) depth = std::max(depth, dot(away, p));
+    const double m = std::ceil(depth / dot(away, away)) + 1;  // the plane away . p = m away^2 is behind every point
+    const auto corner = [&](double i, double j) {
+      return Point3{m * away.x + i * u.x + j * v.x, m * away.y + i * u.y + j * v.y, m * away.z + i * u.z + j * v.z};
+    };
+    TestScene more = scene;
+    more.add_face({corner(200, 0), corner(-100, 150), corner(-100, -150)});
+    std::vector<SeenEdge> edges = seen(more);
+    std::erase_if(edges, [&](const SeenEdge& e) { return e.b.value >= scene.points.size(); });
+    CHECK(oracle::to_text(edges) == oracle::to_text(seen(scene)));
+  });
+}
+
+TEST_CASE("cutting a face in two changes no line but those at the cut", "[lines][metamorphic]") {
+  on_random_scenes({"triangles", "around_the_eye", "slopes"}, 80, [](const TestScene& scene, auto) {
+    const auto face = scene.polygons[0];
+    if (face.size() != 3) return;
+    const Point3 a = scene.points[face[0]], b = scene.points[face[1]];
+    const Point3 middle = {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+    if (a == b || 2 * middle.z != a.z + b.z) return;  // half of the smallest number is no number
+    TestScene cut{scene.name, scene.points, {}, scene.view};
+    cut.polygons.segments = scene.polygons.segments;
+    const auto m = static_cast<std::uint32_t>(cut.points.size());
+    cut.points.push_back(middle);
+    cut.add_face({face[0], m, face[2]});
+    cut.add_face({m, face[1], face[2]});
+    for (std::size_t f = 1; f < scene.polygons.size(); ++f)
+      cut.add_face(std::vector<std::uint32_t>(scene.polygons[f].begin(), scene.polygons[f].end()));
+    const Mesh mesh = cut.mesh();
+    const auto at_cut = [&](const SeenEdge& e) {
+      const auto is = [&](std::uint32_t p, std::uint32_t q) {
+        const VertexId i = mesh.merged[VertexId(p)], j = mesh.merged[VertexId(q)];
+        return (e.a == i && e.b == j) || (e.a == j && e.b == i);
+      };
+      return is(face[0], face[1]) || is(face[0], m) || is(face[1], m) || is(face[2], m);
+    };
+    std::vector<SeenEdge> before = seen(scene), after = seen(cut);
+    std::erase_if(before, at_cut);
+    std::erase_if(after, at_cut);
+    CHECK(oracle::to_text(after) == oracle::to_text(before));
+  });
+}
+
+void same_bits(const VisibleLines& a, const VisibleLines& b) {
+  REQUIRE(a.lines.size() == b.lines.size());
+  for (std::size_t i = 0; i < a.lines.size(); ++i) {
+    const LineOfEdge &p = a.lines[i], &q = b.lines[i];
+    CHECK(p.edge == q.edge);
+    CHECK(p.edge_class == q.edge_class);
+    CHECK(p.starts_hidden == q.starts_hidden);
+    CHECK(p.first_cut == q.first_cut);
+    CHECK(p.end_cut == q.end_cut);
+    CHECK(p.first_occluder == q.first_occluder);
+    CHECK(p.end_occluder == q.end_occluder);
+  }
+  CHECK(a.cuts == b.cuts);
+  REQUIRE(a.occluders.size() == b.occluders.size());
+  for (std::size_t i = 0; i < a.occluders.size(); ++i) {
+    CHECK(a.occluders[i].face == b.occluders[i].face);
+    CHECK(a.occluders[i].from == b.occluders[i].from);
+    CHECK(a.occluders[i].to == b.occluders[i].to);
+  }
+  CHECK(a.pairs == b.pairs);
+}
+
+// Many scenes side by side: enough edges to be shared out among threads.
+TestScene crowd(std::uint64_t seed) {
+  TestScene all;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    const TestScene one = scenes::family(i % 2 == 0 ? "triangles" : "boxes").make(seed + i);
+    const auto first = static_cast<std::uint32_t>(all.points.size());
+    const double x = 5.0 * static_cast<double>(i % 20), y = 5.0 * std::floor(static_cast<double>(i) / 20);
+    for (const Point3& p : one.points) all.points.push_back({p.x + x, p.y + y, p.z});
+    for (std::size_t f = 0; f < one.polygons.size(); ++f) {
+      std::vector<std::uint32_t> corners(one.polygons[f].begin(), one.polygons[f].end());
+      for (auto& c : corners) c += first;
+      all.add_face(corners);
+    }
+  }
+  all.view = seed % 2 == 0 ? scenes::from_direction({1, -1, 1}) : scenes::from_eye({-20, -30, 25}, {50, 40, 0});
+  return all;
+}
+
+TEST_CASE("one thread and two give the same bits", "[lines][metamorphic]") {
+  for (const std::uint64_t seed : {600'000U, 600'001U}) {
+    const TestScene scene = crowd(seed);
+    LineOptions options = all_edges();
+    options.why = true;
+    const auto with_threads = [&](std::size_t n) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);
+      const Mesh mesh = scene.mesh();
+      return roberts(mesh, scene.view, options);
+    };
+    const VisibleLines one = with_threads(1), two = with_threads(2);
+    CHECK(one.lines.size() > 2000);
+    same_bits(one, two);
+    CHECK(one.decisions.filter == two.decisions.filter);
+    CHECK(one.decisions.interval == two.decisions.interval);
+    CHECK(one.decisions.exact == two.decisions.exact);
+    CHECK(one.decisions.zero == two.decisions.zero);
+  }
+}
+
+TEST_CASE("every arithmetic that is exact gives the same lines", "[lines][metamorphic]") {
+  on_random_scenes({"triangles", "edge_on", "stacks", "slopes", "around_the_eye", "scaled"}, 40,
+                   [](const TestScene& scene, auto) {
+                     LineOptions options = all_edges();
+                     const std::string text = oracle::to_text(seen(scene, options));
+                     options.arithmetic = Arithmetic::interval;
+                     CHECK(oracle::to_text(seen(scene, options)) == text);
+                     options.arithmetic = Arithmetic::rational;
+                     CHECK(oracle::to_text(seen(scene, options)) == text);
+                   });
+}
+
+}  // namespace
+}  // namespace hsr

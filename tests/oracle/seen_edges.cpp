@@ -1,0 +1,169 @@
+#include "tests/oracle/seen_edges.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "tests/oracle/edge_class_oracle.h"
+#include "tests/oracle/visible_lines_oracle.h"
+
+namespace hsr::oracle {
+
+namespace {
+
+std::string name(VertexId a, VertexId b) { return std::to_string(a.value) + "-" + std::to_string(b.value); }
+
+bool asked_for(const LineOptions& options, EdgeClass c) { return options.classes[static_cast<std::size_t>(c)]; }
+
+bool same_class(const SeenEdge& expected, const SeenEdge& found) {
+  return found.edge_class == expected.edge_class || (expected.class_is_uncertain && found.edge_class == expected.other_class);
+}
+
+// Each occluder hides all of its interval, and together they hide what is hidden.
+void check_occluders(const Mesh& mesh, const View& view, const VisibleLines& lines, const LineOfEdge& line,
+                     const VisibleLinesOracle& oracle, std::vector<std::string>& out) {
+  const Edge& edge = mesh.edges[line.edge];
+  const EdgeVisibility truth = oracle.visibility(line.edge);
+  const auto complain = [&](const std::string& what) { out.push_back("occluders of " + name(edge.a, edge.b) + ": " + what); };
+  std::vector<Interval> by;
+  for (const Occluder& o : lines.occluders_of(line)) {
+    const Interval i{exact(parameter(mesh, view, edge, o.from)), exact(parameter(mesh, view, edge, o.to))};
+    const std::string text = "face " + std::to_string(o.face.value) + " " + i.from.get_str() + " " + i.to.get_str();
+    if (i.from >= i.to) complain("empty, " + text);
+    Q covered = i.from;
+    for (bool grows = true; grows && covered < i.to;) {
+      grows = false;
+      for (const Shadow& s : truth.shadows) {
+        if (mesh.face_of[s.triangle] != o.face || s.interval.from > covered || s.interval.to <= covered) continue;
+        covered = s.interval.to;
+        grows = true;
+      }
+    }
+    if (covered < i.to) complain("not hidden by that face, " + text);
+    if (!by.empty() && i.from < by.back().from) complain("out of order, " + text);
+    by.push_back(i);
+  }
+  for (const Interval& hidden : truth.hidden) {
+    Q covered = hidden.from;
+    for (const Interval& i : by)
+      if (i.from <= covered && i.to > covered) covered = i.to;
+    if (covered != hidden.to) complain("hidden from " + hidden.from.get_str() + " but covered to " + covered.get_str());
+  }
+}
+
+}  // namespace
+
+const char* to_text(EdgeClass edge_class) {
+  switch (edge_class) {
+    case EdgeClass::outline:
+      return "outline";
+    case EdgeClass::sharp:
+      return "sharp";
+    case EdgeClass::boundary:
+      return "boundary";
+    case EdgeClass::intersection:
+      return "intersection";
+    case EdgeClass::wire:
+      return "wire";
+    case EdgeClass::smooth:
+      return "smooth";
+  }
+  return "no class";
+}
+
+std::string intervals_text(const SeenEdge& edge) {
+  if (edge.cuts.empty()) return "nothing";
+  std::string text = edge.cuts.front().get_str();
+  bool hidden = edge.starts_hidden;
+  for (std::size_t k = 1; k < edge.cuts.size(); ++k, hidden = !hidden)
+    text += (hidden ? " hidden " : " visible ") + edge.cuts[k].get_str();
+  return text;
+}
+
+std::string to_text(const SeenEdge& edge) {
+  return name(edge.a, edge.b) + " " + to_text(edge.edge_class) + ": " + intervals_text(edge);
+}
+
+std::string to_text(const std::vector<SeenEdge>& edges) {
+  std::string text;
+  for (const SeenEdge& e : edges) text += to_text(e) + "\n";
+  return text;
+}
+
+std::vector<SeenEdge> seen_by_oracle(const Mesh& mesh, const View& view, const LineOptions& options) {
+  const VisibleLinesOracle oracle(mesh, view);
+  std::vector<SeenEdge> out;
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
+    const EdgeId id(i);
+    const auto verdict = class_of(mesh, view, id, options.crease);
+    if (!verdict) continue;
+    SeenEdge e{mesh.edges[id].a, mesh.edges[id].b, verdict->edge_class, false, {}, verdict->is_near_crease, false, {}};
+    if (e.class_is_uncertain) {
+      e.other_class = mesh.edges[id].wire ? EdgeClass::wire : EdgeClass::smooth;
+      if (e.edge_class != EdgeClass::sharp) e.other_class = EdgeClass::sharp;
+    }
+    const bool is_asked = asked_for(options, e.edge_class);
+    const bool other_is_asked = e.class_is_uncertain && asked_for(options, e.other_class);
+    if (!is_asked && !other_is_asked) continue;
+    e.may_be_absent = e.class_is_uncertain && is_asked != other_is_asked;
+    const EdgeVisibility v = oracle.visibility(id);
+    if (v.is_seen) {
+      e.cuts.push_back(v.beyond.from);
+      e.starts_hidden = !v.hidden.empty() && v.hidden.front().from == v.beyond.from;
+      std::vector<Interval> all = v.hidden;
+      all.insert(all.end(), v.visible.begin(), v.visible.end());
+      std::sort(all.begin(), all.end(), [](const Interval& p, const Interval& q) { return p.from < q.from; });
+      for (const Interval& part : all) e.cuts.push_back(part.to);
+    }
+    out.push_back(std::move(e));
+  }
+  return out;
+}
+
+std::vector<SeenEdge> seen_edges(const Mesh& mesh, const View& view, const VisibleLines& lines) {
+  std::vector<SeenEdge> out;
+  for (const LineOfEdge& line : lines.lines) {
+    const Edge& edge = mesh.edges[line.edge];
+    SeenEdge e{edge.a, edge.b, line.edge_class, line.starts_hidden, {}, false, false, {}};
+    for (const Cut& cut : lines.cuts_of(line)) e.cuts.push_back(exact(parameter(mesh, view, edge, cut)));
+    out.push_back(std::move(e));
+  }
+  return out;
+}
+
+std::vector<std::string> differences(const std::vector<SeenEdge>& expected, const std::vector<SeenEdge>& found) {
+  std::vector<std::string> out;
+  const auto key = [](const SeenEdge& e) { return std::pair(e.a, e.b); };
+  std::map<std::pair<VertexId, VertexId>, const SeenEdge*> left;
+  for (const SeenEdge& e : expected) left[key(e)] = &e;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const SeenEdge& f = found[i];
+    if (i > 0 && key(found[i - 1]) >= key(f)) out.push_back("not ascending: " + to_text(f));
+    const auto it = left.find(key(f));
+    if (it == left.end()) {
+      out.push_back("not expected, or twice: " + to_text(f));
+      continue;
+    }
+    const SeenEdge& e = *it->second;
+    const bool same_intervals = f.cuts == e.cuts && (f.cuts.empty() || f.starts_hidden == e.starts_hidden);
+    if (!same_intervals || !same_class(e, f)) out.push_back("found " + to_text(f) + "; expected " + to_text(e));
+    left.erase(it);
+  }
+  for (const auto& [k, e] : left)
+    if (!e->may_be_absent) out.push_back("missing: " + to_text(*e));
+  return out;
+}
+
+std::vector<std::string> compare_with_oracle(const Mesh& mesh, const View& view, const VisibleLines& lines,
+                                             const LineOptions& options) {
+  std::vector<std::string> out = differences(seen_by_oracle(mesh, view, options), seen_edges(mesh, view, lines));
+  if (options.why) {
+    const VisibleLinesOracle oracle(mesh, view);
+    for (const LineOfEdge& line : lines.lines) check_occluders(mesh, view, lines, line, oracle, out);
+  } else if (!lines.occluders.empty()) {
+    out.push_back("occluders that were not asked for");
+  }
+  return out;
+}
+
+}  // namespace hsr::oracle
