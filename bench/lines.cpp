@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <map>
@@ -39,7 +40,7 @@ struct Seconds {
 struct Row {
   std::string scene, view;
   std::size_t triangles = 0, edges = 0;
-  Seconds mesh, lines;
+  Seconds mesh, lines, mesh_processor, lines_processor;
   std::uint64_t pairs = 0;
   DecisionCounts decisions;
   std::size_t visible = 0, hidden = 0;
@@ -53,12 +54,20 @@ Seconds seconds(std::vector<double> times) {
   return {median, (times.back() - times.front()) / 2};
 }
 
-template <class Work>
-double time_of(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+/// Seconds by the clock and, of all threads together, on the processors: other work on the machine disturbs the second far
+/// less.
+struct Times {
+  std::vector<double> clock, processor;
+
+  template <class Work>
+  void add(Work&& work) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t processor_start = std::clock();
+    work();
+    processor.push_back(static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC);
+    clock.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+};
 
 /// oblique: from above, in a direction that is no multiple of anything; elevation: from the front; perspective: from the same
 /// direction, two diagonals of the bounding box away from its centre.
@@ -81,14 +90,14 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
   row.view = view_name;
   LineOptions options;
   if (request.edges == "all") options.classes.fill(true);
-  std::vector<double> mesh_times, line_times;
+  Times mesh_times, line_times;
   reset_peak_memory();
   for (int k = 0; k < request.repeat; ++k) {
     Mesh mesh;
     VisibleLines result;
-    mesh_times.push_back(time_of([&] { mesh = make_mesh(model.points, model.polygons); }));
+    mesh_times.add([&] { mesh = make_mesh(model.points, model.polygons); });
     const View view = view_of(view_name, mesh);
-    line_times.push_back(time_of([&] { result = roberts(mesh, view, options); }));
+    line_times.add([&] { result = roberts(mesh, view, options); });
     if (k > 0) continue;
     row.megabytes = peak_memory() / 1e6;
     row.triangles = mesh.triangles.size();
@@ -98,8 +107,10 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
     for (const LineOfEdge& line : result.lines)
       for (std::uint32_t i = 0; i < line.intervals(); ++i) ++(line.hidden(i) ? row.hidden : row.visible);
   }
-  row.mesh = seconds(mesh_times);
-  row.lines = seconds(line_times);
+  row.mesh = seconds(mesh_times.clock);
+  row.mesh_processor = seconds(mesh_times.processor);
+  row.lines = seconds(line_times.clock);
+  row.lines_processor = seconds(line_times.processor);
   return row;
 }
 
@@ -109,15 +120,15 @@ void print_row(const Row& row) {
   const auto& d = row.decisions;
   const double all = std::max(1.0, static_cast<double>(d.filter + d.interval + d.exact));
   const auto share = [&](std::uint64_t n) { return fmt::format("{:.4g} %", 100 * static_cast<double>(n) / all); };
-  fmt::print("| {} | {} | {} | {} | {:.3f} | {:.3f} ± {:.3f} | {} | {} | {} | {} | {} | {} | {} | {} | {:.0f} |\n", row.scene,
-             row.view, row.triangles, row.edges, row.mesh.median, row.lines.median, row.lines.spread, row.pairs,
-             static_cast<std::uint64_t>(all), share(d.filter), share(d.interval), share(d.exact), share(d.zero), row.visible,
-             row.hidden, row.megabytes);
+  fmt::print("| {} | {} | {} | {} | {:.3f} | {:.3f} ± {:.3f} | {:.3f} | {} | {} | {} | {} | {} | {} | {} | {} | {:.0f} |\n",
+             row.scene, row.view, row.triangles, row.edges, row.mesh.median, row.lines.median, row.lines.spread,
+             row.lines_processor.median, row.pairs, static_cast<std::uint64_t>(all), share(d.filter), share(d.interval),
+             share(d.exact), share(d.zero), row.visible, row.hidden, row.megabytes);
   std::fflush(stdout);
 }
 
-/// By how much the time grows with the number of triangles, from each size of a scene to the next: e in t ~ n^e, and what e
-/// n log n has between the same sizes.
+/// By how much the processor time grows with the number of triangles, from each size of a scene to the next: e in t ~ n^e, and
+/// what e n log n has between the same sizes.
 void print_growth(const std::vector<Row>& rows) {
   std::map<std::pair<std::string, std::string>, std::vector<const Row*>> series;
   for (const Row& row : rows) series[{family(row.scene), row.view}].push_back(&row);
@@ -132,7 +143,8 @@ void print_growth(const std::vector<Row>& rows) {
       const double m = static_cast<double>(a.triangles), n = static_cast<double>(b.triangles), decade = std::log(n / m);
       const auto exponent = [&](double from, double to) { return std::log(to / from) / decade; };
       fmt::print("| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", key.first, key.second, a.scene, b.scene,
-                 exponent(a.mesh.median, b.mesh.median), exponent(a.lines.median, b.lines.median),
+                 exponent(a.mesh_processor.median, b.mesh_processor.median),
+                 exponent(a.lines_processor.median, b.lines_processor.median),
                  exponent(static_cast<double>(a.pairs), static_cast<double>(b.pairs)),
                  exponent(m * std::log(m), n * std::log(n)));
     }
@@ -141,13 +153,14 @@ void print_growth(const std::vector<Row>& rows) {
 
 void write_csv(const std::string& path, const std::vector<Row>& rows, const Request& request) {
   std::ofstream out(path);
-  out << "scene,view,classes,threads,triangles,edges,mesh_seconds,lines_seconds,lines_spread,pairs,filter,interval,exact,zero,"
+  out << "scene,view,classes,threads,triangles,edges,mesh_seconds,lines_seconds,lines_spread,lines_processor_seconds,pairs,"
+         "filter,interval,exact,zero,"
          "visible,hidden,peak_mb\n";
   for (const Row& r : rows)
-    out << fmt::format("{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{},{},{},{},{},{},{},{:.1f}\n", r.scene, r.view, request.edges,
-                       request.threads, r.triangles, r.edges, r.mesh.median, r.lines.median, r.lines.spread, r.pairs,
-                       r.decisions.filter, r.decisions.interval, r.decisions.exact, r.decisions.zero, r.visible, r.hidden,
-                       r.megabytes);
+    out << fmt::format("{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{},{},{},{},{},{:.1f}\n", r.scene, r.view,
+                       request.edges, request.threads, r.triangles, r.edges, r.mesh.median, r.lines.median, r.lines.spread,
+                       r.lines_processor.median, r.pairs, r.decisions.filter, r.decisions.interval, r.decisions.exact,
+                       r.decisions.zero, r.visible, r.hidden, r.megabytes);
   if (!out.flush()) throw InputError(path + ": cannot be written");
 }
 
@@ -157,8 +170,9 @@ void run(const Request& request) {
   fmt::print("{} edges, {} of {} threads, median and half the range of {}\n\n", request.edges, request.threads,
              std::thread::hardware_concurrency(), request.repeat);
   fmt::print(
-      "| scene | view | triangles | edges | mesh s | lines s | pairs | signs | filter | interval | exact | zero | visible | "
-      "hidden | peak MB |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "| scene | view | triangles | edges | mesh s | lines s | processor s | pairs | signs | filter | interval | exact | zero "
+      "| visible | "
+      "hidden | peak MB |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const std::string& name : request.scenes) {
     const Model model = scene(name);
     for (const std::string& view : request.views) {
