@@ -1,0 +1,261 @@
+#include "hsr/drawing/drawing.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/certificate.h"
+#include "geometry/error.h"
+#include "hsr/drawing/image_lines.h"
+#include "hsr/drawing/join.h"
+#include "hsr/drawing/overlay.h"
+#include "hsr/drawing/placement.h"
+
+namespace hsr {
+
+namespace {
+
+Predicates predicates_for(const Mesh& mesh, const View& view, Arithmetic arithmetic) {
+  Certificate points = certificate(mesh.points), direction;
+  (view.viewpoint.is_direction ? direction : points).add(view.viewpoint.at);
+  return Predicates(points, direction, arithmetic);
+}
+
+/// The images of the ends of the edges, for those that are used.
+IndexedVector<VertexId, HomogeneousPoint> images(const Projection& projection, const VisibleLines& lines,
+                                                 std::span<const std::uint32_t> drawn) {
+  const Mesh& mesh = projection.mesh();
+  IndexedVector<VertexId, HomogeneousPoint> at(mesh.points.size());
+  std::vector<char> used(mesh.points.size(), 0);
+  for (const std::uint32_t i : drawn) {
+    const Edge& e = mesh.edges[lines.lines[i].edge];
+    used[e.a.value] = used[e.b.value] = 1;
+  }
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, used.size(), 1024), [&](const auto& range) {
+    for (std::size_t v = range.begin(); v != range.end(); ++v)
+      if (used[v] != 0) at[VertexId(v)] = projection.at(VertexId(v));
+  });
+  return at;
+}
+
+Overlay lay_over(const ImageLines& groups, const Projection& projection, const VisibleLines& lines, bool with_hidden,
+                 tbb::enumerable_thread_specific<Predicates>& predicates) {
+  constexpr std::size_t chunk = 512;
+  std::vector<Overlay> parts((groups.size() + chunk - 1) / chunk);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t c) {
+    LineOverlay overlay(projection, lines, with_hidden, predicates.local());
+    for (std::size_t g = c * chunk; g < std::min(groups.size(), (c + 1) * chunk); ++g) {
+      if (groups[g].size() == 1)
+        overlay.add_single(groups[g].front(), parts[c]);
+      else
+        overlay.add_group(groups[g], groups.steep[groups.first[g]] != 0, parts[c]);
+    }
+  });
+  Overlay all;
+  for (const Overlay& part : parts) all.append(part);
+  return all;
+}
+
+/// The stroke on the paper; nothing if it is outside the frame.
+class Placer {
+ public:
+  Placer(const Placement& placement, const IndexedVector<VertexId, HomogeneousPoint>& at, const VisibleLines& lines)
+      : projection_(placement.projection), frame_(placement.frame), at_(at), lines_(lines) {}
+
+  std::optional<PaperLine> operator()(const Stroke& stroke) const {
+    HomogeneousPoint from = image(stroke.from), to = image(stroke.to);
+    bool from_is_cut = false, to_is_cut = false;
+    if (frame_ && !clip(from, to, from_is_cut, to_is_cut)) return {};
+    PaperLine line;
+    line.from = from_is_cut ? on_frame(from) : rounded(stroke.from, from);
+    line.to = to_is_cut ? on_frame(to) : rounded(stroke.to, to);
+    line.style = (stroke.hidden ? 0U : 16U) + static_cast<std::uint32_t>(stroke.edge_class);
+    return line;
+  }
+
+ private:
+  using Wide = Enclosure::Wide;
+
+  const Edge& edge_of(const PlaceOnEdge& p) const { return projection_.mesh().edges[lines_.lines[p.line].edge]; }
+  HomogeneousPoint image(const PlaceOnEdge& p) const {
+    const Cut& cut = lines_.cuts[p.cut];
+    if (cut.kind == Cut::Kind::start) return at_[edge_of(p).a];
+    if (cut.kind == Cut::Kind::end) return at_[edge_of(p).b];
+    return projection_.at(edge_of(p), cut);
+  }
+  PaperPoint rounded(const PlaceOnEdge& p, const HomogeneousPoint& at) const {
+    return projection_.rounded(edge_of(p), lines_.cuts[p.cut], at);
+  }
+  PaperPoint on_frame(const HomogeneousPoint& p) const {
+    const Wide x = std::clamp<Wide>(p.x.middle / p.w.middle, frame_->left, frame_->right);
+    const Wide y = std::clamp<Wide>(p.y.middle / p.w.middle, frame_->top, frame_->bottom);
+    return {static_cast<std::int64_t>(std::round(x * 1000)), static_cast<std::int64_t>(std::round(y * 1000))};
+  }
+  /// Liang and Barsky's, on the homogeneous points. The paper ends here: this places an end on the frame, and decides nothing
+  /// else.
+  bool clip(HomogeneousPoint& from, HomogeneousPoint& to, bool& from_is_cut, bool& to_is_cut) const {
+    const auto inside = [&](const HomogeneousPoint& p) {
+      const Wide x = p.x.middle, y = p.y.middle, w = p.w.middle;
+      return std::array<Wide, 4>{x - frame_->left * w, frame_->right * w - x, y - frame_->top * w, frame_->bottom * w - y};
+    };
+    const auto a = inside(from), b = inside(to);
+    Wide low = 0, high = 1;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (a[k] < 0 && b[k] < 0) return false;
+      if (a[k] < 0) low = std::max(low, a[k] / (a[k] - b[k]));
+      if (b[k] < 0) high = std::min(high, a[k] / (a[k] - b[k]));
+    }
+    if (!(low < high)) return false;
+    const auto between = [&](Wide t) {
+      const auto mix = [&](const Enclosure& p, const Enclosure& q) {
+        return Enclosure(p.middle + t * (q.middle - p.middle), 0);
+      };
+      return HomogeneousPoint{mix(from.x, to.x), mix(from.y, to.y), mix(from.w, to.w)};
+    };
+    from_is_cut = low > 0;
+    to_is_cut = high < 1;
+    const HomogeneousPoint p = from_is_cut ? between(low) : from, q = to_is_cut ? between(high) : to;
+    from = p;
+    to = q;
+    return true;
+  }
+
+  const Projection& projection_;
+  std::optional<PaperFrame> frame_;
+  const IndexedVector<VertexId, HomogeneousPoint>& at_;
+  const VisibleLines& lines_;
+};
+
+constexpr double shortest = 10;  // thousandths of a millimetre
+
+double length_of(std::span<const PaperPoint> points, bool closed) {
+  double length = 0;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k)
+    length +=
+        std::hypot(static_cast<double>(points[k + 1].x - points[k].x), static_cast<double>(points[k + 1].y - points[k].y));
+  if (closed && !points.empty())
+    length += std::hypot(static_cast<double>(points.front().x - points.back().x),
+                         static_cast<double>(points.front().y - points.back().y));
+  return length;
+}
+
+/// Fills in the polylines from the chains of strokes.
+class Collector {
+ public:
+  Collector(Drawing& drawing, const Mesh& mesh, const VisibleLines& lines, const Overlay& overlay)
+      : drawing_(drawing), mesh_(mesh), lines_(lines), overlay_(overlay) {}
+
+  /// @param of_line the stroke of each paper line
+  void add(const Chain& chain, const std::vector<PaperLine>& paper, const std::vector<std::uint32_t>& of_line) {
+    std::vector<PaperPoint>& points = drawing_.points;
+    Polyline p;
+    p.first_point = static_cast<std::uint32_t>(points.size());
+    for (std::size_t k = 0; k < chain.lines.size(); ++k) {
+      const PaperLine& line = paper[chain.lines[k]];
+      if (k == 0) points.push_back(chain.reversed[k] ? line.to : line.from);
+      points.push_back(chain.reversed[k] ? line.from : line.to);
+    }
+    p.closed = chain.closed;
+    if (p.closed) points.pop_back();
+    p.end_point = static_cast<std::uint32_t>(points.size());
+    if (length_of(drawing_.points_of(p), p.closed) < shortest) {
+      ++drawing_.short_dropped;
+      points.resize(p.first_point);
+      return;
+    }
+    const Stroke& first = overlay_.strokes[of_line[chain.lines.front()]];
+    p.hidden = first.hidden;
+    p.edge_class = first.edge_class;
+    add_sources(p, chain, of_line);
+    drawing_.polylines.push_back(p);
+  }
+
+ private:
+  void add_sources(Polyline& p, const Chain& chain, const std::vector<std::uint32_t>& of_line) {
+    std::vector<EdgeId> edges;
+    std::vector<std::uint32_t> faces;
+    for (const std::uint32_t k : chain.lines) {
+      const Stroke& stroke = overlay_.strokes[of_line[k]];
+      for (std::uint32_t s = stroke.first_source; s < stroke.end_source; ++s)
+        edges.push_back(lines_.lines[overlay_.sources[s]].edge);
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    p.first_edge = static_cast<std::uint32_t>(drawing_.edges.size());
+    for (const EdgeId e : edges) {
+      drawing_.edges.push_back({mesh_.edges[e].a.value, mesh_.edges[e].b.value});
+      for (const TriangleId t : mesh_.triangles_at(e)) faces.push_back(mesh_.face_of[t].value);
+    }
+    p.end_edge = static_cast<std::uint32_t>(drawing_.edges.size());
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    p.first_face = static_cast<std::uint32_t>(drawing_.faces.size());
+    drawing_.faces.insert(drawing_.faces.end(), faces.begin(), faces.end());
+    p.end_face = static_cast<std::uint32_t>(drawing_.faces.size());
+  }
+
+  Drawing& drawing_;
+  const Mesh& mesh_;
+  const VisibleLines& lines_;
+  const Overlay& overlay_;
+};
+
+}  // namespace
+
+Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, const DrawingOptions& options) {
+  std::vector<std::uint32_t> seen;  // lines that are not a point, nor before the near plane
+  for (std::uint32_t i = 0; i < lines.lines.size(); ++i)
+    if (lines.lines[i].intervals() > 0) seen.push_back(i);
+
+  const Placement place = placement(mesh, view, lines, seen, options);
+  Drawing drawing;
+  drawing.width = place.width;
+  drawing.height = place.height;
+  drawing.scale = place.scale;
+  drawing.fits = place.fits;
+  drawing.hidden = options.hidden;
+
+  const bool with_hidden = options.hidden != HiddenLines::none;
+  if (!with_hidden)
+    std::erase_if(seen, [&](std::uint32_t i) { return lines.lines[i].starts_hidden && lines.lines[i].intervals() == 1; });
+
+  const Projection& projection = place.projection;
+  const auto at = images(projection, lines, seen);
+  tbb::enumerable_thread_specific<Predicates> predicates(predicates_for(mesh, view, options.arithmetic));
+  const ImageLines groups = image_lines(projection, at, lines, seen, predicates.local());
+  const Overlay overlay = lay_over(groups, projection, lines, with_hidden, predicates);
+  for (const Predicates& p : predicates) drawing.decisions += p.counts();
+  drawing.visible_under_visible = overlay.visible_under_visible;
+  drawing.hidden_under_visible = overlay.hidden_under_visible;
+  drawing.hidden_under_hidden = overlay.hidden_under_hidden;
+  drawing.merged = overlay.merged;
+
+  std::vector<std::optional<PaperLine>> placed(overlay.strokes.size());
+  const Placer placer(place, at, lines);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, placed.size(), 256), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k != range.end(); ++k) placed[k] = placer(overlay.strokes[k]);
+  });
+  std::vector<PaperLine> paper;
+  std::vector<std::uint32_t> of_line;
+  for (std::uint32_t k = 0; k < placed.size(); ++k) {
+    if (!placed[k]) continue;
+    if (placed[k]->from == placed[k]->to) {  // nothing of it on the paper; its neighbours meet there all the same
+      ++drawing.short_dropped;
+      continue;
+    }
+    paper.push_back(*placed[k]);
+    of_line.push_back(k);
+  }
+
+  std::vector<Chain> chains = join(paper);
+  std::stable_sort(chains.begin(), chains.end(),
+                   [&](const Chain& a, const Chain& b) { return paper[a.lines.front()].style < paper[b.lines.front()].style; });
+  Collector collector(drawing, mesh, lines, overlay);
+  for (const Chain& chain : chains) collector.add(chain, paper, of_line);
+  return drawing;
+}
+
+}  // namespace hsr

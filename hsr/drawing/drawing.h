@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hsr/drawing/page.h"
+#include "hsr/lines/visible_lines.h"
+
+namespace hsr {
+
+/// What becomes of hidden parts.
+enum class HiddenLines : std::uint8_t { none, dashed, solid };
+
+struct DrawingOptions {
+  Page page;
+  std::optional<double> scale;  ///< paper length over model length; nothing: fit
+  double unit = 1;              ///< millimetres in a model unit
+  HiddenLines hidden = HiddenLines::none;
+  /// Degrees across the shorter side of the picture, perspective only: the picture is cut to a frame around the target with the
+  /// proportions of the page less its margins. Nothing: all that is beyond the near plane.
+  std::optional<double> field_of_view;
+  Arithmetic arithmetic = Arithmetic::staged;
+};
+
+/// Some lines of one style, joined end to end.
+struct Polyline {
+  bool hidden = false, closed = false;  ///< closed: the last point is joined to the first, which is not repeated
+  EdgeClass edge_class = EdgeClass::outline;
+  std::uint32_t first_point = 0, end_point = 0, first_edge = 0, end_edge = 0, first_face = 0, end_face = 0;
+};
+
+/// Polylines on a page, each point of the image drawn once.
+struct Drawing {
+  double width = 210, height = 297;  ///< of the page, mm
+  double scale = 1;                  ///< millimetres of paper to a unit of the view's frame; 0 or infinite beyond a double
+  bool fits = true;                  ///< nothing is outside the page
+  HiddenLines hidden = HiddenLines::none;
+
+  std::vector<Polyline> polylines;                  ///< hidden before visible, then by class, then by their first edge
+  std::vector<PaperPoint> points;                   ///< x to the right, y down, from the upper left corner of the page
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< i < j, ascending and unique for each polyline
+  std::vector<std::uint32_t> faces;                 ///< ascending and unique for each polyline
+
+  /// Parts of edges that were left out where another one is drawn, wholly or in part.
+  std::uint64_t visible_under_visible = 0, hidden_under_visible = 0, hidden_under_hidden = 0;
+  std::uint64_t merged = 0;         ///< joints between collinear parts that became one line
+  std::uint64_t short_dropped = 0;  ///< joined lines under 0.01 mm
+  DecisionCounts decisions;
+
+  std::span<const PaperPoint> points_of(const Polyline& p) const {
+    return {points.data() + p.first_point, points.data() + p.end_point};
+  }
+  std::span<const std::array<std::uint32_t, 2>> edges_of(const Polyline& p) const {
+    return {edges.data() + p.first_edge, edges.data() + p.end_edge};
+  }
+  std::span<const std::uint32_t> faces_of(const Polyline& p) const {
+    return {faces.data() + p.first_face, faces.data() + p.end_face};
+  }
+};
+
+/// The lines on paper: no image point twice, collinear parts merged, parts of one style joined into long polylines.
+///
+///   (1) what is drawn visible is the union of the visible parts; what is drawn hidden, of the hidden parts less that union
+///   (2) where visible parts of several classes coincide, the first of outline, boundary, sharp, intersection, wire, smooth is
+///   drawn (3) a coordinate is the exact one rounded to 0.001 mm, halves away from zero; except where the field of view cuts a
+///   line (4) the same for any number of threads
+///
+/// Fit: the box around all lines, drawn hidden ones or not, fills the page less its margins; so --hidden changes no place.
+/// @throws InputError if the field of view is not within (0, 180), or a line lies beyond 1e9 mm
+/// Exact: yes. Cost: O(n log n), and an exact rational point for each end that coincides with one of another edge in mid-edge.
+Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, const DrawingOptions& options = {});
+
+}  // namespace hsr

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hsr/drawing/projection.h"
+
+namespace hsr {
+
+/// Edges grouped by the straight line of the image that carries them.
+struct ImageLines {
+  std::vector<std::uint32_t> first = {0};  ///< group g has members[first[g]] ... members[first[g + 1] - 1]
+  std::vector<std::uint32_t> members;      ///< indices of VisibleLines::lines; ascending in a group, groups by their first
+  std::vector<std::uint8_t> steep;         ///< for each member: its line changes y at least as fast as x
+
+  std::size_t size() const { return first.size() - 1; }
+  std::span<const std::uint32_t> operator[](std::size_t g) const {
+    return {members.data() + first[g], members.data() + first[g + 1]};
+  }
+};
+
+/// Two edges are in one group iff both ends of one lie in the view plane of the other.
+///
+/// `at` has the images of the vertices of these edges on the page.
+/// Exact: yes. Candidates are found by slope and intercept (enclosures; rationals where an edge is too short on the paper for
+/// them), predicates decide. Cost: O(n log n).
+ImageLines image_lines(const Projection& projection, const IndexedVector<VertexId, HomogeneousPoint>& at,
+                       const VisibleLines& lines, std::span<const std::uint32_t> drawn, Predicates& predicates);
+
+}  // namespace hsr

@@ -1,0 +1,153 @@
+#include "hsr/drawing/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/error.h"
+
+namespace hsr {
+
+namespace {
+
+using Wide = Enclosure::Wide;
+
+constexpr double widest_drawing = 1e9;  // mm
+constexpr int kept_bits = 20;  // of the scale and, beside the size, of the centre: so that no last bit shows in a picture
+
+/// A number of few bits: mantissa 2^exponent, for what may lie beyond the doubles.
+Rational round_down(Wide x) {
+  if (!(x > 0) || !std::isfinite(x)) return 0.0;
+  int exponent = 0;
+  const Wide mantissa = std::frexp(x, &exponent);
+  return Rational(static_cast<double>(std::floor(std::ldexp(mantissa, kept_bits)))) * power_of_two(exponent - kept_bits);
+}
+
+/// The nearest multiple of a small part of `size`.
+Rational round_centre(Wide x, Wide size) {
+  if (!(size > 0)) size = std::fabs(x);
+  if (!(size > 0)) return 0.0;
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  const Wide multiple = std::round(std::ldexp(x, kept_bits - exponent));
+  int e = 0;
+  const double mantissa = static_cast<double>(std::frexp(multiple, &e));
+  return Rational(mantissa) * power_of_two(e + exponent - kept_bits);
+}
+
+struct Box {
+  Wide low[2] = {HUGE_VALL, HUGE_VALL}, high[2] = {-HUGE_VALL, -HUGE_VALL};
+  bool is_empty() const { return low[0] > high[0]; }
+  Wide size(int k) const { return is_empty() ? 0 : high[k] - low[k]; }
+  Wide centre(int k) const { return is_empty() ? 0 : low[k] / 2 + high[k] / 2; }
+  void add(int k, Wide x) {
+    low[k] = std::min(low[k], x);
+    high[k] = std::max(high[k], x);
+  }
+};
+
+Wide wide(const Rational& x) { return enclose(x).middle; }
+
+/// The box of the images of the ends of all lines, in units of the frame.
+Box box_of(const Projection& projection, const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
+  Box box;
+  for (const std::uint32_t i : drawn) {
+    const LineOfEdge& line = lines.lines[i];
+    const Edge& edge = projection.mesh().edges[line.edge];
+    for (const std::uint32_t cut : {line.first_cut, line.end_cut - 1}) {
+      const HomogeneousPoint h = projection.at(edge, lines.cuts[cut]);
+      const Enclosure p[2] = {h.x / h.w, h.y / h.w};
+      if (p[0].is_finite() && p[1].is_finite()) {
+        for (int k = 0; k < 2; ++k) box.add(k, p[k].middle);
+      } else {
+        const auto exact = projection.exact(edge, lines.cuts[cut]);
+        for (std::size_t k = 0; k < 2; ++k) box.add(static_cast<int>(k), wide(exact[k]));
+      }
+    }
+  }
+  return box;
+}
+
+/// A point in front of the eye.
+Point3 anchor_of(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
+  for (const std::uint32_t i : drawn) {
+    const LineOfEdge& line = lines.lines[i];
+    const Edge& edge = mesh.edges[line.edge];
+    if (lines.cuts[line.first_cut].kind == Cut::Kind::start) return mesh.points[edge.a];
+    if (lines.cuts[line.end_cut - 1].kind == Cut::Kind::end) return mesh.points[edge.b];
+  }
+  return view.frame.origin;
+}
+
+/// Half the angle's tangent times the distance of the frame.
+Wide half_of_frame(const View& view, double degrees) {
+  if (!(degrees > 0) || !(degrees < 180))
+    throw InputError("fov: found " + std::to_string(degrees) + " degrees, expected an angle between 0 and 180");
+  const Point3 &o = view.frame.origin, &e = view.viewpoint.at;
+  const Wide distance = std::hypot(static_cast<Wide>(o.x) - e.x, static_cast<Wide>(o.y) - e.y, static_cast<Wide>(o.z) - e.z);
+  return distance * std::tan(static_cast<Wide>(degrees) * (std::numbers::pi_v<Wide> / 360));
+}
+
+/// The lesser of the two ratios of area to size; where there is no size, 1.
+Wide fitting(Wide width, Wide height, Wide area_width, Wide area_height) {
+  const Wide x = width > 0 ? area_width / width : HUGE_VALL, y = height > 0 ? area_height / height : HUGE_VALL;
+  const Wide scale = std::min(x, y);
+  return std::isfinite(scale) ? scale : 1;
+}
+
+}  // namespace
+
+Placement placement(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn,
+                    const DrawingOptions& options) {
+  Placement result{Projection(mesh, view, anchor_of(mesh, view, lines, drawn)), 0, 0, 1, true, {}};
+  const bool framed = options.field_of_view && view.is_perspective();
+  Page page = options.page;
+  if (!(page.width > 2 * page.margin) || !(page.height > 2 * page.margin) || !(page.margin >= 0))
+    throw InputError("page: found a margin of " + std::to_string(page.margin) + " mm, expected less than half the page");
+
+  Wide width = 0, height = 0;
+  std::array<Rational, 2> centre;
+  if (framed) {
+    // The picture has the proportions of the drawing area, its shorter side the field of view.
+    const Wide half = half_of_frame(view, *options.field_of_view);
+    if (page.fits || (page.turns && page.height > page.width)) std::swap(page.width, page.height);
+    const Wide area_width = page.width - 2 * page.margin, area_height = page.height - 2 * page.margin;
+    const Wide shorter = std::min(area_width, area_height);
+    width = 2 * half * (area_width / shorter);
+    height = 2 * half * (area_height / shorter);
+    centre = result.projection.relative(view.frame.origin);
+  } else {
+    const Box box = box_of(result.projection, lines, drawn);
+    width = box.size(0);
+    height = box.size(1);
+    for (int k = 0; k < 2; ++k) centre[static_cast<std::size_t>(k)] = round_centre(box.centre(k), std::max(width, height));
+    if ((page.turns || page.fits) && (width > height) != (page.width > page.height)) std::swap(page.width, page.height);
+  }
+
+  const Wide area_width = page.width - 2 * page.margin, area_height = page.height - 2 * page.margin;
+  const Rational scale = options.scale ? Rational(*options.scale) * Rational(options.unit)
+                                       : round_down(fitting(width, height, area_width, area_height));
+  const Wide drawn_width = width * wide(scale), drawn_height = height * wide(scale);
+  if (!(drawn_width <= widest_drawing) || !(drawn_height <= widest_drawing))
+    throw InputError("scale: the drawing would be more than 1e9 mm wide; expected a smaller scale, or fit");
+  if (page.fits) {
+    // Whole thousandths of a millimetre, and never without an extent.
+    const auto side = [&](Wide x) { return std::max(1.0, static_cast<double>(std::ceil(x * 1000)) / 1000 + 2 * page.margin); };
+    page.width = side(drawn_width);
+    page.height = side(drawn_height);
+  }
+  // What was fitted fits; the rounded centre may be off by a millionth.
+  result.fits = !options.scale || page.fits || (drawn_width <= page.width && drawn_height <= page.height);
+  result.width = page.width;
+  result.height = page.height;
+  result.scale = static_cast<double>(wide(scale));
+  const double x = page.width / 2, y = page.height / 2;
+  result.projection.place(centre, scale, x, y);
+  if (framed) {
+    const auto half_width = static_cast<double>(drawn_width / 2), half_height = static_cast<double>(drawn_height / 2);
+    result.frame = PaperFrame{x - half_width, y - half_height, x + half_width, y + half_height};
+  }
+  return result;
+}
+
+}  // namespace hsr

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "hsr/drawing/drawing.h"
+#include "hsr/drawing/projection.h"
+
+namespace hsr {
+
+/// Millimetres of the page; lines are cut there.
+struct PaperFrame {
+  double left, top, right, bottom;
+};
+
+/// The sheet of a drawing, with the projection placed on it.
+struct Placement {
+  Projection projection;
+  double width, height, scale;
+  bool fits = true;
+  std::optional<PaperFrame> frame;  ///< only with a field of view
+};
+
+/// Where the drawing goes: the page, turned if that suits it, and the scale. `drawn` are the lines with a part in the picture.
+/// @throws InputError if the field of view is not within (0, 180), or the drawing is wider than 1e9 mm
+Placement placement(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn,
+                    const DrawingOptions& options);
+
+}  // namespace hsr

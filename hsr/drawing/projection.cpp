@@ -1,0 +1,129 @@
+#include "hsr/drawing/projection.h"
+
+#include <string>
+
+#include "geometry/error.h"
+#include "hsr/drawing/cut_parameter.h"
+
+namespace hsr {
+
+namespace {
+
+using Vector = std::array<Rational, 3>;
+
+Vector vector(const Point3& p) { return {p.x, p.y, p.z}; }
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// 1000 x / w rounded, halves away from zero; nothing where the enclosure leaves two answers.
+std::optional<std::int64_t> thousandths(const Enclosure& x) {
+  const Enclosure v = x * Enclosure(1000.0);
+  const auto nearest = [](Enclosure::Wide y) { return std::round(y); };  // halves away from zero
+  const auto low = nearest(v.low()), high = nearest(v.high());
+  if (!(low == high) || !(std::fabs(low) < 0x1p62L)) return {};
+  return static_cast<std::int64_t>(low);
+}
+
+std::int64_t thousandths(const Rational& x) {
+  const std::string whole = (x * Rational(1000.0)).to_decimal(0);
+  if (whole.size() > 18)
+    throw InputError("drawing: a point lies more than 1e15 mm from the page; expected a scale that brings it to paper size");
+  return std::stoll(whole);
+}
+
+}  // namespace
+
+// With f the frame: p is seen at (x, y) where p + s D = o + x right + y up (D the direction), or e + s (p - e) = o + x right +
+// y up. By Cramer's rule, parallel:  x = (p - o).(up x D) / d,  y = (p - o).(D x right) / d,  d = det(right, up, D);
+// perspective, g = o - e:      x = (p - e).(up x g) / w,  y = (p - e).(g x right) / w,  w = (p - e).(right x up).
+Projection::Projection(const Mesh& mesh, const View& view, const Point3& anchor) : mesh_(mesh), view_(view), anchor_(anchor) {
+  const Vector right = vector(view.frame.right), up = vector(view.frame.up), e = vector(view.viewpoint.at);
+  const bool parallel = view.viewpoint.is_direction;
+  const Vector g = parallel ? e : minus(vector(view.frame.origin), e);
+  const Vector n = cross(right, up);
+  const Vector from_eye = parallel ? Vector{} : minus(vector(anchor), e);
+  const Rational unit = parallel ? dot(n, g) : dot(n, from_eye);
+  require(unit.sign() != Sign::zero, "Projection: the anchor is not in front of the eye");
+  const Vector x = cross(up, g), y = cross(g, right);
+  const Rational anchor_x = dot(x, from_eye) / unit, anchor_y = dot(y, from_eye) / unit;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational w = parallel ? Rational() : n[k] / unit;
+    rows_[0][k] = x[k] / unit - anchor_x * w;
+    rows_[1][k] = y[k] / unit - anchor_y * w;
+    rows_[2][k] = w;
+  }
+  rows_[2][3] = 1.0;
+  enclose_rows();
+}
+
+std::array<Rational, 2> Projection::relative(const Point3& point) const {
+  const auto h = exact(vector(point));
+  return {h[0] / h[2], h[1] / h[2]};
+}
+
+void Projection::place(const std::array<Rational, 2>& centre, const Rational& scale, double x, double y) {
+  const Rational signed_scale[2] = {scale, -scale}, at[2] = {x, y};
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    for (std::size_t k = 0; k < 4; ++k)
+      rows_[axis][k] = at[axis] * rows_[2][k] + signed_scale[axis] * (rows_[axis][k] - centre[axis] * rows_[2][k]);
+  enclose_rows();
+}
+
+void Projection::enclose_rows() {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 4; ++k) enclosed_[i][k] = enclose(rows_[i][k]);
+}
+
+HomogeneousPoint Projection::at(VertexId v) const {
+  const Point3& p = mesh_.points[v];
+  const Enclosure x = Enclosure::difference(p.x, anchor_.x), y = Enclosure::difference(p.y, anchor_.y),
+                  z = Enclosure::difference(p.z, anchor_.z);
+  const auto row = [&](std::size_t i) {
+    return enclosed_[i][0] * x + enclosed_[i][1] * y + enclosed_[i][2] * z + enclosed_[i][3];
+  };
+  return {row(0), row(1), view_.viewpoint.is_direction ? Enclosure(1.0) : row(2)};
+}
+
+HomogeneousPoint Projection::at(const Edge& edge, const Cut& cut) const {
+  if (cut.kind == Cut::Kind::start) return at(edge.a);
+  if (cut.kind == Cut::Kind::end) return at(edge.b);
+  const HomogeneousPoint a = at(edge.a), b = at(edge.b);
+  const Enclosure t = enclosed_parameter(mesh_, view_, edge, cut);
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
+}
+
+std::array<Rational, 3> Projection::exact(const std::array<Rational, 3>& p) const {
+  const Vector d = minus(p, vector(anchor_));
+  Vector h;
+  for (std::size_t i = 0; i < 3; ++i) h[i] = rows_[i][0] * d[0] + rows_[i][1] * d[1] + rows_[i][2] * d[2] + rows_[i][3];
+  return h;
+}
+
+std::array<Rational, 3> Projection::exact(VertexId v) const { return exact(vector(mesh_.points[v])); }
+
+std::array<Rational, 2> Projection::exact(const Edge& edge, const Cut& cut) const {
+  const Vector a = vector(mesh_.points[edge.a]), b = vector(mesh_.points[edge.b]);
+  Vector h;
+  if (cut.kind == Cut::Kind::start) {
+    h = exact(a);
+  } else if (cut.kind == Cut::Kind::end) {
+    h = exact(b);
+  } else {
+    const Rational t = parameter(mesh_, view_, edge, cut);
+    const Vector d = minus(b, a);
+    h = exact(Vector{a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]});
+  }
+  return {h[0] / h[2], h[1] / h[2]};
+}
+
+PaperPoint Projection::rounded(const Edge& edge, const Cut& cut, const HomogeneousPoint& at) const {
+  const auto x = thousandths(at.x / at.w), y = thousandths(at.y / at.w);
+  if (x && y) return {*x, *y};
+  const auto p = exact(edge, cut);
+  return {thousandths(p[0]), thousandths(p[1])};
+}
+
+}  // namespace hsr

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+
+#include "hsr/drawing/enclosure.h"
+#include "hsr/drawing/page.h"
+#include "hsr/lines/visible_lines.h"
+
+namespace hsr {
+
+/// A point of the image as x / w, y / w; w > 0 in front of the eye.
+struct HomogeneousPoint {
+  Enclosure x, y, w;
+};
+
+/// From model to paper: the image in the view's frame, then x = left + scale (x - centre), y = top - scale (y - centre).
+/// Everything is exact; enclosures answer first.
+class Projection {
+ public:
+  /// To the frame, relative to the image of `anchor`: what lies near it loses nothing to a far origin.
+  /// @pre anchor is in front of the eye
+  Projection(const Mesh& mesh, const View& view, const Point3& anchor);
+
+  /// The image of `point` of the frame's plane relative to the anchor.
+  std::array<Rational, 2> relative(const Point3& point) const;
+
+  /// Puts `centre` (relative to the anchor) at (x, y) mm of the page, `scale` mm to a unit of the frame, y down.
+  void place(const std::array<Rational, 2>& centre, const Rational& scale, double x, double y);
+
+  HomogeneousPoint at(VertexId v) const;
+  HomogeneousPoint at(const Edge& edge, const Cut& cut) const;
+
+  /// x / w and y / w of a cut, exactly.
+  std::array<Rational, 2> exact(const Edge& edge, const Cut& cut) const;
+  std::array<Rational, 3> exact(VertexId v) const;  ///< x, y, w
+
+  /// The cut in thousandths of a unit, correctly rounded, halves away from zero. `at` is its enclosure.
+  PaperPoint rounded(const Edge& edge, const Cut& cut, const HomogeneousPoint& at) const;
+
+  const Mesh& mesh() const { return mesh_; }
+  const View& view() const { return view_; }
+
+ private:
+  using Row = std::array<Rational, 4>;  // x, y, z of the point relative to the anchor, 1
+  void enclose_rows();
+  std::array<Rational, 3> exact(const std::array<Rational, 3>& p) const;
+
+  const Mesh& mesh_;
+  const View& view_;
+  Point3 anchor_;
+  std::array<Row, 3> rows_;
+  std::array<std::array<Enclosure, 4>, 3> enclosed_;
+};
+
+}  // namespace hsr

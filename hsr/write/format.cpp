@@ -1,0 +1,26 @@
+#include "hsr/write/format.h"
+
+#include <algorithm>
+
+#include "geometry/error.h"
+
+namespace hsr {
+
+Format format_of(const std::string& path) {
+  const auto slash = path.find_last_of('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  const auto dot = name.find_last_of('.');
+  std::string ending = dot == std::string::npos ? "" : name.substr(dot + 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  if (ending == "svg") return Format::svg;
+  if (ending == "png") return Format::png;
+  if (ending == "json") return Format::json;
+  for (const char* later : {"pdf", "eps", "dxf", "tex"})
+    if (ending == later)
+      throw InputError(path + ": " + ending + " comes in a later release; this one writes svg, png and json");
+  throw InputError(path + ": found " + (ending.empty() ? "no ending" : "the ending ." + ending) +
+                   ", expected .svg, .png or .json");
+}
+
+}  // namespace hsr

@@ -1,0 +1,159 @@
+#include "hsr/write/json.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "hsr/drawing/cut_parameter.h"
+
+namespace hsr {
+
+namespace {
+
+/// Writes one line after the other; one object per thread.
+class LineWriter {
+ public:
+  LineWriter(const Mesh& mesh, const View& view, const VisibleLines& lines, const JsonOptions& options)
+      : mesh_(mesh), view_(view), lines_(lines), numbers_(options.numbers), why_(options.why) {}
+
+  void append(std::string& out, const LineOfEdge& line) {
+    const Edge& edge = mesh_.edges[line.edge];
+    out += "{\"edge\": [";
+    append_integer(out, edge.a.value);
+    out += ", ";
+    append_integer(out, edge.b.value);
+    out += "], \"class\": \"";
+    out += name_of(line.edge_class);
+    out += "\", \"faces\": [";
+    append_faces(out, line.edge);
+    out += "], \"visible\": [";
+    append_intervals(out, line, edge, false);
+    out += "], \"hidden\": [";
+    append_intervals(out, line, edge, true);
+    out += ']';
+    if (why_) {
+      out += ", \"by\": [";
+      const char* comma = "";
+      for (const Occluder& o : lines_.occluders_of(line)) {
+        out += comma;
+        comma = ", ";
+        out += '[';
+        append_integer(out, o.face.value);
+        out += ", ";
+        append_parameter(out, edge, o.from);
+        out += ", ";
+        append_parameter(out, edge, o.to);
+        out += ']';
+      }
+      out += ']';
+    }
+    out += '}';
+  }
+
+ private:
+  void append_faces(std::string& out, EdgeId e) {
+    faces_.clear();
+    for (const TriangleId t : mesh_.triangles_at(e)) faces_.push_back(mesh_.face_of[t].value);
+    std::sort(faces_.begin(), faces_.end());
+    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+    const char* comma = "";
+    for (const std::uint32_t f : faces_) {
+      out += comma;
+      comma = ", ";
+      append_integer(out, f);
+    }
+  }
+
+  void append_intervals(std::string& out, const LineOfEdge& line, const Edge& edge, bool hidden) {
+    const auto cuts = lines_.cuts_of(line);
+    const char* comma = "";
+    for (std::uint32_t k = 0; k < line.intervals(); ++k) {
+      if (line.hidden(k) != hidden) continue;
+      out += comma;
+      comma = ", ";
+      out += '[';
+      append_parameter(out, edge, cuts[k]);
+      out += ", ";
+      append_parameter(out, edge, cuts[k + 1]);
+      out += ']';
+    }
+  }
+
+  void append_parameter(std::string& out, const Edge& edge, const Cut& cut) {
+    const bool is_end = cut.kind == Cut::Kind::end;
+    if (is_end || cut.kind == Cut::Kind::start) {
+      out += numbers_ == Numbers::exact ? (is_end ? "\"1\"" : "\"0\"") : (is_end ? "1" : "0");
+    } else if (numbers_ == Numbers::exact) {
+      out += '"';
+      out += parameter(mesh_, view_, edge, cut).to_string();
+      out += '"';
+    } else {
+      append_number(out, rounded_parameter(mesh_, view_, edge, cut), numbers_);
+    }
+  }
+
+  const Mesh& mesh_;
+  const View& view_;
+  const VisibleLines& lines_;
+  Numbers numbers_;
+  bool why_;
+  std::vector<std::uint32_t> faces_;
+};
+
+}  // namespace
+
+const char* name_of(EdgeClass edge_class) {
+  static constexpr const char* names[] = {"outline", "sharp", "boundary", "intersection", "wire", "smooth"};
+  return names[static_cast<std::size_t>(edge_class)];
+}
+
+std::string view_json(const View& view, Numbers numbers) {
+  const Point3& e = view.viewpoint.at;
+  std::string out = "{\"eye\": [";
+  for (const double x : {e.x, e.y, e.z}) {
+    append_number(out, x, numbers);
+    out += ", ";
+  }
+  append_number(out, view.viewpoint.w(), numbers);
+  out += "], \"target\": ";
+  append_point(out, view.target, numbers);
+  out += ", \"up\": ";
+  append_point(out, view.up, numbers);
+  out += ", \"frame\": {\"origin\": ";
+  append_point(out, view.frame.origin, numbers);
+  out += ", \"right\": ";
+  append_point(out, view.frame.right, numbers);
+  out += ", \"up\": ";
+  append_point(out, view.frame.up, numbers);
+  out += "}, \"near\": ";
+  if (view.is_perspective())
+    append_number(out, view.near, numbers);
+  else
+    out += "null";
+  out += '}';
+  return out;
+}
+
+std::string lines_json(const Mesh& mesh, const View& view, const VisibleLines& lines, const JsonOptions& options) {
+  constexpr std::size_t chunk = 4096;
+  std::vector<std::string> parts((lines.lines.size() + chunk - 1) / chunk);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    LineWriter writer(mesh, view, lines, options);
+    for (std::size_t i = p * chunk; i < std::min(lines.lines.size(), (p + 1) * chunk); ++i) {
+      if (i > 0) parts[p] += ",\n";
+      writer.append(parts[p], lines.lines[i]);
+    }
+  });
+  std::string out = "{\"format\": \"hsr-lines/1\", \"view\": " + view_json(view, options.numbers) + ", \"lines\": [\n";
+  std::size_t size = out.size() + 8;
+  for (const std::string& part : parts) size += part.size();
+  out.reserve(size);
+  for (std::string& part : parts) {
+    out += part;
+    part = {};
+  }
+  out += "\n]}\n";
+  return out;
+}
+
+}  // namespace hsr

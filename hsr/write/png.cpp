@@ -1,0 +1,90 @@
+#include "hsr/write/png.h"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+
+#include "geometry/error.h"
+#include "hsr/write/line_style.h"
+
+namespace hsr {
+
+namespace {
+
+struct Destroy {
+  void operator()(cairo_t* c) const { cairo_destroy(c); }
+  void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+};
+
+void expect_success(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS) throw InputError(std::string("png: ") + cairo_status_to_string(status));
+}
+
+cairo_status_t append(void* out, const unsigned char* bytes, unsigned int n) {
+  try {
+    static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(bytes), n);
+  } catch (...) {
+    return CAIRO_STATUS_NO_MEMORY;
+  }
+  return CAIRO_STATUS_SUCCESS;
+}
+
+constexpr int widest = 32767;  // cairo's limit
+constexpr double widest_default = 16384;
+constexpr double dots_per_mm = 150 / 25.4;
+
+PixelSize default_size(const Drawing& drawing) {
+  const double scale = std::min(dots_per_mm, widest_default / std::max(drawing.width, drawing.height));
+  const auto pixels = [&](double mm) { return std::max(1, static_cast<int>(std::lround(mm * scale))); };
+  return {pixels(drawing.width), pixels(drawing.height)};
+}
+
+}  // namespace
+
+PixelSize parse_size(const std::string& text) {
+  PixelSize size;
+  const char *begin = text.data(), *end = begin + text.size();
+  const auto [x, first] = std::from_chars(begin, end, size.width);
+  if (first == std::errc{} && x != end && *x == 'x') {
+    const auto [rest, second] = std::from_chars(x + 1, end, size.height);
+    if (second == std::errc{} && rest == end && size.width > 0 && size.height > 0 && size.width <= widest &&
+        size.height <= widest)
+      return size;
+  }
+  throw InputError("size: found \"" + text + "\", expected pixels like 1600x1200, at most 32767 either way");
+}
+
+std::string png(const Drawing& drawing, std::optional<PixelSize> size) {
+  const PixelSize pixels = size ? *size : default_size(drawing);
+  const std::unique_ptr<cairo_surface_t, Destroy> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels.width, pixels.height));
+  expect_success(cairo_surface_status(surface.get()));
+  const std::unique_ptr<cairo_t, Destroy> c(cairo_create(surface.get()));
+  cairo_set_source_rgb(c.get(), 1, 1, 1);
+  cairo_paint(c.get());
+  cairo_set_source_rgb(c.get(), 0, 0, 0);
+  const double scale = std::min(pixels.width / drawing.width, pixels.height / drawing.height);
+  cairo_translate(c.get(), (pixels.width - scale * drawing.width) / 2, (pixels.height - scale * drawing.height) / 2);
+  cairo_scale(c.get(), scale, scale);
+  cairo_set_line_join(c.get(), CAIRO_LINE_JOIN_ROUND);
+  for (const Polyline& p : drawing.polylines) {
+    const LineStyle style = line_style(p.hidden, p.edge_class, drawing.hidden);
+    cairo_set_line_width(c.get(), style.width);
+    cairo_set_line_cap(c.get(), style.is_dashed() ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+    const double dashes[] = {style.dash, style.gap};
+    cairo_set_dash(c.get(), dashes, style.is_dashed() ? 2 : 0, 0);
+    for (const PaperPoint& point : drawing.points_of(p))
+      cairo_line_to(c.get(), static_cast<double>(point.x) / 1000, static_cast<double>(point.y) / 1000);
+    if (p.closed) cairo_close_path(c.get());
+    cairo_stroke(c.get());
+  }
+  expect_success(cairo_status(c.get()));
+  std::string out;
+  expect_success(cairo_surface_write_to_png_stream(surface.get(), append, &out));
+  return out;
+}
+
+}  // namespace hsr

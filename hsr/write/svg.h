@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "hsr/drawing/drawing.h"
+
+namespace hsr {
+
+struct SvgOptions {
+  std::string title;        ///< any text; escaped
+  std::string description;  ///< of the view, say
+};
+
+/// A drawing as SVG: millimetres; for each visibility and class that occurs one Inkscape layer, with the CSS classes "visible"
+/// or "hidden" and the name of the class; hidden layers first. A path carries its edges and faces in data-edge ("i-j,k-l") and
+/// data-face ("f,g"). Coordinates have up to 3 decimals.
+std::string svg(const Drawing& drawing, const SvgOptions& options = {});
+
+}  // namespace hsr
