@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "hsr/model.h"
 
@@ -12,5 +13,8 @@ namespace hsr {
 /// @throws InputError in one line: the file, the line or index, what was found and what was expected. Nothing is allocated by a
 ///   count that the file's size has not confirmed.
 Model read_model(const std::string& path);
+
+/// The same for bytes in memory; `name` is used as their path would be: for its ending, in messages, and for files beside it.
+Model read_model(const std::string& name, std::string_view bytes);
 
 }  // namespace hsr

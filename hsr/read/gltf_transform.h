@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+
+#include "geometry/point.h"
+
+namespace hsr::read {
+
+/// An affine map, row by row: x' = m[0] x + m[1] y + m[2] z + m[3], and so on.
+using Affine = std::array<double, 12>;
+
+inline constexpr Affine identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+/// First `b`, then `a`: each number computed in doubles, in the order written.
+Affine compose(const Affine& a, const Affine& b);
+
+/// `p` mapped: each coordinate is the exact value of its row, rounded once to the nearest double (an infinity beyond the
+/// largest). Exact: yes. Source: the check whether a rounding is safe is Ziv's, 1991; otherwise rationals decide.
+Point3 transformed(const Affine& m, const Point3& p);
+
+}  // namespace hsr::read
