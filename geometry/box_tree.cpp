@@ -24,7 +24,7 @@ float up(double x) {
 }
 
 /// The low 21 bits of x, two zeros before each.
-std::uint64_t spread(std::uint64_t x) {
+std::uint64_t interleaved(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffff;
   x = (x | x << 16) & 0x1f0000ff0000ff;
@@ -40,6 +40,27 @@ std::array<double, 3> centre(const ImageBox& b) {
   return {(static_cast<double>(finite(b.low[0])) + finite(b.high[0])) / 2,
           (static_cast<double>(finite(b.low[1])) + finite(b.high[1])) / 2,
           (static_cast<double>(finite(b.farthest)) + finite(b.nearest)) / 2};
+}
+
+/// Where most of the centres are in one coordinate. In perspective a few lie a thousand times as far out as the others, and
+/// must not take the digits of the order from them.
+struct Spread {
+  double middle = 0, half = 1;
+
+  /// Ascending with x, within [0, 1]; nearly even around the middle.
+  double place(double x) const {
+    const double s = (x - middle) / half;
+    return std::isfinite(s) ? 0.5 + 0.5 * s / (1 + std::fabs(s)) : x < middle ? 0 : 1;
+  }
+};
+
+Spread spread_of(std::span<const ImageBox> boxes, std::size_t coordinate) {
+  std::vector<double> sample;
+  const std::size_t step = std::max<std::size_t>(1, boxes.size() / 1024);
+  for (std::size_t i = 0; i < boxes.size(); i += step) sample.push_back(centre(boxes[i])[coordinate]);
+  std::sort(sample.begin(), sample.end());
+  const double middle = sample[sample.size() / 2], half = (sample[sample.size() * 9 / 10] - sample[sample.size() / 10]) / 2;
+  return {middle, half > 0 ? half : std::max(sample.back() - sample.front(), 0x1p-1000)};
 }
 
 }  // namespace
@@ -70,14 +91,7 @@ void ImageBox::add(const ImageBox& box) {
 
 BoxTree::BoxTree(std::span<const ImageBox> boxes) {
   if (boxes.empty()) return;
-  std::array<double, 3> low = centre(boxes[0]), high = low;
-  for (const ImageBox& b : boxes) {
-    const auto c = centre(b);
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], c[k]);
-      high[k] = std::max(high[k], c[k]);
-    }
-  }
+  const std::array<Spread, 3> spreads = {spread_of(boxes, 0), spread_of(boxes, 1), spread_of(boxes, 2)};
   struct Place {
     std::uint64_t key;
     std::uint32_t box;
@@ -90,8 +104,7 @@ BoxTree::BoxTree(std::span<const ImageBox> boxes) {
       const auto c = centre(boxes[i]);
       std::uint64_t key = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const double share = high[k] > low[k] ? (c[k] - low[k]) / (high[k] - low[k]) : 0;
-        key |= spread(static_cast<std::uint64_t>(share * 0x1fffff)) << k;
+        key |= interleaved(static_cast<std::uint64_t>(spreads[k].place(c[k]) * 0x1fffff)) << k;
       }
       places[i] = {key, static_cast<std::uint32_t>(i)};
     }

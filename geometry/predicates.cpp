@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "geometry/error.h"
 #include "geometry/error_bounded.h"
@@ -59,9 +60,23 @@ struct FixedArithmetic {
   static Number scalar(double) { throw InvariantError("the near plane has no fixed-width stage"); }
 };
 
+/// The same in one hardware register pair, for values below 2^127: as cheap as the filter, and it decides the zeros.
+struct NarrowArithmetic {
+  using Number = __int128;
+  double scale, direction_scale;
+
+  Number difference(const Point3& p, const Point3& q, int axis) const {
+    return static_cast<std::int64_t>(p[axis] * scale) - static_cast<std::int64_t>(q[axis] * scale);
+  }
+  Number direction(const Point3& d, int axis) const { return static_cast<std::int64_t>(d[axis] * direction_scale); }
+  static Number axis(const Point3& d, int axis) { return static_cast<std::int64_t>(d[axis]); }
+  static Number scalar(double) { throw InvariantError("the near plane has no fixed-width stage"); }
+};
+
 Sign to_sign(int s) { return static_cast<Sign>(s < 0 ? -1 : s > 0 ? 1 : 0); }
 Sign exact_sign(const CGAL::Mpzf& x) { return to_sign(static_cast<int>(CGAL::sign(x))); }
 Sign exact_sign(const Rational& x) { return x.sign(); }
+Sign exact_sign(__int128 x) { return sign_of(x); }
 template <std::size_t L>
 Sign exact_sign(const FixedInteger<L>& x) {
   return x.sign();
@@ -82,7 +97,10 @@ Predicates::Predicates(const Certificate& points, const Certificate& direction, 
       direction_(direction),
       arithmetic_(arithmetic),
       filter_is_proven_(points.highest <= 100 && direction.highest <= 100),
-      width_(std::max({points.bits() + 1, direction.bits(), 1})) {}
+      is_narrow_(std::abs(points.lowest) <= 1000 && std::abs(direction.lowest) <= 1000),
+      width_(std::max({points.bits() + 1, direction.bits(), 1})),
+      scale_(is_narrow_ ? std::ldexp(1.0, -points.lowest) : 0),
+      direction_scale_(is_narrow_ ? std::ldexp(1.0, -direction.lowest) : 0) {}
 
 /// A polynomial of degree d in numbers of at most w bits (differences and directions) with at most 2^12 terms, as all of ours
 /// have, is smaller than 2^(d w + 12); one bit more for the sign.
@@ -97,7 +115,21 @@ Sign Predicates::staged(const Polynomial& polynomial, bool only_spans, int degre
       return s;
     }
   }
+  return beyond_filter(polynomial, only_spans, degree);
+}
+
+/// A polynomial of degree d in numbers of at most w bits (differences and directions) with at most 2^12 terms, as all of ours
+/// have, is smaller than 2^(d w + 12); one bit more for the sign.
+template <class Polynomial>
+Sign Predicates::beyond_filter(const Polynomial& polynomial, bool only_spans, int degree) {
+  const int bits = only_spans ? degree * width_ + 13 : 1 << 20;
   Sign s = Sign::zero;
+  if (bits <= 127 && is_narrow_ && arithmetic_ == Arithmetic::staged) {
+    s = exact_sign(polynomial(NarrowArithmetic{scale_, direction_scale_}));
+    ++counts_.exact;
+    if (s == Sign::zero) ++counts_.zero;
+    return s;
+  }
   if (arithmetic_ != Arithmetic::rational) {
     const CGAL::Protect_FPU_rounding<true> directed;
     const auto x = polynomial(IntervalArithmetic{});
@@ -108,7 +140,6 @@ Sign Predicates::staged(const Polynomial& polynomial, bool only_spans, int degre
       return s;
     }
   }
-  const int bits = only_spans ? degree * width_ + 13 : 1 << 20;
   if (arithmetic_ == Arithmetic::rational)
     s = exact_sign(polynomial(RationalArithmetic{}));
   else if (bits <= 192)
@@ -126,6 +157,11 @@ Sign Predicates::staged(const Polynomial& polynomial, bool only_spans, int degre
 
 Sign Predicates::side(const Plane& x, const Point3& p) {
   return staged([&](const auto& a) { return polynomials::value(a, x, p); }, x.kind == Plane::Kind::span, 3);
+}
+
+Sign Predicates::side_beyond_filter(const Plane& x, const Point3& p) {
+  if (arithmetic_ == Arithmetic::double_only) return side(x, p);
+  return beyond_filter([&](const auto& a) { return polynomials::value(a, x, p); }, x.kind == Plane::Kind::span, 3);
 }
 
 Sign Predicates::cross(const Plane& x, const Plane& y, const Point3& p, const Point3& q) {

@@ -26,9 +26,10 @@ struct DecisionCounts {
 ///   (2) negating or swapping arguments as the polynomial does negates the sign
 ///   (3) multiplying all points, or the direction, by a power of two that rounds nothing changes no sign
 ///
-/// Stages: a double with a proven error bound; an interval ([0, 0] is a certified zero); exactly: fixed-width integers after
-/// lossless scaling where the certificate allows, big floats (CGAL::Mpzf) otherwise. One object per thread; it only counts.
-/// Cost: bench/predicates prints it for each stage. Source: Shewchuk 1997; Bronnimann, Burnikel & Pion 2001 (intervals).
+/// Stages: a double with a proven error bound; where the certificate allows 128-bit integers, these at once; else an interval
+/// ([0, 0] is a certified zero); then exactly: wider fixed-width integers after lossless scaling where the certificate allows,
+/// big floats (CGAL::Mpzf) otherwise. One object per thread; it only counts. Cost: bench/predicates prints it for each stage.
+/// Source: Shewchuk 1997; Bronnimann, Burnikel & Pion 2001 (intervals).
 class Predicates {
  public:
   /// @param points certificate of every point, an eye included, that will be passed
@@ -37,6 +38,8 @@ class Predicates {
 
   /// On which side of `x` the point lies: the sign of x(p). Degree 3 (near_line: 6).
   Sign side(const Plane& x, const Point3& p);
+  /// The same, for a caller whose PlaneFilter left the sign open: starts after the double filter.
+  Sign side_beyond_filter(const Plane& x, const Point3& p);
 
   /// The sign of x(p) y(q) - x(q) y(p). Degree 6 for spans.
   Sign cross(const Plane& x, const Plane& y, const Point3& p, const Point3& q);
@@ -59,11 +62,15 @@ class Predicates {
  private:
   template <class Polynomial>
   Sign staged(const Polynomial& polynomial, bool only_spans, int degree);
+  template <class Polynomial>
+  Sign beyond_filter(const Polynomial& polynomial, bool only_spans, int degree);
 
   Certificate points_, direction_;
   Arithmetic arithmetic_;
   bool filter_is_proven_;
-  int width_;  // bits of a coordinate difference or a direction, whichever is more
+  bool is_narrow_;  // the scales below are doubles
+  int width_;       // bits of a coordinate difference or a direction, whichever is more
+  double scale_, direction_scale_;
   DecisionCounts counts_;
 };
 

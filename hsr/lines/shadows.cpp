@@ -28,7 +28,7 @@ Shadows::Value Shadows::at(const PlaneFilter& filter, const Plane& plane, const 
     ++exact_.counts().filter;
     return {x, sign_of(x.value)};
   }
-  const Sign s = exact_.side(plane, p);
+  const Sign s = exact_.side_beyond_filter(plane, p);
   return {s == Sign::zero ? ErrorBounded{} : x, s};
 }
 
