@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/certificate.h"
 #include "geometry/error.h"
@@ -149,54 +150,57 @@ class Collector {
       : drawing_(drawing), mesh_(mesh), lines_(lines), overlay_(overlay) {}
 
   /// @param of_line the stroke of each paper line
-  void add(const Chain& chain, const std::vector<PaperLine>& paper, const std::vector<std::uint32_t>& of_line) {
+  void add(std::span<const std::uint32_t> passes, bool closed, const std::vector<PaperLine>& paper,
+           const std::vector<std::uint32_t>& of_line) {
     std::vector<PaperPoint>& points = drawing_.points;
     Polyline p;
+    p.closed = closed;
     p.first_point = static_cast<std::uint32_t>(points.size());
-    for (std::size_t k = 0; k < chain.lines.size(); ++k) {
-      const PaperLine& line = paper[chain.lines[k]];
-      if (k == 0) points.push_back(chain.reversed[k] ? line.to : line.from);
-      points.push_back(chain.reversed[k] ? line.from : line.to);
-    }
-    p.closed = chain.closed;
-    if (p.closed) points.pop_back();
+    for (const std::uint32_t pass : passes) points.push_back((pass & 1U) != 0 ? paper[pass / 2].to : paper[pass / 2].from);
+    if (!closed) points.push_back((passes.back() & 1U) != 0 ? paper[passes.back() / 2].from : paper[passes.back() / 2].to);
     p.end_point = static_cast<std::uint32_t>(points.size());
-    if (length_of(drawing_.points_of(p), p.closed) < shortest) {
+    if (length_of(drawing_.points_of(p), closed) < shortest) {
       ++drawing_.short_dropped;
       points.resize(p.first_point);
       return;
     }
-    const Stroke& first = overlay_.strokes[of_line[chain.lines.front()]];
+    const Stroke& first = overlay_.strokes[of_line[passes.front() / 2]];
     p.hidden = first.hidden;
     p.edge_class = first.edge_class;
-    add_sources(p, chain, of_line);
+    add_sources(p, passes, of_line);
     drawing_.polylines.push_back(p);
   }
 
  private:
-  void add_sources(Polyline& p, const Chain& chain, const std::vector<std::uint32_t>& of_line) {
-    std::vector<EdgeId> edges;
-    std::vector<std::uint32_t> faces;
-    for (const std::uint32_t k : chain.lines) {
-      const Stroke& stroke = overlay_.strokes[of_line[k]];
+  void add_sources(Polyline& p, std::span<const std::uint32_t> passes, const std::vector<std::uint32_t>& of_line) {
+    edges_.clear();
+    faces_.clear();
+    for (const std::uint32_t pass : passes) {
+      const Stroke& stroke = overlay_.strokes[of_line[pass / 2]];
       for (std::uint32_t s = stroke.first_source; s < stroke.end_source; ++s)
-        edges.push_back(lines_.lines[overlay_.sources[s]].edge);
+        edges_.push_back(lines_.lines[overlay_.sources[s]].edge);
     }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sort_unique(edges_);
     p.first_edge = static_cast<std::uint32_t>(drawing_.edges.size());
-    for (const EdgeId e : edges) {
+    for (const EdgeId e : edges_) {
       drawing_.edges.push_back({mesh_.edges[e].a.value, mesh_.edges[e].b.value});
-      for (const TriangleId t : mesh_.triangles_at(e)) faces.push_back(mesh_.face_of[t].value);
+      for (const TriangleId t : mesh_.triangles_at(e)) faces_.push_back(mesh_.face_of[t].value);
     }
     p.end_edge = static_cast<std::uint32_t>(drawing_.edges.size());
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort_unique(faces_);
     p.first_face = static_cast<std::uint32_t>(drawing_.faces.size());
-    drawing_.faces.insert(drawing_.faces.end(), faces.begin(), faces.end());
+    drawing_.faces.insert(drawing_.faces.end(), faces_.begin(), faces_.end());
     p.end_face = static_cast<std::uint32_t>(drawing_.faces.size());
   }
 
+  template <class T>
+  static void sort_unique(std::vector<T>& v) {
+    std::sort(v.begin(), v.end());
+    v.erase(std::unique(v.begin(), v.end()), v.end());
+  }
+
+  std::vector<EdgeId> edges_;
+  std::vector<std::uint32_t> faces_;
   Drawing& drawing_;
   const Mesh& mesh_;
   const VisibleLines& lines_;
@@ -250,11 +254,14 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
     of_line.push_back(k);
   }
 
-  std::vector<Chain> chains = join(paper);
-  std::stable_sort(chains.begin(), chains.end(),
-                   [&](const Chain& a, const Chain& b) { return paper[a.lines.front()].style < paper[b.lines.front()].style; });
+  const Chains chains = join(paper);
+  std::vector<std::uint32_t> order(chains.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return paper[chains[a].front() / 2].style < paper[chains[b].front() / 2].style;
+  });
   Collector collector(drawing, mesh, lines, overlay);
-  for (const Chain& chain : chains) collector.add(chain, paper, of_line);
+  for (const std::uint32_t c : order) collector.add(chains[c], chains.closed[c] != 0, paper, of_line);
   return drawing;
 }
 

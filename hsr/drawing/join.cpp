@@ -67,7 +67,7 @@ void link_crossing(const std::vector<PaperLine>& lines, const End* ends, std::si
 
 }  // namespace
 
-std::vector<Chain> join(const std::vector<PaperLine>& lines) {
+Chains join(const std::vector<PaperLine>& lines) {
   std::vector<End> ends;
   ends.reserve(2 * lines.size());
   for (std::uint32_t k = 0; k < lines.size(); ++k) {
@@ -88,23 +88,22 @@ std::vector<Chain> join(const std::vector<PaperLine>& lines) {
     }
   }
 
-  std::vector<Chain> chains;
+  Chains chains;
+  chains.passes.reserve(lines.size());
   std::vector<bool> used(lines.size(), false);
   for (std::uint32_t k = 0; k < lines.size(); ++k) {
     if (used[k]) continue;
     // Back from the start of line k to where the chain begins, or around to k again.
     std::uint32_t begin = 2 * k;
     while (partner[begin] != none && (partner[begin] ^ 1U) != 2 * k) begin = partner[begin] ^ 1U;
-    Chain chain;
-    chain.closed = partner[begin] != none;
-    if (chain.closed) begin = 2 * k;
-    for (std::uint32_t end = begin; end != none; end = partner[end ^ 1U]) {
-      if (used[end / 2]) break;
+    const bool closed = partner[begin] != none;
+    if (closed) begin = 2 * k;
+    for (std::uint32_t end = begin; end != none && !used[end / 2]; end = partner[end ^ 1U]) {
       used[end / 2] = true;
-      chain.lines.push_back(end / 2);
-      chain.reversed.push_back((end & 1U) != 0);
+      chains.passes.push_back(end);
     }
-    chains.push_back(std::move(chain));
+    chains.closed.push_back(closed ? 1 : 0);
+    chains.first.push_back(static_cast<std::uint32_t>(chains.passes.size()));
   }
   return chains;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hsr/drawing/page.h"
@@ -13,11 +14,16 @@ struct PaperLine {
   std::uint32_t style = 0;
 };
 
-/// Lines of one style in a row; `reversed[k]`: line k is passed from `to` to `from`.
-struct Chain {
-  std::vector<std::uint32_t> lines;
-  std::vector<bool> reversed;
-  bool closed = false;
+/// Lines in a row.
+struct Chains {
+  std::vector<std::uint32_t> first = {0};  ///< chain c has passes[first[c]] ... passes[first[c + 1] - 1]
+  std::vector<std::uint32_t> passes;       ///< 2 k: line k is passed from `from` to `to`; 2 k + 1: from `to` to `from`
+  std::vector<char> closed;                ///< for each chain: its end is its start
+
+  std::size_t size() const { return closed.size(); }
+  std::span<const std::uint32_t> operator[](std::size_t c) const {
+    return {passes.data() + first[c], passes.data() + first[c + 1]};
+  }
 };
 
 /// Every line in exactly one chain, joined where they meet on the paper: two ends at a point always, of more than two the
@@ -25,6 +31,6 @@ struct Chain {
 ///
 /// The angles are doubles: they choose which lines share a path, never where a line is.
 /// @pre no line has its ends at one point. Cost: O(n log n).
-std::vector<Chain> join(const std::vector<PaperLine>& lines);
+Chains join(const std::vector<PaperLine>& lines);
 
 }  // namespace hsr

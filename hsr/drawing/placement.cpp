@@ -1,5 +1,8 @@
 #include "hsr/drawing/placement.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -40,6 +43,12 @@ struct Box {
   bool is_empty() const { return low[0] > high[0]; }
   Wide size(int k) const { return is_empty() ? 0 : high[k] - low[k]; }
   Wide centre(int k) const { return is_empty() ? 0 : low[k] / 2 + high[k] / 2; }
+  void add(const Box& box) {
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], box.low[k]);
+      high[k] = std::max(high[k], box.high[k]);
+    }
+  }
   void add(int k, Wide x) {
     low[k] = std::min(low[k], x);
     high[k] = std::max(high[k], x);
@@ -48,24 +57,32 @@ struct Box {
 
 Wide wide(const Rational& x) { return enclose(x).middle; }
 
-/// The box of the images of the ends of all lines, in units of the frame.
-Box box_of(const Projection& projection, const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
-  Box box;
-  for (const std::uint32_t i : drawn) {
-    const LineOfEdge& line = lines.lines[i];
-    const Edge& edge = projection.mesh().edges[line.edge];
-    for (const std::uint32_t cut : {line.first_cut, line.end_cut - 1}) {
-      const HomogeneousPoint h = projection.at(edge, lines.cuts[cut]);
-      const Enclosure p[2] = {h.x / h.w, h.y / h.w};
-      if (p[0].is_finite() && p[1].is_finite()) {
-        for (int k = 0; k < 2; ++k) box.add(k, p[k].middle);
-      } else {
-        const auto exact = projection.exact(edge, lines.cuts[cut]);
-        for (std::size_t k = 0; k < 2; ++k) box.add(static_cast<int>(k), wide(exact[k]));
-      }
+void add_line(Box& box, const Projection& projection, const VisibleLines& lines, const LineOfEdge& line) {
+  const Edge& edge = projection.mesh().edges[line.edge];
+  for (const std::uint32_t cut : {line.first_cut, line.end_cut - 1}) {
+    const HomogeneousPoint h = projection.at(edge, lines.cuts[cut]);
+    const Enclosure p[2] = {h.x / h.w, h.y / h.w};
+    if (p[0].is_finite() && p[1].is_finite()) {
+      for (int k = 0; k < 2; ++k) box.add(k, p[k].middle);
+    } else {
+      const auto exact = projection.exact(edge, lines.cuts[cut]);
+      for (std::size_t k = 0; k < 2; ++k) box.add(static_cast<int>(k), wide(exact[k]));
     }
   }
-  return box;
+}
+
+/// The box of the images of the ends of all lines, in units of the frame.
+Box box_of(const Projection& projection, const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, drawn.size(), 1024), Box{},
+      [&](const auto& range, Box box) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) add_line(box, projection, lines, lines.lines[drawn[i]]);
+        return box;
+      },
+      [](Box a, const Box& b) {
+        a.add(b);
+        return a;
+      });
 }
 
 /// A point in front of the eye.
