@@ -38,7 +38,7 @@ class EarCutter {
   bool cut_closed_ear();
   bool cut_open_ear();
   bool cut_by_force();
-  void cut(Corner ear, bool turned);
+  void cut(Corner ear);
   void remove(Corner c);
   void drop_spikes(Corner p);
   void match(std::uint32_t side, std::uint32_t other);
@@ -160,7 +160,7 @@ bool EarCutter::cut_closed_ear() {
     if (!is_alive_[c] || !is_convex_[c]) continue;
     const Corner t = in_the_way(c, resume_[c] == none ? next_[next_[c]] : resume_[c], Rule::closed);
     if (t == none) {
-      cut(c, false);
+      cut(c);
       return true;
     }
     resume_[c] = t;
@@ -177,7 +177,7 @@ bool EarCutter::cut_open_ear() {
     if (blocker_[c] != none && is_alive_[blocker_[c]] && blocks(blocker_[c], c, Rule::open)) continue;
     blocker_[c] = in_the_way(c, next_[next_[c]], Rule::open);
     if (blocker_[c] != none) continue;
-    cut(c, false);
+    cut(c);
     return true;
   }
   return false;
@@ -188,35 +188,24 @@ bool EarCutter::cut_by_force() {
   for (std::size_t k = first_alive_; k < ascending_.size(); ++k) {
     const Corner c = ascending_[k];
     if (!is_alive_[c] || !is_convex_[c]) continue;
-    cut(c, false);
+    cut(c);
     return true;
   }
   for (std::size_t k = first_alive_; k < ascending_.size(); ++k) {
     const Corner c = ascending_[k];
     if (!is_alive_[c] || !has_area(point(previous_[c]), point(c), point(next_[c]), plane_.predicates)) continue;
-    cut(c, orientation(previous_[c], c, next_[c]) == Sign::negative);
+    cut(c);
     return true;
   }
   return false;
 }
 
-void EarCutter::cut(Corner ear, bool turned) {
+void EarCutter::cut(Corner ear) {
   const Corner p = previous_[ear], n = next_[ear];
   const auto t = static_cast<std::uint32_t>(result_.triangles.size());
-  FaceTriangle triangle{{vertex(p), vertex(ear), vertex(n)}, 0};
-  const auto ring_bit = [&](Corner c, unsigned side) {
-    if (side_[c] == none) triangle.ring_sides |= static_cast<std::uint8_t>(1U << side);
-  };
-  if (turned) {
-    std::swap(triangle.corners[1], triangle.corners[2]);
-    ring_bit(ear, 1);
-    ring_bit(p, 2);
-  } else {
-    ring_bit(p, 0);
-    ring_bit(ear, 1);
-  }
-  result_.triangles.push_back(triangle);
-  side_[p] = 4 * t + (turned ? 0 : 2);
+  const unsigned ring_sides = (side_[p] == none ? 1U : 0U) | (side_[ear] == none ? 2U : 0U);
+  result_.triangles.push_back({{vertex(p), vertex(ear), vertex(n)}, static_cast<std::uint8_t>(ring_sides)});
+  side_[p] = 4 * t + 2;
   remove(ear);
   start_anew_around(p);
   start_anew_around(n);

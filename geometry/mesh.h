@@ -41,7 +41,7 @@ struct Edge {
 /// The faces as used (docs/conventions.md), and who meets whom: any soup, non-manifold, open, flipped or duplicate.
 ///
 ///   (1) points are as given, but -0 is 0; no index but the lowest of bit-identical points is used anywhere
-///   (2) every triangle has an area; the triangles of one face are consecutive, faces ascending, each oriented like its face
+///   (2) every triangle has an area; the triangles of one face are consecutive, faces ascending, corners in the face's order
 ///   (3) edges ascend by (a, b); each side of each triangle is an edge, except a diagonal inside a planar face
 ///   (4) the result is the same for any number of threads
 struct Mesh {

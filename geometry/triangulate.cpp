@@ -152,13 +152,9 @@ bool cut_quad(const FlatPlane& plane, const Ring& ring, std::vector<FaceTriangle
     triangles.push_back({{b, d, a}, 0b110});
     return true;
   }
-  const auto push = [&](Sign orientation, const FaceTriangle& as_is, const FaceTriangle& turned) {
-    const auto& v = as_is.corners;
-    if (!has_area(plane.points[v[0]], plane.points[v[1]], plane.points[v[2]], plane.predicates)) return;
-    triangles.push_back(orientation == Sign::negative ? turned : as_is);
-  };
-  push(abc, {{a, b, c}, 0b011}, {{a, c, b}, 0b110});
-  push(acd, {{a, c, d}, 0b110}, {{a, d, c}, 0b011});
+  for (const FaceTriangle& t : {FaceTriangle{{a, b, c}, 0b011}, FaceTriangle{{a, c, d}, 0b110}})
+    if (has_area(plane.points[t.corners[0]], plane.points[t.corners[1]], plane.points[t.corners[2]], plane.predicates))
+      triangles.push_back(t);
   return false;
 }
 
