@@ -90,7 +90,8 @@ std::string Rational::to_decimal(int digits) const {
     s.erase(s.find_last_not_of('0') + 1);
     if (s.back() == '.') s.pop_back();
   }
-  return mpq_sgn(q_) < 0 ? "-" + s : s;
+  if (mpq_sgn(q_) < 0) s.insert(0, 1, '-');
+  return s;
 }
 
 Rational operator+(const Rational& a, const Rational& b) {

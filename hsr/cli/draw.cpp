@@ -1,0 +1,236 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "geometry/error.h"
+#include "hsr/cli/commands.h"
+#include "hsr/cli/progress.h"
+#include "hsr/cli/report.h"
+#include "hsr/cli/view_options.h"
+#include "hsr/drawing/drawing.h"
+#include "hsr/lines/roberts.h"
+#include "hsr/read/read.h"
+#include "hsr/write/format.h"
+#include "hsr/write/json.h"
+#include "hsr/write/png.h"
+#include "hsr/write/svg.h"
+
+namespace hsr::cli {
+
+namespace {
+
+struct DrawArguments {
+  std::string model;
+  std::vector<std::string> outputs;
+  ViewOptions view;
+  std::string hidden = "none", edges = "outline,sharp,boundary,intersection,wire", method = "roberts";
+  double crease = 30;
+  std::string page = "A4", scale = "fit", unit = "mm", size;
+  double margin = 10;
+  bool exact = false, why = false, quiet = false;
+  std::optional<int> threads;
+  std::string arithmetic = "staged", report;
+};
+
+const char* const examples = R"(Examples:
+  hsr draw part.stl -o part.svg                            iso view on A4
+  hsr draw part.stl -o part.svg --hidden dashed            hidden lines dashed, on their own layers
+  hsr draw part.obj -o front.svg -o front.png --view front --scale 1:2
+  hsr draw house.glb -o house.svg --eye 20,-30,15 --up-axis y
+  hsr draw part.ply -o lines.json --edges all --exact      every edge, parameters as "p/q"
+  hsr draw part.ply -o lines.json --hidden dashed --why    and which faces hide what)";
+
+std::array<bool, 6> parse_classes(const std::string& text) {
+  static const std::array<const char*, 6> names = {"outline", "sharp", "boundary", "intersection", "wire", "smooth"};
+  std::array<bool, 6> classes{};
+  if (text == "all") {
+    classes.fill(true);
+    return classes;
+  }
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string name = text.substr(begin, end - begin);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw InputError("--edges: found \"" + name + "\", expected all, or of outline,sharp,boundary,intersection,wire,smooth");
+    classes[static_cast<std::size_t>(found - names.begin())] = true;
+    begin = end + 1;
+  }
+  return classes;
+}
+
+Arithmetic parse_arithmetic(const std::string& text) {
+  static const std::map<std::string, Arithmetic> names = {{"staged", Arithmetic::staged},
+                                                          {"double", Arithmetic::double_only},
+                                                          {"interval", Arithmetic::interval},
+                                                          {"rational", Arithmetic::rational}};
+  return names.at(text);
+}
+
+void describe(Report& report, const Model& model, const Mesh& mesh, const VisibleLines& lines) {
+  report["model"] = {{"name", model.name},
+                     {"format", model.format},
+                     {"points", mesh.points.size()},
+                     {"faces", mesh.faces.size()},
+                     {"triangles", mesh.triangles.size()},
+                     {"edges", mesh.edges.size()}};
+  std::uint64_t visible = 0, hidden = 0;
+  for (const LineOfEdge& line : lines.lines)
+    for (std::uint32_t k = 0; k < line.intervals(); ++k) ++(line.hidden(k) ? hidden : visible);
+  report["lines"] = {{"edges", lines.lines.size()}, {"visible_intervals", visible}, {"hidden_intervals", hidden}};
+  report["pairs"] = lines.pairs;
+}
+
+void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
+  // Everything that can be refused is refused before the long work.
+  std::vector<Format> formats;
+  for (const std::string& path : a.outputs) formats.push_back(format_of(path));
+  if (a.method == "appel") throw InputError("--method: appel comes in a later release, expected roberts");
+  LineOptions line_options;
+  line_options.classes = parse_classes(a.edges);
+  line_options.crease = a.crease;
+  line_options.why = a.why;
+  line_options.arithmetic = parse_arithmetic(a.arithmetic);
+  DrawingOptions drawing_options;
+  drawing_options.page = parse_page(a.page);
+  drawing_options.page.margin = a.margin;
+  drawing_options.scale = parse_scale(a.scale);
+  drawing_options.unit = parse_unit(a.unit);
+  drawing_options.hidden = a.hidden == "none"     ? HiddenLines::none
+                           : a.hidden == "dashed" ? HiddenLines::dashed
+                                                  : HiddenLines::solid;
+  drawing_options.arithmetic = line_options.arithmetic;
+  std::optional<PixelSize> size;
+  if (!a.size.empty()) size = parse_size(a.size);
+  if (a.threads && *a.threads < 1) throw InputError("--threads: found " + std::to_string(*a.threads) + ", expected 1 or more");
+  std::optional<tbb::global_control> threads;
+  if (a.threads) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*a.threads));
+
+  Report report;
+  const Model model = report.timed("read", [&] { return read_model(a.model); });
+  const Mesh mesh = report.timed("mesh", [&] { return make_mesh(model.points, model.polygons); });
+  const ChosenView chosen = choose_view(a.view, mesh);
+  drawing_options.field_of_view = chosen.field_of_view;
+  if (!a.quiet) {
+    for (const std::string& note : model.notes) fmt::print(stderr, "hsr: note: {}\n", note);
+    if (!chosen.note.empty()) fmt::print(stderr, "hsr: note: {}\n", chosen.note);
+    if (mesh.edges.empty()) fmt::print(stderr, "hsr: note: {}: every face has no area, the drawing is empty\n", a.model);
+  }
+
+  ProgressLine progress("visible lines", a.quiet);
+  line_options.progress = [&](double done) { progress.show(done); };
+  const VisibleLines lines = report.timed("lines", [&] { return roberts(mesh, chosen.view, line_options); });
+  progress.clear();
+  describe(report, model, mesh, lines);
+  DecisionCounts decisions = lines.decisions;
+
+  const bool draws = std::any_of(formats.begin(), formats.end(), [](Format f) { return f != Format::json; });
+  std::optional<Drawing> drawing;
+  if (draws) {
+    drawing = report.timed("drawing", [&] { return draw(mesh, chosen.view, lines, drawing_options); });
+    decisions += drawing->decisions;
+    report["drawing"] = {{"polylines", drawing->polylines.size()},
+                         {"visible_under_visible", drawing->visible_under_visible},
+                         {"hidden_under_visible", drawing->hidden_under_visible},
+                         {"hidden_under_hidden", drawing->hidden_under_hidden},
+                         {"merged", drawing->merged},
+                         {"short_dropped", drawing->short_dropped},
+                         {"scale_mm_per_unit", drawing->scale}};
+    if (!drawing->fits && !a.quiet)
+      fmt::print(stderr, "hsr: note: at scale {} the drawing is larger than the page {}: --scale fit makes it fit\n", a.scale,
+                 a.page);
+  }
+  report.set_decisions(decisions);
+  if (!chosen.view.is_perspective()) report.leave_out("near plane", "a parallel view has none");
+  if (!draws) report.leave_out("drawing", "only JSON was asked for");
+
+  report.timed("write", [&] {
+    for (std::size_t i = 0; i < a.outputs.size(); ++i) {
+      std::string bytes;
+      if (formats[i] == Format::json)
+        bytes = lines_json(mesh, chosen.view, lines, {a.exact ? Numbers::exact : Numbers::rounded, a.why});
+      else if (formats[i] == Format::svg)
+        bytes = svg(*drawing, {model.name, "view: " + chosen.title});
+      else
+        bytes = png(*drawing, size);
+      write_file(a.outputs[i], bytes, &unfinished);
+    }
+  });
+  if (!a.report.empty()) write_file(a.report, report.text(), &unfinished);
+}
+
+}  // namespace
+
+void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
+  auto a = std::make_shared<DrawArguments>();
+  CLI::App* sub = app.add_subcommand("draw", "Draw the visible lines of a model: SVG, PNG or JSON");
+  sub->footer(examples);
+  sub->add_option("MODEL", a->model, "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB")->required();
+  sub->add_option("-o,--output", a->outputs, "The drawing; its ending chooses svg, png or json; may be repeated")
+      ->required()
+      ->type_name("FILE");
+  a->view.add_to(*sub);
+  const std::string lines = "Lines";
+  sub->add_option("--hidden", a->hidden, "Hidden lines: none, dashed or solid")
+      ->capture_default_str()
+      ->type_name("STYLE")
+      ->check(CLI::IsMember({"none", "dashed", "solid"}))
+      ->group(lines);
+  sub->add_option("--edges", a->edges, "Classes to draw: outline,sharp,boundary,intersection,wire,smooth or all")
+      ->capture_default_str()
+      ->type_name("LIST")
+      ->group(lines);
+  sub->add_option("--crease", a->crease, "An edge is sharp if its faces deviate from flat by more degrees than this")
+      ->capture_default_str()
+      ->type_name("DEG")
+      ->check(CLI::Range(0.0, 180.0))
+      ->group(lines);
+  sub->add_option("--method", a->method, "roberts (appel: a later release)")
+      ->capture_default_str()
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"roberts", "appel"}))
+      ->group(lines);
+  sub->add_flag("--why", a->why, "JSON: which faces hide each hidden interval")->group(lines);
+  const std::string page = "Page";
+  sub->add_option("--page", a->page, "A0 ... A6, letter, WIDTHxHEIGHTmm, or fit")
+      ->capture_default_str()
+      ->type_name("PAGE")
+      ->group(page);
+  sub->add_option("--scale", a->scale, "Paper to model, such as 1:5, or fit")
+      ->capture_default_str()
+      ->type_name("RATIO")
+      ->group(page);
+  sub->add_option("--unit", a->unit, "The model's unit: mm, cm, m or in")
+      ->capture_default_str()
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
+      ->group(page);
+  sub->add_option("--margin", a->margin, "Around the drawing, mm")
+      ->capture_default_str()
+      ->type_name("MM")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->group(page);
+  sub->add_option("--size", a->size, "PNG: pixels [150 to the inch]")->type_name("WxH")->group(page);
+  const std::string numbers = "Numbers";
+  sub->add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"")->group(numbers);
+  sub->add_option("--threads", a->threads, "At most this many threads [all]; the result is the same")
+      ->type_name("N")
+      ->group(numbers);
+  sub->add_option("--arithmetic", a->arithmetic,
+                  "staged (exact, fast), or for comparison double (may be wrong!), interval, rational")
+      ->capture_default_str()
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"staged", "double", "interval", "rational"}))
+      ->group(numbers);
+  const std::string reporting = "Report";
+  sub->add_option("--report", a->report, "Times, counts and decisions as JSON")->type_name("FILE")->group(reporting);
+  sub->add_flag("-q,--quiet", a->quiet, "No notes, no progress")->group(reporting);
+  sub->callback([a, &unfinished] { run(*a, unfinished); });
+}
+
+}  // namespace hsr::cli

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "hsr/cli/commands.h"
+#include "hsr/cli/report.h"
+#include "hsr/read/read.h"
+#include "hsr/scene_facts.h"
+#include "hsr/write/mesh_json.h"
+
+namespace hsr::cli {
+
+namespace {
+
+struct InfoArguments {
+  std::string model, mesh, report;
+  bool exact = false;
+};
+
+const char* const examples = R"(Examples:
+  hsr info part.stl                          what the model is, its defects, the bits it needs
+  hsr info house.obj --mesh mesh.json        the faces as used: merged, dropped, cut into triangles
+  hsr info part.stl --report facts.json      the same facts as JSON)";
+
+std::size_t used(const SceneFacts& f, FaceUse use) { return f.used_as[static_cast<std::size_t>(use)]; }
+
+double share(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole) * 100;
+}
+
+const char* yes_no(bool yes) { return yes ? "yes" : "no"; }
+
+/// What a draughtsman would want to know before trusting the model, one line each.
+std::vector<std::string> defects(const Model& model, const SceneFacts& f) {
+  std::vector<std::string> list;
+  const auto add = [&](std::size_t n, const char* one, const char* many) {
+    if (n > 0) list.push_back(fmt::format("{} {}", n, n == 1 ? one : many));
+  };
+  add(used(f, FaceUse::no_area), "face without area, dropped", "faces without area, dropped");
+  add(used(f, FaceUse::not_coplanar), "face not planar, cut into triangles", "faces not planar, cut into triangles");
+  add(used(f, FaceUse::crosses_itself), "face crosses itself, cut into triangles",
+      "faces cross themselves, cut into triangles");
+  add(f.duplicate_faces, "face repeats an earlier one", "faces repeat earlier ones");
+  add(f.boundary_edges, "edge with one face (a boundary)", "edges with one face (boundaries)");
+  add(f.non_manifold_edges, "edge with three or more faces", "edges with three or more faces");
+  add(f.flipped_edges, "edge whose two faces disagree in orientation", "edges whose two faces disagree in orientation");
+  add(f.pinched_vertices, "vertex where fans of faces only touch", "vertices where fans of faces only touch");
+  add(f.distinct_points - f.used_points, "point that nothing uses", "points that nothing uses");
+  for (const std::string& note : model.notes) list.push_back(note);
+  return list;
+}
+
+void print(const Model& model, const SceneFacts& f) {
+  fmt::print("{}: {}\n", model.name, model.format);
+  fmt::print("  points      {} ({} distinct, {} used)\n", f.points, f.distinct_points, f.used_points);
+  fmt::print("  faces       {} ({} triangles, {} quads, {} larger); as used {} in {} triangles\n", f.faces, f.triangular,
+             f.quadrangular, f.larger, f.faces_used(), f.triangles);
+  if (f.wires > 0) fmt::print("  wires       {}\n", f.wires);
+  if (!model.objects.empty()) fmt::print("  objects     {}\n", model.objects.size());
+  fmt::print("  edges       {} with two faces, {} with one, {} with more\n", f.regular_edges, f.boundary_edges,
+             f.non_manifold_edges);
+  fmt::print("  closed      {}\n  manifold    {}\n  oriented    {}\n", yes_no(f.is_closed()), yes_no(f.is_manifold()),
+             yes_no(f.is_consistently_oriented()));
+  fmt::print("  components  {}\n", f.components);
+  fmt::print("  coplanar    {:.1f} % of the edges with two faces lie in one plane with both\n",
+             share(f.coplanar_edges, f.regular_edges));
+  fmt::print("  axis        {:.1f} % of the faces are parallel to a coordinate plane\n",
+             share(f.axis_parallel_faces, f.faces_used()));
+  fmt::print("  box         {} {} {} to {} {} {}\n", f.lowest.x, f.lowest.y, f.lowest.z, f.highest.x, f.highest.y, f.highest.z);
+  const int bits = f.coordinates.bits();
+  const char* arithmetic = bits <= 37    ? "128-bit integers decide what doubles leave open"
+                           : bits <= 122 ? "fixed-width integers decide what doubles and intervals leave open"
+                                         : "big floats decide what doubles and intervals leave open";
+  fmt::print("  bits        {}: multiples of 2^{} below 2^{}; {}\n", bits, f.coordinates.lowest, f.coordinates.highest,
+             arithmetic);
+  const auto list = defects(model, f);
+  fmt::print("  defects     {}\n", list.empty() ? "none" : list.front());
+  for (std::size_t i = 1; i < list.size(); ++i) fmt::print("              {}\n", list[i]);
+}
+
+void add_facts(Report& report, const Model& model, const SceneFacts& f) {
+  report["model"] = {{"name", model.name}, {"format", model.format}};
+  report["points"] = {{"given", f.points}, {"distinct", f.distinct_points}, {"used", f.used_points}};
+  report["faces"] = {{"given", f.faces},
+                     {"triangles", f.triangular},
+                     {"quads", f.quadrangular},
+                     {"larger", f.larger},
+                     {"planar", used(f, FaceUse::planar)},
+                     {"not_coplanar", used(f, FaceUse::not_coplanar)},
+                     {"crosses_itself", used(f, FaceUse::crosses_itself)},
+                     {"no_area", used(f, FaceUse::no_area)},
+                     {"duplicate", f.duplicate_faces},
+                     {"axis_parallel", f.axis_parallel_faces}};
+  report["triangles"] = f.triangles;
+  report["wires"] = f.wires;
+  report["objects"] = model.objects;
+  report["edges"] = {{"regular", f.regular_edges},
+                     {"boundary", f.boundary_edges},
+                     {"non_manifold", f.non_manifold_edges},
+                     {"flipped", f.flipped_edges},
+                     {"coplanar", f.coplanar_edges}};
+  report["closed"] = f.is_closed();
+  report["manifold"] = f.is_manifold();
+  report["oriented"] = f.is_consistently_oriented();
+  report["components"] = f.components;
+  report["pinched_vertices"] = f.pinched_vertices;
+  report["box"] = {{f.lowest.x, f.lowest.y, f.lowest.z}, {f.highest.x, f.highest.y, f.highest.z}};
+  report["bits"] = f.coordinates.bits();
+  report["defects"] = defects(model, f);
+}
+
+void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
+  Report report;
+  const Model model = report.timed("read", [&] { return read_model(a.model); });
+  const Mesh mesh = report.timed("mesh", [&] { return make_mesh(model.points, model.polygons); });
+  const SceneFacts facts = report.timed("facts", [&] { return scene_facts(mesh, model.polygons); });
+  print(model, facts);
+  add_facts(report, model, facts);
+  if (!a.mesh.empty()) write_file(a.mesh, mesh_json(mesh, a.exact ? Numbers::exact : Numbers::rounded), &unfinished);
+  if (!a.report.empty()) write_file(a.report, report.text(), &unfinished);
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, UnfinishedFiles& unfinished) {
+  auto a = std::make_shared<InfoArguments>();
+  CLI::App* sub = app.add_subcommand("info", "Say what a model is: size, topology, defects, the bits it needs");
+  sub->footer(examples);
+  sub->add_option("MODEL", a->model, "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB")->required();
+  sub->add_option("--mesh", a->mesh, "Write the faces as used as JSON")->type_name("FILE");
+  sub->add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
+  sub->add_option("--report", a->report, "The facts and times as JSON")->type_name("FILE");
+  sub->callback([a, &unfinished] { run(*a, unfinished); });
+}
+
+}  // namespace hsr::cli

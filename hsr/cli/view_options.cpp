@@ -1,0 +1,120 @@
+#include "hsr/cli/view_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "geometry/error.h"
+#include "hsr/view.h"
+
+namespace hsr::cli {
+
+namespace {
+
+double parse_number(const std::string& option, const std::string& text, const std::string& whole) {
+  const std::string digits = !text.empty() && text.front() == '+' ? text.substr(1) : text;
+  double x = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(x))
+    throw InputError(option + ": found \"" + whole + "\", expected three finite numbers X,Y,Z");
+  return x + 0.0;
+}
+
+bool is_inside_box(const Mesh& mesh, const Point3& p) {
+  for (int axis = 0; axis < 3; ++axis) {
+    bool below = false, above = false;
+    for (const Edge& e : mesh.edges) {
+      for (const VertexId v : {e.a, e.b}) {
+        below = below || mesh.points[v][axis] <= p[axis];
+        above = above || mesh.points[v][axis] >= p[axis];
+      }
+    }
+    if (!below || !above) return false;
+  }
+  return true;
+}
+
+bool are_parallel(const Point3& a, const Point3& b) {
+  const auto minor = [](double p, double q, double r, double s) {
+    return Rational(p) * Rational(s) == Rational(q) * Rational(r);
+  };
+  return minor(a.x, a.y, b.x, b.y) && minor(a.y, a.z, b.y, b.z) && minor(a.x, a.z, b.x, b.z);
+}
+
+/// The up that the named views have, and their second one where the line of sight runs along it.
+Point3 default_up(bool y_up, const Point3& sight) {
+  const Point3 up = y_up ? Point3{0, 1, 0} : Point3{0, 0, 1};
+  const Point3 other = y_up ? Point3{0, 0, -1} : Point3{0, 1, 0};
+  return are_parallel(up, sight) ? other : up;
+}
+
+}  // namespace
+
+Point3 parse_point(const std::string& option, const std::string& text) {
+  std::array<std::string, 3> parts;
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
+    if (end == std::string::npos) throw InputError(option + ": found \"" + text + "\", expected three finite numbers X,Y,Z");
+    parts[k] = text.substr(begin, end - begin);
+    begin = end + 1;
+  }
+  return {parse_number(option, parts[0], text), parse_number(option, parts[1], text), parse_number(option, parts[2], text)};
+}
+
+void ViewOptions::add_to(CLI::App& app) {
+  const std::string group = "View";
+  app.add_option("--view", name, "front, back, left, right, top, bottom or iso [iso]")->type_name("NAME")->group(group);
+  app.add_option("--eye", eye, "Perspective from this point")->type_name("X,Y,Z")->group(group);
+  app.add_option("--target", target, "The point looked at [centre of the bounding box]")->type_name("X,Y,Z")->group(group);
+  app.add_option("--direction", direction, "Parallel view; the direction points toward the viewer")
+      ->type_name("X,Y,Z")
+      ->group(group);
+  app.add_option("--up", up, "What is up on the paper [the up axis]")->type_name("X,Y,Z")->group(group);
+  app.add_option("--fov", field_of_view, "Perspective: frame this angle instead of all beyond the near plane")
+      ->type_name("DEG")
+      ->group(group);
+  app.add_option("--near", near, "Perspective: distance of the near plane [a thousandth of eye to target]")
+      ->type_name("D")
+      ->group(group);
+  app.add_option("--up-axis", up_axis, "The model's up axis, y or z: turns the views, never the model")
+      ->capture_default_str()
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->group(group);
+}
+
+ChosenView choose_view(const ViewOptions& o, const Mesh& mesh) {
+  if (static_cast<int>(!o.name.empty()) + static_cast<int>(!o.eye.empty()) + static_cast<int>(!o.direction.empty()) > 1)
+    throw InputError("view: found more than one of --view, --eye and --direction, expected one");
+  if (o.eye.empty() && (o.near || o.field_of_view))
+    throw InputError("view: found --near or --fov without --eye, expected them in perspective only: add --eye X,Y,Z");
+  if (o.field_of_view && !(*o.field_of_view > 0 && *o.field_of_view < 180))
+    throw InputError("--fov: found " + std::to_string(*o.field_of_view) + ", expected degrees between 0 and 180");
+  const bool y_up = o.up_axis == "y";
+  const Point3 target = o.target.empty() ? centre(mesh) : parse_point("--target", o.target);
+  ChosenView chosen;
+  if (!o.eye.empty()) {
+    const Point3 eye = parse_point("--eye", o.eye);
+    if (eye == target) throw InputError("--eye: found the point looked at itself, expected another: add --target X,Y,Z");
+    const Point3 sight = {eye.x / 2 - target.x / 2, eye.y / 2 - target.y / 2, eye.z / 2 - target.z / 2};
+    chosen.view = perspective_view(eye, target, o.up.empty() ? default_up(y_up, sight) : parse_point("--up", o.up), o.near);
+    chosen.title = "eye " + o.eye;
+    chosen.field_of_view = o.field_of_view;
+    if (!o.field_of_view && is_inside_box(mesh, eye)) {
+      chosen.field_of_view = 90;
+      chosen.note = "the eye is inside the model's bounding box: framing 90 degrees (--fov DEG for another angle)";
+    }
+  } else if (!o.direction.empty()) {
+    const Point3 direction = parse_point("--direction", o.direction);
+    chosen.view = parallel_view(direction, o.up.empty() ? default_up(y_up, direction) : parse_point("--up", o.up), target);
+    chosen.title = "direction " + o.direction;
+  } else {
+    chosen.title = o.name.empty() ? "iso" : o.name;
+    chosen.view = named_view(chosen.title, target, y_up);
+    if (!o.up.empty()) chosen.view = parallel_view(chosen.view.viewpoint.at, parse_point("--up", o.up), target);
+  }
+  return chosen;
+}
+
+}  // namespace hsr::cli

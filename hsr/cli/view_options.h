@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "geometry/mesh.h"
+#include "hsr/view.h"
+
+namespace hsr::cli {
+
+/// The options that say from where the model is looked at.
+struct ViewOptions {
+  std::string name, eye, target, direction, up;
+  std::optional<double> field_of_view, near;
+  std::string up_axis = "z";
+
+  void add_to(CLI::App& app);
+};
+
+/// What the options mean for a model.
+struct ChosenView {
+  View view;
+  std::string title;  ///< "iso", "direction 1,2,3", "eye 1,2,3"
+  std::optional<double> field_of_view;
+  std::string note;  ///< what was chosen without being asked, or empty
+};
+
+/// @throws InputError for values that are no view of this model
+ChosenView choose_view(const ViewOptions& options, const Mesh& mesh);
+
+/// "1,-2.5,3e4", correctly rounded. @throws InputError naming the option
+Point3 parse_point(const std::string& option, const std::string& text);
+
+}  // namespace hsr::cli
