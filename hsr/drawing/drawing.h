@@ -15,13 +15,13 @@ namespace hsr {
 enum class HiddenLines : std::uint8_t { none, dashed, solid };
 
 struct DrawingOptions {
-  Page page;
-  std::optional<double> scale;  ///< paper length over model length; nothing: fit
-  double unit = 1;              ///< millimetres in a model unit
+  Page page = {};
+  std::optional<double> scale = {};  ///< paper length over model length; nothing: fit
+  double unit = 1;                   ///< millimetres in a model unit
   HiddenLines hidden = HiddenLines::none;
   /// Degrees across the shorter side of the picture, perspective only: the picture is cut to a frame around the target with the
   /// proportions of the page less its margins. Nothing: all that is beyond the near plane.
-  std::optional<double> field_of_view;
+  std::optional<double> field_of_view = {};
   Arithmetic arithmetic = Arithmetic::staged;
 };
 

@@ -9,6 +9,29 @@
 
 namespace hsr {
 
+namespace {
+
+/// Of coinciding lines the one of lower rank is drawn: outline, boundary, sharp, intersection, wire, smooth.
+int precedence(EdgeClass edge_class) {
+  switch (edge_class) {
+    case EdgeClass::outline:
+      return 0;
+    case EdgeClass::boundary:
+      return 1;
+    case EdgeClass::sharp:
+      return 2;
+    case EdgeClass::intersection:
+      return 3;
+    case EdgeClass::wire:
+      return 4;
+    case EdgeClass::smooth:
+      break;
+  }
+  return 5;
+}
+
+}  // namespace
+
 void Overlay::append(const Overlay& other) {
   const auto shift = static_cast<std::uint32_t>(sources.size());
   sources.insert(sources.end(), other.sources.begin(), other.sources.end());
@@ -156,9 +179,8 @@ void LineOverlay::lay(Overlay& result) {
   constexpr std::uint32_t none = 0xffffffffU;
   const std::size_t gaps = place_of_rank_.size() - 1;  // gap g lies between ranks g and g + 1
   // Order of precedence: class, then edge.
-  std::sort(parts_.begin(), parts_.end(), [](const Part& p, const Part& q) {
-    return std::tie(p.edge_class, p.line, p.from) < std::tie(q.edge_class, q.line, q.from);
-  });
+  const auto key = [](const Part& p) { return std::make_tuple(precedence(p.edge_class), p.line, p.from); };
+  std::sort(parts_.begin(), parts_.end(), [&](const Part& p, const Part& q) { return key(p) < key(q); });
   std::vector<std::uint32_t> by_start(parts_.size()), by_end(parts_.size());
   std::iota(by_start.begin(), by_start.end(), 0U);
   by_end = by_start;

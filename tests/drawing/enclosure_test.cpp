@@ -1,0 +1,106 @@
+#include "hsr/drawing/enclosure.h"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "hsr/drawing/cut_parameter.h"
+#include "hsr/drawing/projection.h"
+#include "hsr/lines/roberts.h"
+
+using namespace hsr;
+
+namespace {
+
+bool contains(const Enclosure& e, const Rational& x) {
+  const auto exact = [](long double y) {
+    const auto first = static_cast<double>(y);
+    return Rational(first) + Rational(static_cast<double>(y - first));
+  };
+  // Twice over: the exact rational of a long double is the sum of two doubles where it is in their range.
+  return exact(e.low()) <= x && x <= exact(e.high());
+}
+
+double random_double(std::mt19937_64& random) {
+  const double mantissa = std::ldexp(static_cast<double>(random() >> 11), -53) + 0.5;
+  const int exponent =
+      static_cast<int>(random() % 5) == 0 ? static_cast<int>(random() % 200) - 100 : static_cast<int>(random() % 6);
+  const double x = std::ldexp(random() % 4 == 0 ? std::round(mantissa * 8) : mantissa, exponent);
+  return random() % 2 == 0 ? x : -x;
+}
+
+}  // namespace
+
+TEST_CASE("Enclosures contain the exact sum, difference, product and quotient", "[drawing][enclosure][property]") {
+  std::mt19937_64 random(7);
+  for (int k = 0; k < 20000; ++k) {
+    const double a = random_double(random), b = random_double(random), c = random_double(random), d = random_double(random);
+    CAPTURE(a, b, c, d);
+    const Enclosure x = Enclosure(a) * Enclosure(b) - Enclosure(c) * Enclosure(d);
+    const Rational exact = Rational(a) * Rational(b) - Rational(c) * Rational(d);
+    REQUIRE(contains(x, exact));
+    REQUIRE(contains(Enclosure::difference(a, b), Rational(a) - Rational(b)));
+    const Enclosure e = Enclosure(c) + Enclosure(d);
+    const Rational divisor = Rational(c) + Rational(d);
+    const Enclosure quotient = x / e;
+    if (quotient.is_finite()) REQUIRE(contains(quotient, exact / divisor));
+    REQUIRE(contains(enclose(exact), exact));
+    if (const auto r = rounded(x)) REQUIRE(*r == exact.to_double());
+    if (const auto r = rounded(quotient)) REQUIRE(*r == (exact / divisor).to_double());
+  }
+}
+
+TEST_CASE("Enclosures that know nothing say nothing", "[drawing][enclosure]") {
+  const Enclosure unknown = Enclosure(1.0) / (Enclosure::difference(1, 1) * Enclosure(3.0));
+  CHECK_FALSE(unknown.is_finite());
+  CHECK_FALSE(certainly_less(unknown, 1.0));
+  CHECK_FALSE(certainly_less(1.0, unknown));
+  CHECK_FALSE(unknown.is_positive());
+  CHECK_FALSE(rounded(unknown));
+  CHECK_FALSE(rounded(unknown * Enclosure(0.5)));
+}
+
+TEST_CASE("Parameters and places are the exact ones rounded, on random scenes", "[drawing][enclosure][property]") {
+  for (int seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    std::vector<Point3> corners;
+    Polygons faces;
+    const bool whole = seed % 2 == 0;
+    const auto coordinate = [&] {
+      return whole ? static_cast<double>(random() % 9) - 4 : static_cast<double>(random() % 8000001) * 1e-6 - 4;
+    };
+    for (std::uint32_t k = 0; k < 36; ++k) {
+      corners.push_back({coordinate(), coordinate(), coordinate()});
+      faces.corners.push_back(k);
+      if (k % 3 == 2) faces.first.push_back(k + 1);
+    }
+    const Mesh mesh = make_mesh(corners, faces);
+    const View view = seed % 4 < 2 ? parallel_view({1, 2, 3}, {0, 0, 1}) : perspective_view({1, 2, 3}, {0, 0, 0}, {0, 0, 1});
+    LineOptions all;
+    all.classes.fill(true);
+    const VisibleLines lines = roberts(mesh, view, all);
+    const Point3 anchor = view.frame.origin;
+    Projection projection(mesh, view, anchor);
+    projection.place({Rational(0.125), Rational(0.5)}, Rational(7.25), 105, 148.5);
+    for (const LineOfEdge& line : lines.lines) {
+      const Edge& edge = mesh.edges[line.edge];
+      for (const Cut& cut : lines.cuts_of(line)) {
+        const Rational t = parameter(mesh, view, edge, cut);
+        REQUIRE(rounded_parameter(mesh, view, edge, cut) == t.to_double());
+        std::array<Rational, 3> p;
+        for (int k = 0; k < 3; ++k) {
+          const Rational a = mesh.points[edge.a][k], b = mesh.points[edge.b][k];
+          p[static_cast<std::size_t>(k)] = a + t * (b - a);
+        }
+        const auto seen = image(view, p);
+        const Rational x = Rational(105.0) + Rational(7.25) * (seen[0] - Rational(0.125));
+        const Rational y = Rational(148.5) - Rational(7.25) * (seen[1] - Rational(0.5));
+        REQUIRE(projection.exact(edge, cut) == std::array<Rational, 2>{x, y});
+        const HomogeneousPoint h = projection.at(edge, cut);
+        const PaperPoint rounded_place = projection.rounded(edge, cut, h);
+        REQUIRE(std::to_string(rounded_place.x) == (x * Rational(1000.0)).to_decimal(0));
+        REQUIRE(std::to_string(rounded_place.y) == (y * Rational(1000.0)).to_decimal(0));
+      }
+    }
+  }
+}
