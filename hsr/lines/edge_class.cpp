@@ -4,6 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/plane_filter.h"
+#include "geometry/polynomials.h"
+#include "geometry/rational_arithmetic.h"
+
 namespace hsr {
 
 namespace {
@@ -15,21 +19,28 @@ struct HalfPlane {
   Sign side;  // of the edge's view plane; zero: seen edge-on
 };
 
-Point3 difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double largest(const Point3& a) { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
 /// Brought near length 1, so that no product underflows.
-Point3 scaled(const Point3& a) {
-  const double most = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
-  return most > 0 ? Point3{a.x / most, a.y / most, a.z / most} : a;
+Point3 scaled(const Point3& a) { return {a.x / largest(a), a.y / largest(a), a.z / largest(a)}; }
+
+/// The normal of the plane of a, b and c, good to nine digits; where doubles have cancelled, by rationals.
+Point3 normal(const Point3& a, const Point3& b, const Point3& c) {
+  const Plane plane = Plane::of_face(a, b, c);
+  const PlaneFilter filter(plane, Arithmetic::staged);
+  const Point3 n = {filter.nx, filter.ny, filter.nz};
+  if (largest(n) > filter.slope * 0x1p30 && largest(n) > filter.least && largest(n) < 0x1p900) return scaled(n);
+  const auto exact = polynomials::normal(RationalArithmetic{}, plane);
+  Rational most;
+  for (const Rational& x : {exact.x, exact.y, exact.z}) most = std::max(most, x.sign() == Sign::negative ? -x : x);
+  return {(exact.x / most).to_double(), (exact.y / most).to_double(), (exact.z / most).to_double()};
 }
 
-/// By how many degrees two half-planes at the edge ab deviate from one plane.
+/// By how many degrees two half-planes at the edge deviate from one plane. @pre both apexes are off the line of the edge
 double deviation(const Sight& sight, const Edge& e, VertexId apex0, VertexId apex1) {
-  const Point3& a = sight.point(e.a);
-  const Point3 along = scaled(difference(sight.point(e.b), a));
-  const Point3 n0 = scaled(cross(along, scaled(difference(sight.point(apex0), a))));
-  const Point3 n1 = scaled(cross(along, scaled(difference(sight.point(apex1), a))));
+  const Point3 &a = sight.point(e.a), &b = sight.point(e.b);
+  const Point3 n0 = normal(a, b, sight.point(apex0)), n1 = normal(a, b, sight.point(apex1));
   const Point3 n = cross(n0, n1);
   return std::atan2(std::sqrt(dot(n, n)), -dot(n0, n1)) * 180 / std::numbers::pi;
 }
