@@ -7,8 +7,8 @@
 namespace hsr {
 
 struct SvgOptions {
-  std::string title;        ///< any text; escaped
-  std::string description;  ///< of the view, say
+  std::string title = {};        ///< any text; escaped
+  std::string description = {};  ///< of the view, say
 };
 
 /// A drawing as SVG: millimetres; for each visibility and class that occurs one Inkscape layer, with the CSS classes "visible"
