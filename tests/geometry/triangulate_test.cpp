@@ -137,6 +137,16 @@ TEST_CASE("Two triangles that share a corner are one planar face", "[geometry][t
   CHECK(sum_of_areas(points, c) == newell(points, ring({0, 1, 2, 0, 3, 4})));
 }
 
+TEST_CASE("A corner on the border of a triangle keeps it from being an ear", "[geometry][triangulate]") {
+  // Corner 5 touches the edge from 8 to 0 from outside.
+  const Points points = {{4, 0, 0}, {4, 4, 0},  {-4, 4, 0},  {-4, -4, 0}, {3, -4, 0},
+                         {2, 0, 0}, {1, -3, 0}, {-1, -3, 0}, {0, 0, 0}};
+  const Cut c = cut(points, ring({8, 0, 1, 2, 3, 4, 5, 6, 7}));
+  CHECK(c.use == FaceUse::planar);
+  CHECK(c.corners() == std::vector{triangle(0, 1, 2), triangle(4, 5, 6), triangle(8, 0, 2), triangle(8, 2, 3),
+                                   triangle(3, 4, 6), triangle(3, 6, 7), triangle(8, 3, 7)});
+}
+
 TEST_CASE("A bow tie is cut into triangles that run as it does", "[geometry][triangulate]") {
   // Lopsided, and symmetric: the area vector is zero.
   for (const double width : {1.0, 2.0}) {
