@@ -51,6 +51,10 @@ TEST_CASE("roberts agrees with the oracle on scenes scaled by powers of two", "[
   agrees_on("scaled", 0, 400);
 }
 
+TEST_CASE("roberts agrees with the oracle on numbers from the whole range of doubles", "[lines][oracle]") {
+  agrees_on("magnitudes", 0, 400);
+}
+
 TEST_CASE("roberts agrees with the oracle on many more random scenes", "[lines][oracle][long]") {
   for (const scenes::Family& family : scenes::families()) {
     DYNAMIC_SECTION(family.name) { agrees_on(family.name, 1'000'000, 28'000); }

@@ -13,7 +13,8 @@ namespace {
 // A half-plane that ends at the edge: the direction from the edge, square to it, into a triangle.
 struct HalfPlane {
   Vec into;
-  int side;  // of the edge's view plane; 0: seen edge-on
+  int side;   // of the edge's view plane; 0: seen edge-on
+  bool thin;  // the apex is so near to the edge's line, seen from a, that doubles may not find the direction
 };
 
 bool deviates_from_flat(const HalfPlane& p, const HalfPlane& q, double crease, bool& is_near_crease) {
@@ -26,7 +27,7 @@ bool deviates_from_flat(const HalfPlane& p, const HalfPlane& q, double crease, b
   if (sgn(along) < 0) cosine = -cosine;
   const Q limit = c < 0 ? Q(Q(c) * Q(c)) : Q(-Q(c) * Q(c));
   const Q gap = cosine - limit;
-  is_near_crease = abs(gap) < Q(1e-9);
+  is_near_crease = p.thin || q.thin || abs(gap) < Q(1e-9);
   return sgn(gap) > 0;
 }
 
@@ -43,7 +44,8 @@ std::optional<ClassVerdict> class_of(const Mesh& mesh, const View& view, EdgeId 
   std::vector<HalfPlane> half_planes;  // each once
   for (const TriangleId t : mesh.triangles_at(id)) {
     const Vec h = Vec(mesh.points[mesh.apex(t, edge)]) - a;
-    HalfPlane p{h - Q(dot(h, along) / length2) * along, sgn(dot(along, cross(sight, h)))};
+    HalfPlane p{h - Q(dot(h, along) / length2) * along, sgn(dot(along, cross(sight, h))), false};
+    p.thin = dot(p.into, p.into) < Q(0x1p-60) * dot(h, h);
     const bool is_known = std::any_of(half_planes.begin(), half_planes.end(), [&](const HalfPlane& q) {
       return is_zero(cross(p.into, q.into)) && sgn(dot(p.into, q.into)) > 0;
     });

@@ -10,7 +10,7 @@ namespace hsr::oracle {
 
 struct ClassVerdict {
   EdgeClass edge_class = EdgeClass::smooth;
-  /// The angle is so near to the crease that doubles may call the edge sharp or smooth.
+  /// The angle is so near to the crease, or a face so thin, that doubles may call the edge sharp or smooth.
   bool is_near_crease = false;
 };
 

@@ -19,36 +19,39 @@ bool same_class(const SeenEdge& expected, const SeenEdge& found) {
   return found.edge_class == expected.edge_class || (expected.class_is_uncertain && found.edge_class == expected.other_class);
 }
 
-// Each occluder hides all of its interval, and together they hide what is hidden.
-void check_occluders(const Mesh& mesh, const View& view, const VisibleLines& lines, const LineOfEdge& line,
-                     const VisibleLinesOracle& oracle, std::vector<std::string>& out) {
-  const Edge& edge = mesh.edges[line.edge];
-  const EdgeVisibility truth = oracle.visibility(line.edge);
-  const auto complain = [&](const std::string& what) { out.push_back("occluders of " + name(edge.a, edge.b) + ": " + what); };
-  std::vector<Interval> by;
-  for (const Occluder& o : lines.occluders_of(line)) {
-    const Interval i{exact(parameter(mesh, view, edge, o.from)), exact(parameter(mesh, view, edge, o.to))};
-    const std::string text = "face " + std::to_string(o.face.value) + " " + i.from.get_str() + " " + i.to.get_str();
-    if (i.from >= i.to) complain("empty, " + text);
-    Q covered = i.from;
-    for (bool grows = true; grows && covered < i.to;) {
-      grows = false;
-      for (const Shadow& s : truth.shadows) {
-        if (mesh.face_of[s.triangle] != o.face || s.interval.from > covered || s.interval.to <= covered) continue;
-        covered = s.interval.to;
-        grows = true;
-      }
-    }
-    if (covered < i.to) complain("not hidden by that face, " + text);
-    if (!by.empty() && i.from < by.back().from) complain("out of order, " + text);
-    by.push_back(i);
-  }
+// What --why has to name: of the faces whose shadow covers the start, the one that reaches furthest, the lowest index first.
+std::string occluders_by_oracle(const Mesh& mesh, const EdgeVisibility& truth) {
+  std::map<FaceId, std::vector<Interval>> of_face;
+  for (const Shadow& s : truth.shadows) of_face[mesh.face_of[s.triangle]].push_back(s.interval);
+  for (auto& [face, intervals] : of_face) intervals = united(intervals);
+  std::string text;
   for (const Interval& hidden : truth.hidden) {
-    Q covered = hidden.from;
-    for (const Interval& i : by)
-      if (i.from <= covered && i.to > covered) covered = i.to;
-    if (covered != hidden.to) complain("hidden from " + hidden.from.get_str() + " but covered to " + covered.get_str());
+    Q reached = hidden.from;
+    while (reached < hidden.to) {
+      const Interval* best = nullptr;
+      FaceId best_face;
+      for (const auto& [face, intervals] : of_face) {
+        for (const Interval& i : intervals) {
+          if (i.from > reached || i.to <= (best == nullptr ? reached : best->to)) continue;
+          best = &i;
+          best_face = face;
+        }
+      }
+      text += " face " + std::to_string(best_face.value) + " " + best->from.get_str() + " " + best->to.get_str();
+      reached = best->to;
+    }
   }
+  return text;
+}
+
+std::string occluders_text(const Mesh& mesh, const View& view, const VisibleLines& lines, const LineOfEdge& line) {
+  std::string text;
+  for (const Occluder& o : lines.occluders_of(line)) {
+    const Q from = exact(parameter(mesh, view, mesh.edges[line.edge], o.from));
+    const Q to = exact(parameter(mesh, view, mesh.edges[line.edge], o.to));
+    text += " face " + std::to_string(o.face.value) + " " + from.get_str() + " " + to.get_str();
+  }
+  return text;
 }
 
 }  // namespace
@@ -159,7 +162,13 @@ std::vector<std::string> compare_with_oracle(const Mesh& mesh, const View& view,
   std::vector<std::string> out = differences(seen_by_oracle(mesh, view, options), seen_edges(mesh, view, lines));
   if (options.why) {
     const VisibleLinesOracle oracle(mesh, view);
-    for (const LineOfEdge& line : lines.lines) check_occluders(mesh, view, lines, line, oracle, out);
+    for (const LineOfEdge& line : lines.lines) {
+      const Edge& edge = mesh.edges[line.edge];
+      const std::string found = occluders_text(mesh, view, lines, line);
+      const std::string expected = occluders_by_oracle(mesh, oracle.visibility(line.edge));
+      if (found != expected)
+        out.push_back("occluders of " + name(edge.a, edge.b) + ": found" + found + "; expected" + expected);
+    }
   } else if (!lines.occluders.empty()) {
     out.push_back("occluders that were not asked for");
   }

@@ -12,20 +12,6 @@ void add_root(const Q& f, const Q& g, std::vector<Q>& roots) {
   if (f != g) roots.emplace_back(f / (f - g));
 }
 
-// Sorts and unites closed intervals, those that only touch too.
-std::vector<Interval> united(std::vector<Interval> in) {
-  std::sort(in.begin(), in.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
-  std::vector<Interval> out;
-  for (Interval& i : in) {
-    if (!out.empty() && i.from <= out.back().to) {
-      if (out.back().to < i.to) out.back().to = i.to;
-    } else {
-      out.push_back(std::move(i));
-    }
-  }
-  return out;
-}
-
 std::vector<Interval> rest_of(const Interval& whole, const std::vector<Interval>& parts) {
   std::vector<Interval> out;
   Q from = whole.from;
@@ -38,6 +24,19 @@ std::vector<Interval> rest_of(const Interval& whole, const std::vector<Interval>
 }
 
 }  // namespace
+
+std::vector<Interval> united(std::vector<Interval> in) {
+  std::sort(in.begin(), in.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
+  std::vector<Interval> out;
+  for (Interval& i : in) {
+    if (!out.empty() && i.from <= out.back().to) {
+      if (out.back().to < i.to) out.back().to = i.to;
+    } else {
+      out.push_back(std::move(i));
+    }
+  }
+  return out;
+}
 
 VisibleLinesOracle::VisibleLinesOracle(const Mesh& mesh, const View& view)
     : mesh_(mesh), parallel_(view.viewpoint.is_direction), eye_(view.viewpoint.at) {

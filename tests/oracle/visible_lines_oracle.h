@@ -15,6 +15,9 @@ struct Interval {
   friend bool operator==(const Interval& a, const Interval& b) { return a.from == b.from && a.to == b.to; }
 };
 
+/// The union of closed intervals, ascending; those that only touch become one.
+std::vector<Interval> united(std::vector<Interval> intervals);
+
 /// What one triangle hides of an edge.
 struct Shadow {
   TriangleId triangle;

@@ -335,6 +335,37 @@ TestScene scaled(std::uint64_t seed) {
   return out;
 }
 
+// Numbers from the whole range of the doubles side by side: products and sums leave it.
+TestScene magnitudes(std::uint64_t seed) {
+  Dice d(seed);
+  static const std::vector<int> powers = {-1074, -1060, -900, -500, -100, -52, 0, 0, 0, 52, 100, 500, 900, 1020};
+  TestScene scene;
+  add_triangles(d, scene, d.between(1, 4), 3);
+  const int mode = d.between(0, 2);
+  const std::vector<int> some = {d.pick(powers), d.pick(powers), d.pick(powers)};
+  const auto power = [&](std::size_t axis) {
+    if (mode == 0) return some[axis];        // each axis has its own scale
+    if (mode == 1) return d.pick(some);      // two or three scales, mixed
+    return d.chance(70) ? 0 : d.pick(some);  // a few strange numbers among plain ones
+  };
+  const auto spread = [&](const Point3& p) {
+    const double x = std::ldexp(p.x, power(0)), y = std::ldexp(p.y, power(1)), z = std::ldexp(p.z, power(2));
+    return Point3{x, y, z};
+  };
+  for (Point3& p : scene.points) p = spread(p);
+  add_trouble(d, scene);
+  if (d.chance(60)) {
+    const Point3 toward = any_direction(d);
+    scene.view = from_direction(d.chance(50) ? spread(toward) : toward);
+  } else {
+    const Point3 eye = d.chance(30) ? d.pick(scene.points) : spread(d.point(4));
+    Point3 target = eye;
+    while (target == eye) target = d.chance(50) ? d.pick(scene.points) : d.point(3);
+    scene.view = from_eye(eye, target, any_near(d));
+  }
+  return scene;
+}
+
 }  // namespace
 
 std::span<const Family> families() {
@@ -345,7 +376,8 @@ std::span<const Family> families() {
                                {"stacks", stacks},
                                {"slopes", slopes},
                                {"around_the_eye", around_the_eye},
-                               {"scaled", scaled}};
+                               {"scaled", scaled},
+                               {"magnitudes", magnitudes}};
   return all;
 }
 

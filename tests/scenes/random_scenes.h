@@ -22,6 +22,7 @@ struct Family {
 /// slopes           nearly coplanar faces that cross: slopes of one ulp
 /// around_the_eye   the eye among, in or on the faces; near planes that pass through corners
 /// scaled           one of the others, everything multiplied by a power of two, up to 2^900 and down to 2^-900
+/// magnitudes       numbers from 2^-1074 to 2^1022 side by side
 std::span<const Family> families();
 /// @throws PreconditionError for another name
 const Family& family(const std::string& name);

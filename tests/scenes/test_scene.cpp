@@ -115,21 +115,22 @@ View from_eye(const Point3& eye, const Point3& target, double k) {
 }
 
 std::string to_text(const TestScene& scene) {
-  std::string text = "# name " + scene.name + "\n";
+  std::ostringstream text;
+  text << "# name " << scene.name << "\n";
   if (scene.view.viewpoint.is_direction) {
-    text += "# direction " + text_of(scene.view.viewpoint.at) + "\n";
+    text << "# direction " << text_of(scene.view.viewpoint.at) << "\n";
   } else {
-    text += "# eye " + text_of(scene.view.viewpoint.at) + "\n# target " + text_of(scene.view.target) + "\n# near " +
-            text_of(scene.view.near) + "\n";
+    text << "# eye " << text_of(scene.view.viewpoint.at) << "\n# target " << text_of(scene.view.target);
+    text << "\n# near " << text_of(scene.view.near) << "\n";
   }
-  for (const Point3& p : scene.points) text += "v " + text_of(p) + "\n";
+  for (const Point3& p : scene.points) text << "v " << text_of(p) << "\n";
   for (std::size_t f = 0; f < scene.polygons.size(); ++f) {
-    text += "f";
-    for (const std::uint32_t v : scene.polygons[f]) text += " " + std::to_string(v + 1);
-    text += "\n";
+    text << "f";
+    for (const std::uint32_t v : scene.polygons[f]) text << " " << v + 1;
+    text << "\n";
   }
-  for (const auto& s : scene.polygons.segments) text += "l " + std::to_string(s[0] + 1) + " " + std::to_string(s[1] + 1) + "\n";
-  return text;
+  for (const auto& s : scene.polygons.segments) text << "l " << s[0] + 1 << " " << s[1] + 1 << "\n";
+  return text.str();
 }
 
 TestScene scene_from_text(const std::string& text) {
