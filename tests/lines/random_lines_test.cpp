@@ -47,6 +47,10 @@ TEST_CASE("roberts agrees with the oracle on slopes of one ulp", "[lines][oracle
 TEST_CASE("roberts agrees with the oracle where the eye is among the faces", "[lines][oracle]") {
   agrees_on("around_the_eye", 0, 900);
 }
+TEST_CASE("roberts agrees with the oracle on faces exactly behind one another", "[lines][oracle]") {
+  agrees_on("echoes", 0, 600);
+}
+TEST_CASE("roberts agrees with the oracle far from the origin", "[lines][oracle]") { agrees_on("far_away", 0, 600); }
 TEST_CASE("roberts agrees with the oracle on scenes scaled by powers of two", "[lines][oracle]") {
   agrees_on("scaled", 0, 400);
 }

@@ -311,6 +311,62 @@ TestScene around_the_eye(std::uint64_t seed) {
   return scene;
 }
 
+// Faces, and the same faces again exactly behind: moved along the direction, or scaled from the eye.
+TestScene echoes(std::uint64_t seed) {
+  Dice d(seed);
+  TestScene scene;
+  if (d.chance(50)) {
+    add_triangles(d, scene, d.between(1, 2), 3);
+  } else {
+    const Point3 o = d.point(2);
+    static const std::vector<Point3> axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const Point3 u = d.pick(axes), v = d.chance(60) ? d.pick(axes) : d.point(1);
+    add_shape(scene, any_shape(d), o, u, v);
+  }
+  add_trouble(d, scene);
+  scene.view = any_view(d, scene);
+  const Point3 at = scene.view.viewpoint.at;
+  const TestScene first = scene;
+  for (int n = d.between(1, 2); n > 0; --n) {
+    const double by = d.between(-3, 3), side = d.chance(30) ? 1 : 0;
+    const auto start = static_cast<std::uint32_t>(scene.points.size());
+    for (const Point3& p : first.points) {
+      const Point3 q = scene.view.is_perspective() ? combined(at, 1 + by / 4, minus(p, at), 0, {}) : combined(p, by, at, 0, {});
+      scene.points.push_back({q.x + side, q.y, q.z});
+    }
+    for (std::size_t f = 0; f < first.polygons.size(); ++f) {
+      std::vector<std::uint32_t> corners;
+      for (const std::uint32_t c : first.polygons[f]) corners.push_back(start + c);
+      if (!d.chance(20)) scene.add_face(corners);
+    }
+    for (const auto& s : first.polygons.segments) scene.polygons.segments.push_back({start + s[0], start + s[1]});
+  }
+  return scene;
+}
+
+TestScene far_away(std::uint64_t seed) {
+  Dice d(seed);
+  static const std::vector<TestScene (*)(std::uint64_t)> others = {triangles, polygons, edge_on,       boxes,
+                                                                   echoes,    echoes,   around_the_eye};
+  TestScene scene = d.pick(others)(seed);
+  Point3 offset = d.point(4);
+  const int power = d.between(10, 47);
+  offset = {std::ldexp(offset.x, power), std::ldexp(offset.y, power), std::ldexp(offset.z, power)};
+  bool rounds = false;
+  const auto moved = [&](const Point3& p) {
+    const Point3 q = combined(p, 1, offset, 0, {});
+    rounds |= !(minus(q, offset) == p);
+    return q;
+  };
+  TestScene out = scene;
+  for (Point3& p : out.points) p = moved(p);
+  if (scene.view.is_perspective()) {
+    const Point3 eye = moved(scene.view.viewpoint.at), target = moved(scene.view.target);
+    if (!rounds) out.view = from_eye(eye, target, scene.view.near);
+  }
+  return rounds ? scene : out;
+}
+
 TestScene scaled(std::uint64_t seed) {
   Dice d(seed);
   static const std::vector<TestScene (*)(std::uint64_t)> others = {triangles, polygons, edge_on,       boxes,
@@ -376,6 +432,8 @@ std::span<const Family> families() {
                                {"stacks", stacks},
                                {"slopes", slopes},
                                {"around_the_eye", around_the_eye},
+                               {"echoes", echoes},
+                               {"far_away", far_away},
                                {"scaled", scaled},
                                {"magnitudes", magnitudes}};
   return all;

@@ -21,6 +21,8 @@ struct Family {
 /// stacks           the same few polygons one subnormal, or one ulp, apart
 /// slopes           nearly coplanar faces that cross: slopes of one ulp
 /// around_the_eye   the eye among, in or on the faces; near planes that pass through corners
+/// echoes           faces, and again exactly behind, so that all of their images coincide
+/// far_away         one of the others, moved by up to 2^49
 /// scaled           one of the others, everything multiplied by a power of two, up to 2^900 and down to 2^-900
 /// magnitudes       numbers from 2^-1074 to 2^1022 side by side
 std::span<const Family> families();
