@@ -22,7 +22,8 @@ namespace {
 Predicates predicates_for(const Mesh& mesh, const View& view, Arithmetic arithmetic) {
   Certificate points = certificate(mesh.points), direction;
   (view.viewpoint.is_direction ? direction : points).add(view.viewpoint.at);
-  return Predicates(points, direction, arithmetic);
+  // Signs that may be wrong give no order to sort by: a drawing is exact also of lines that are not.
+  return Predicates(points, direction, arithmetic == Arithmetic::double_only ? Arithmetic::staged : arithmetic);
 }
 
 /// The images of the ends of the edges, for those that are used.

@@ -22,7 +22,7 @@ struct DrawingOptions {
   /// Degrees across the shorter side of the picture, perspective only: the picture is cut to a frame around the target with the
   /// proportions of the page less its margins. Nothing: all that is beyond the near plane.
   std::optional<double> field_of_view = {};
-  Arithmetic arithmetic = Arithmetic::staged;
+  Arithmetic arithmetic = Arithmetic::staged;  ///< double_only is taken as staged
 };
 
 /// Some lines of one style, joined end to end.

@@ -28,8 +28,8 @@ struct Enclosure {
   Enclosure(double exact) : middle(exact) {}  // NOLINT(google-explicit-constructor): every double is one
   Enclosure(Wide m, Wide e) : middle(m), error(e) {}
 
-  Wide low() const { return middle - error - eps * (std::fabs(middle) + error); }
-  Wide high() const { return middle + error + eps * (std::fabs(middle) + error); }
+  Wide low() const { return middle - error - 4 * eps * (std::fabs(middle) + error); }
+  Wide high() const { return middle + error + 4 * eps * (std::fabs(middle) + error); }
   bool is_positive() const { return middle > error; }
   bool is_finite() const { return std::isfinite(middle) && std::isfinite(error); }
 

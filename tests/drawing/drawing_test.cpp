@@ -1,5 +1,7 @@
 #include "hsr/drawing/drawing.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -350,4 +352,26 @@ TEST_CASE("A field of view cuts the picture to its frame", "[drawing][perspectiv
   CHECK(points(d, 1)[0].y == Approx(42000).margin(1));
   options.field_of_view = 180;
   CHECK_THROWS_AS(draw(mesh, view, h.lines(mesh), options), InputError);
+}
+
+TEST_CASE("A drawing is the same for any number of threads", "[drawing][threads]") {
+  HandMadeLines h;
+  for (int k = 0; k < 3000; ++k) {
+    const double x = k % 40 - 20, z = (k * 7) % 60 - 30;
+    h.add({x, 0.1 * k, z}, {x + 1 + k % 5, 0.2 * k, z + (k / 5) % 3}, static_cast<EdgeClass>(k % 6), k % 4 == 0);
+  }
+  const Mesh mesh = h.mesh();
+  const VisibleLines lines = h.lines(mesh);
+  const auto with_threads = [&](std::size_t n) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);
+    DrawingOptions options;
+    options.hidden = HiddenLines::dashed;
+    return draw(mesh, named_view("front"), lines, options);
+  };
+  const Drawing one = with_threads(1), three = with_threads(3);
+  CHECK(one.points == three.points);
+  CHECK(one.edges == three.edges);
+  CHECK(one.merged == three.merged);
+  CHECK(one.decisions.zero == three.decisions.zero);
+  CHECK(one.visible_under_visible > 0);
 }
