@@ -11,17 +11,12 @@ namespace hsr {
 
 namespace {
 
+using Range = tbb::blocked_range<std::size_t>;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// The largest float not above x, the smallest not below.
-float down(double x) {
-  const auto f = static_cast<float>(x);
-  return static_cast<double>(f) > x ? std::nextafterf(f, -infinity) : f;
-}
-float up(double x) {
-  const auto f = static_cast<float>(x);
-  return static_cast<double>(f) < x ? std::nextafterf(f, infinity) : f;
-}
+/// A float below x, one above. A step to the next float always: what the conversion rounded need not be known.
+float down(double x) { return std::nextafterf(static_cast<float>(x), -infinity); }
+float up(double x) { return std::nextafterf(static_cast<float>(x), infinity); }
 
 /// The low 21 bits of x, two zeros before each.
 std::uint64_t interleaved(std::uint64_t x) {
@@ -89,8 +84,8 @@ void ImageBox::add(const ImageBox& box) {
   nearest = std::max(nearest, box.nearest);
 }
 
-BoxTree::BoxTree(std::span<const ImageBox> boxes) {
-  if (boxes.empty()) return;
+std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes) {
+  if (boxes.empty()) return {};
   const std::array<Spread, 3> spreads = {spread_of(boxes, 0), spread_of(boxes, 1), spread_of(boxes, 2)};
   struct Place {
     std::uint64_t key;
@@ -98,21 +93,23 @@ BoxTree::BoxTree(std::span<const ImageBox> boxes) {
     bool operator<(const Place& o) const { return key != o.key ? key < o.key : box < o.box; }
   };
   std::vector<Place> places(boxes.size());
-  using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, boxes.size(), 4096), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const auto c = centre(boxes[i]);
       std::uint64_t key = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < 3; ++k)
         key |= interleaved(static_cast<std::uint64_t>(spreads[k].place(c[k]) * 0x1fffff)) << k;
-      }
       places[i] = {key, static_cast<std::uint32_t>(i)};
     }
   });
   tbb::parallel_sort(places.begin(), places.end());
-  order_.resize(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) order_[i] = places[i].box;
+  std::vector<std::uint32_t> order(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) order[i] = places[i].box;
+  return order;
+}
 
+BoxTree::BoxTree(std::span<const ImageBox> boxes) : order_(z_order(boxes)) {
+  if (boxes.empty()) return;
   // An empty place holds no numbers: it overlaps nothing, not even an unbounded query.
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   constexpr ImageBox none = {{nan, nan}, {nan, nan}, nan, nan};

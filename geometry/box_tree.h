@@ -23,7 +23,11 @@ struct ImageBox {
   static ImageBox everything();
 };
 
-/// A static tree over boxes: a Z-order of their centres, eight to a node, level upon level.
+/// The boxes along a Z-order (Morton 1966) of their centres: what is near in the image is near in the order.
+/// Ties by index; the same for any number of threads. Cost: O(n log n), parallel.
+std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes);
+
+/// A static tree over boxes: eight to a node along their Z-order, level upon level.
 ///
 /// `visit(query, f)` calls f(index of box) for every box that overlaps the query in the image and reaches nearer than the
 /// query's farthest point, i.e. for all that could hide some of it; stops when f returns false. Cost: build O(n log n),
@@ -65,14 +69,20 @@ void BoxTree::visit(const ImageBox& query, F&& f) const {
                             (node.nearest[k] >= query.farthest);
       hit |= static_cast<unsigned>(overlaps) << k;
     }
-    while (hit != 0) {
+    // In order of nearness, the nearest last: first from the stack, and first to hide all of the query.
+    std::array<std::uint32_t, width> hits;
+    std::size_t count = 0;
+    for (; hit != 0; hit &= hit - 1) {
       const auto k = static_cast<std::uint32_t>(__builtin_ctz(hit));
-      hit &= hit - 1;
-      const std::uint32_t child = place * width + k;
-      if (level > 0)
-        stack[top++] = {level - 1, child};
-      else if (!f(order_[child]))
-        return;
+      std::size_t at = count++;
+      for (; at > 0 && node.nearest[hits[at - 1]] > node.nearest[k]; --at) hits[at] = hits[at - 1];
+      hits[at] = k;
+    }
+    if (level > 0) {
+      for (std::size_t i = 0; i < count; ++i) stack[top++] = {level - 1, place * width + hits[i]};
+    } else {
+      for (std::size_t i = count; i-- > 0;)
+        if (!f(order_[place * width + hits[i]])) return;
     }
   }
 }

@@ -18,6 +18,7 @@ namespace hsr {
 namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
+constexpr std::size_t block = 512;  // edges handled together; fixed, so that counts are the same for any number of threads
 
 /// The triangles that can hide something: not those wholly before the near plane.
 struct Occluders {
@@ -46,7 +47,7 @@ class Tiling {
   Tiling(const Sight& sight, const Occluders& occluders, const LineOptions& options)
       : sight_(sight), occluders_(occluders), options_(options), shadows_(sight) {}
 
-  void add(EdgeId edge, EdgeClass edge_class);
+  void add(EdgeId edge, EdgeClass edge_class, const ImageBox& box);
   Predicates& exact() { return shadows_.exact(); }
   VisibleLines take() {
     result_.decisions = exact().counts();
@@ -95,20 +96,28 @@ void Tiling::name_occluders(const Shadow& hidden, const std::vector<Shadow>& by_
   }
 }
 
-void Tiling::add(EdgeId edge, EdgeClass edge_class) {
+void Tiling::add(EdgeId edge, EdgeClass edge_class, const ImageBox& box) {
   LineOfEdge line;
   line.edge = edge;
   line.edge_class = edge_class;
   line.first_cut = static_cast<std::uint32_t>(result_.cuts.size());
   line.first_occluder = static_cast<std::uint32_t>(result_.occluders.size());
   if (shadows_.start(edge)) {
-    const Edge& e = sight_.mesh().edges[edge];
     cast_.clear();
     bool all_hidden = false;
-    occluders_.tree.visit(sight_.box(e.a, e.b), [&](std::uint32_t i) {
+    std::size_t united = 0;  // of cast_, when it was last united
+    occluders_.tree.visit(box, [&](std::uint32_t i) {
       ++result_.pairs;
+      const std::size_t before = cast_.size();
       shadows_.cast(occluders_.triangles[i], cast_);
-      all_hidden = !options_.why && !cast_.empty() && shadows_.covers_all(cast_.back());
+      if (options_.why || cast_.size() == before) return true;
+      all_hidden = shadows_.covers_all(cast_.back());
+      // Now and then the shadows so far are united: together they may hide the whole edge.
+      if (!all_hidden && cast_.size() >= united + 4) {
+        unite(cast_);
+        united = cast_.size();
+        all_hidden = shadows_.covers_all(cast_.back());
+      }
       return !all_hidden;
     });
     if (all_hidden) {
@@ -163,32 +172,69 @@ class Progress {
   std::mutex mutex_;
 };
 
-VisibleLines joined(std::vector<VisibleLines>& parts) {
+/// The edges that are asked for, ascending, and their boxes.
+struct Requested {
+  std::vector<EdgeId> edges;
+  std::vector<EdgeClass> classes;
+  std::vector<ImageBox> boxes;
+  DecisionCounts decisions;
+
+  Requested(const Sight& sight, const LineOptions& options) {
+    const Mesh& mesh = sight.mesh();
+    constexpr std::uint8_t none = 0xff;
+    std::vector<std::uint8_t> edge_classes(mesh.edges.size(), none);
+    std::vector<DecisionCounts> counts((mesh.edges.size() + block - 1) / block);
+    tbb::parallel_for(Range(0, counts.size(), 1), [&](const Range& range) {
+      for (std::size_t part = range.begin(); part < range.end(); ++part) {
+        Predicates exact = sight.predicates();
+        const std::size_t end = std::min((part + 1) * block, mesh.edges.size());
+        for (std::size_t e = part * block; e < end; ++e) {
+          const auto found = edge_class(sight, exact, EdgeId(e), options.crease);
+          if (found && options.classes[static_cast<std::size_t>(*found)]) edge_classes[e] = static_cast<std::uint8_t>(*found);
+        }
+        counts[part] = exact.counts();
+      }
+    });
+    for (const DecisionCounts& c : counts) decisions += c;
+    for (std::size_t e = 0; e < edge_classes.size(); ++e) {
+      if (edge_classes[e] == none) continue;
+      edges.emplace_back(e);
+      classes.push_back(static_cast<EdgeClass>(edge_classes[e]));
+    }
+    boxes.resize(edges.size());
+    tbb::parallel_for(Range(0, edges.size(), 1024), [&](const Range& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+        boxes[i] = sight.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b);
+    });
+  }
+};
+
+/// Puts the lines of all parts in the order of their edges. @param place where each edge's line is: part and line in it
+VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<std::array<std::uint32_t, 2>>& place) {
   VisibleLines all;
-  std::size_t lines = 0, cuts = 0, occluders = 0;
+  std::size_t cuts = 0, occluders = 0;
   for (const VisibleLines& part : parts) {
-    lines += part.lines.size();
     cuts += part.cuts.size();
     occluders += part.occluders.size();
+    all.pairs += part.pairs;
+    all.decisions += part.decisions;
   }
   if (cuts > 0xffffffffU || occluders > 0xffffffffU)
     throw InputError("the drawing has " + std::to_string(std::max(cuts, occluders)) + " interval ends, expected at most 2^32");
-  all.lines.reserve(lines);
+  all.lines.reserve(place.size());
   all.cuts.reserve(cuts);
   all.occluders.reserve(occluders);
-  for (VisibleLines& part : parts) {
-    for (LineOfEdge line : part.lines) {
-      line.first_cut += static_cast<std::uint32_t>(all.cuts.size());
-      line.end_cut += static_cast<std::uint32_t>(all.cuts.size());
-      line.first_occluder += static_cast<std::uint32_t>(all.occluders.size());
-      line.end_occluder += static_cast<std::uint32_t>(all.occluders.size());
-      all.lines.push_back(line);
-    }
-    all.cuts.insert(all.cuts.end(), part.cuts.begin(), part.cuts.end());
-    all.occluders.insert(all.occluders.end(), part.occluders.begin(), part.occluders.end());
-    all.pairs += part.pairs;
-    all.decisions += part.decisions;
-    part = {};
+  for (const auto& [part, at] : place) {
+    LineOfEdge line = parts[part].lines[at];
+    const auto line_cuts = parts[part].cuts_of(line);
+    const auto line_occluders = parts[part].occluders_of(line);
+    line.first_cut = static_cast<std::uint32_t>(all.cuts.size());
+    line.first_occluder = static_cast<std::uint32_t>(all.occluders.size());
+    all.cuts.insert(all.cuts.end(), line_cuts.begin(), line_cuts.end());
+    all.occluders.insert(all.occluders.end(), line_occluders.begin(), line_occluders.end());
+    line.end_cut = static_cast<std::uint32_t>(all.cuts.size());
+    line.end_occluder = static_cast<std::uint32_t>(all.occluders.size());
+    all.lines.push_back(line);
   }
   return all;
 }
@@ -198,22 +244,28 @@ VisibleLines joined(std::vector<VisibleLines>& parts) {
 VisibleLines roberts(const Mesh& mesh, const View& view, const LineOptions& options) {
   const Sight sight(mesh, view, options.arithmetic);
   const Occluders occluders(sight);
-  constexpr std::size_t block = 512;
-  std::vector<VisibleLines> parts((mesh.edges.size() + block - 1) / block);
-  Progress progress(options.progress, mesh.edges.size());
+  const Requested requested(sight, options);
+  // Neighbours in the image meet the same triangles: in this order they are still in the cache.
+  const std::vector<std::uint32_t> order = z_order(requested.boxes);
+  std::vector<VisibleLines> parts((order.size() + block - 1) / block);
+  std::vector<std::array<std::uint32_t, 2>> place(order.size());
+  Progress progress(options.progress, order.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
       Tiling tiling(sight, occluders, options);
-      const std::size_t end = std::min((part + 1) * block, mesh.edges.size());
-      for (std::size_t e = part * block; e < end; ++e) {
-        const auto edge_class = hsr::edge_class(sight, tiling.exact(), EdgeId(e), options.crease);
-        if (edge_class && options.classes[static_cast<std::size_t>(*edge_class)]) tiling.add(EdgeId(e), *edge_class);
+      const std::size_t begin = part * block, end = std::min(begin + block, order.size());
+      for (std::size_t k = begin; k < end; ++k) {
+        const std::uint32_t i = order[k];
+        place[i] = {static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(k - begin)};
+        tiling.add(requested.edges[i], requested.classes[i], requested.boxes[i]);
       }
       parts[part] = tiling.take();
-      progress.advance(end - part * block);
+      progress.advance(end - begin);
     }
   });
-  return joined(parts);
+  VisibleLines all = joined(parts, place);
+  all.decisions += requested.decisions;
+  return all;
 }
 
 }  // namespace hsr
