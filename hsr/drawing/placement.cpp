@@ -120,7 +120,7 @@ Placement placement(const Mesh& mesh, const View& view, const VisibleLines& line
   const bool framed = options.field_of_view && view.is_perspective();
   Page page = options.page;
   if (!(page.width > 2 * page.margin) || !(page.height > 2 * page.margin) || !(page.margin >= 0))
-    throw InputError("page: found a margin of " + std::to_string(page.margin) + " mm, expected less than half the page");
+    throw InputError("margin: found " + std::to_string(page.margin) + " mm, expected 0 or more, and less than half the page");
 
   Wide width = 0, height = 0;
   std::array<Rational, 2> centre;

@@ -127,11 +127,15 @@ TEST_CASE("Lines one ulp apart in slope are two lines", "[drawing][duplicates]")
   CHECK(d.hidden_under_visible == 0);
 }
 
-TEST_CASE("Ends one ulp apart are two ends", "[drawing][duplicates]") {
+TEST_CASE("Ends one ulp or one subnormal apart are two ends", "[drawing][duplicates]") {
   HandMadeLines h;
   h.add({-10, 0, 0}, {1, 0, 0});
   h.add({std::nextafter(1.0, 2), 0, 0}, {10, 0, 0});
   CHECK(h.draw().merged == 0);
+  HandMadeLines least;  // too close for any enclosure
+  least.add({-10, 0, 0}, {0, 0, 0});
+  least.add({5e-324, 3, 0}, {10, 0, 0});
+  CHECK(least.draw().merged == 0);
   HandMadeLines k;
   k.add({-10, 0, 0}, {1, 0, 0});
   k.add({1, 3, 0}, {10, 0, 0});
