@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -155,7 +156,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
       if (formats[i] == Format::json)
         bytes = lines_json(mesh, chosen.view, lines, {a.exact ? Numbers::exact : Numbers::rounded, a.why});
       else if (formats[i] == Format::svg)
-        bytes = svg(*drawing, {model.name, "view: " + chosen.title});
+        bytes = svg(*drawing, {std::filesystem::path(model.name).filename().string(), "view: " + chosen.title});
       else
         bytes = png(*drawing, size);
       write_file(a.outputs[i], bytes, &unfinished);

@@ -1,0 +1,242 @@
+// The command as a user meets it: runs it, and looks at what it prints, writes and returns.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+struct Outcome {
+  int status;
+  std::string text;  // standard output and standard error
+};
+
+Outcome run(const std::string& arguments) {
+  FILE* pipe = popen((std::string(HSR_COMMAND) + " " + arguments + " 2>&1").c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::string text;
+  std::array<char, 4096> buffer;
+  for (std::size_t n = 0; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) text.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+}
+
+class Directory {
+ public:
+  Directory() : path_(fs::temp_directory_path() / ("hsr_cli_test_" + std::to_string(getpid()))) {
+    fs::create_directories(path_);
+  }
+  ~Directory() { fs::remove_all(path_); }
+  Directory(const Directory&) = delete;
+  Directory& operator=(const Directory&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+  }
+
+ private:
+  fs::path path_;
+};
+
+std::string write(const std::string& path, const std::string& text) {
+  std::ofstream(path) << text;
+  return path;
+}
+std::string contents(const std::string& path) {
+  std::ostringstream s;
+  s << std::ifstream(path).rdbuf();
+  return s.str();
+}
+
+const char* const cube =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
+    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+/// One line, status 2, and the words that matter.
+void check_refused(const Outcome& outcome, const std::vector<std::string>& words) {
+  INFO(outcome.text);
+  CHECK(outcome.status == 2);
+  CHECK(count(outcome.text, "\n") == 1);
+  CHECK(outcome.text.rfind("hsr: ", 0) == 0);
+  for (const std::string& word : words) CHECK(outcome.text.find(word) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("draw writes every format that was asked for", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  const Outcome o = run("draw " + model + " -o " + (d / "a.svg") + " -o " + (d / "a.png") + " -o " + (d / "a.json") +
+                        " --report " + (d / "r.json") + " --hidden dashed");
+  CHECK(o.status == 0);
+  CHECK(o.text.empty());
+  CHECK(contents(d / "a.svg").find("<svg") != std::string::npos);
+  CHECK(contents(d / "a.png").rfind("\x89PNG", 0) == 0);
+  const json lines = json::parse(contents(d / "a.json"));
+  CHECK(lines["format"] == "hsr-lines/1");
+  CHECK(lines["lines"].size() == 12);
+  const json report = json::parse(contents(d / "r.json"));
+  CHECK(report["format"] == "hsr-report/1");
+  for (const char* key : {"seconds", "pairs", "decisions", "left_out", "memory_mb"}) CHECK(report.contains(key));
+  CHECK(report["lines"]["visible_intervals"] == 9);
+  CHECK(report["lines"]["hidden_intervals"] == 3);
+  CHECK(d.files() == 5);
+}
+
+TEST_CASE("a box seen face-on is four lines, hidden ones asked for or not", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  for (const std::string hidden : {"none", "dashed", "solid"}) {
+    REQUIRE(run("draw " + model + " -o " + (d / "a.svg") + " --view front --report " + (d / "r.json") + " --hidden " + hidden)
+                .status == 0);
+    CHECK(json::parse(contents(d / "r.json"))["drawing"]["polylines"] == 1);  // the four, joined
+    CHECK(count(contents(d / "a.svg"), "<path") == 1);
+  }
+}
+
+TEST_CASE("exact numbers are strings", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  REQUIRE(run("draw " + model + " -o " + (d / "a.json") + " --exact --why --view iso").status == 0);
+  const json lines = json::parse(contents(d / "a.json"));
+  CHECK(lines["view"]["eye"] == json({"1", "-1", "1", "0"}));
+  CHECK(lines["view"]["near"].is_null());
+  for (const json& line : lines["lines"]) {
+    CHECK(line["visible"].size() + line["hidden"].size() == 1);
+    if (!line["hidden"].empty()) {
+      CHECK(line["hidden"][0] == json({"0", "1"}));
+      CHECK_FALSE(line["by"].empty());
+    }
+  }
+}
+
+TEST_CASE("the same bytes for any number of threads", "[cli]") {
+  const Directory d;
+  std::string scene;
+  for (int i = 0; i < 60; ++i) {
+    const int x = i * 37 % 101, y = i * 53 % 97, z = i * 71 % 89;
+    scene += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+  }
+  for (int i = 1; i <= 58; ++i)
+    scene += "f " + std::to_string(i) + " " + std::to_string(i % 60 + 1) + " " + std::to_string((i * 7 + 3) % 60 + 1) + "\n";
+  const std::string model = write(d / "soup.obj", scene);
+  for (const std::string n : {"1", "2", "5"}) {
+    REQUIRE(run("draw " + model + " -q --edges all --hidden dashed -o " + (d / (n + ".json")) + " -o " + (d / (n + ".svg")) +
+                " --threads " + n)
+                .status == 0);
+    CHECK(contents(d / (n + ".json")) == contents(d / "1.json"));
+    CHECK(contents(d / (n + ".svg")) == contents(d / "1.svg"));
+  }
+}
+
+TEST_CASE("bad usage is one line that says what was expected", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube), out = " -o " + (d / "a.svg");
+  check_refused(run("draw " + (d / "none.obj") + out), {"none.obj"});
+  check_refused(run("draw " + model), {"--output"});
+  check_refused(run("draw " + model + " -o " + (d / "a.pdf")), {"pdf", "later"});
+  check_refused(run("draw " + model + " -o " + (d / "a.dxf")), {"dxf", "later"});
+  check_refused(run("draw " + model + " -o " + (d / "a.bmp")), {"svg", "png", "json"});
+  check_refused(run("draw " + model + out + " --view aslant"), {"aslant", "iso"});
+  check_refused(run("draw " + model + out + " --view iso --eye 1,2,3"), {"--view", "--eye"});
+  check_refused(run("draw " + model + out + " --eye 1,2"), {"1,2", "X,Y,Z"});
+  check_refused(run("draw " + model + out + " --eye nan,2,3"), {"nan", "X,Y,Z"});
+  check_refused(run("draw " + model + out + " --eye 0.5,0.5,0.5"), {"--target"});
+  check_refused(run("draw " + model + out + " --direction 0,0,0"), {"direction"});
+  check_refused(run("draw " + model + out + " --direction 0,0,1 --up 0,0,2"), {"up"});
+  check_refused(run("draw " + model + out + " --near 1"), {"--eye"});
+  check_refused(run("draw " + model + out + " --eye 5,5,5 --near 0"), {"near"});
+  check_refused(run("draw " + model + out + " --eye 5,5,5 --fov 180"), {"180"});
+  check_refused(run("draw " + model + out + " --edges outline,blunt"), {"blunt", "sharp"});
+  check_refused(run("draw " + model + out + " --page A9"), {"A9"});
+  check_refused(run("draw " + model + out + " --scale big"), {"big"});
+  check_refused(run("draw " + model + out + " --method appel"), {"appel", "later"});
+  check_refused(run("draw " + model + out + " --threads 0"), {"threads"});
+  check_refused(run("draw " + model + out + " --size 0x5"), {"0x5"});
+  check_refused(run("draw " + model + " -o " + (d / "no/such/a.svg")), {"no/such"});
+  check_refused(run("order " + model + out), {"order", "later"});
+  check_refused(run(""), {"--help"});
+  CHECK(d.files() == 1);  // nothing half written
+}
+
+TEST_CASE("bad models are one line with file and line", "[cli]") {
+  const Directory d;
+  check_refused(run("info " + write(d / "a.obj", "v 0 0 0\nv 1 0 zero\nf 1 2 1\n")), {"a.obj", "line 2", "zero"});
+  check_refused(run("info " + write(d / "b.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n")), {"b.obj", "line 4", "4"});
+  check_refused(run("info " + write(d / "c.obj", "")), {"c.obj", "empty"});
+  check_refused(run("info " + write(d / "d.step", "ISO-10303-21;")), {"d.step"});
+  check_refused(run("info " + (d / "")), {});
+}
+
+TEST_CASE("a model of faces without area gives an empty drawing and says so", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  const Outcome o = run("draw " + model + " -o " + (d / "a.svg"));
+  CHECK(o.status == 0);
+  CHECK(o.text.find("no area") != std::string::npos);
+  CHECK(contents(d / "a.svg").find("</svg>") != std::string::npos);
+}
+
+TEST_CASE("an eye inside the model frames 90 degrees and says so", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  CHECK(run("draw " + model + " -o " + (d / "a.svg") + " --eye 0.25,0.5,0.75").text.find("90") != std::string::npos);
+  CHECK(run("draw " + model + " -o " + (d / "a.svg") + " --eye 0.25,0.5,0.75 -q").text.empty());
+}
+
+TEST_CASE("info says what a model is", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  const Outcome o = run("info " + model + " --mesh " + (d / "m.json") + " --report " + (d / "r.json"));
+  CHECK(o.status == 0);
+  for (const char* word : {"6 quads", "closed      yes", "manifold    yes", "components  1", "defects     none"})
+    CHECK(o.text.find(word) != std::string::npos);
+  const json mesh = json::parse(contents(d / "m.json"));
+  CHECK(mesh["format"] == "hsr-mesh/1");
+  CHECK(mesh["faces"].size() == 6);
+  CHECK(json::parse(contents(d / "r.json"))["bits"] == 1);
+}
+
+TEST_CASE("an interrupt leaves no half file", "[cli]") {
+  const Directory d;
+  std::string scene;
+  for (int i = 0; i < 30000; ++i)
+    scene +=
+        "v " + std::to_string(i * 37 % 1009) + " " + std::to_string(i * 53 % 997) + " " + std::to_string(i * 71 % 991) + "\n";
+  for (int i = 1; i + 2 <= 30000; i += 3)
+    scene += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+  const std::string model = write(d / "soup.obj", scene);
+  for (const int milliseconds : {20, 200, 1000}) {
+    const pid_t child = fork();
+    if (child == 0) {
+      execl(HSR_COMMAND, HSR_COMMAND, "draw", model.c_str(), "--edges", "all", "-o", (d / "a.json").c_str(), nullptr);
+      _exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    const bool interrupted = WIFSIGNALED(status) || WEXITSTATUS(status) != 0;
+    // Absent, or, where it was faster than the signal, complete.
+    CHECK(d.files() == (interrupted ? 1 : 2));
+    if (!interrupted) CHECK(json::parse(contents(d / "a.json"))["format"] == "hsr-lines/1");
+    fs::remove(d / "a.json");
+  }
+}
