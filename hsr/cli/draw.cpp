@@ -113,26 +113,30 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   if (a.threads) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*a.threads));
 
   Report report;
+  ProgressLine progress(a.quiet);
+  progress.stage("reading");
   const Model model = report.timed("read", [&] { return read_model(a.model); });
+  progress.stage("faces");
   const Mesh mesh = report.timed("mesh", [&] { return make_mesh(model.points, model.polygons); });
   const ChosenView chosen = choose_view(a.view, mesh);
   drawing_options.field_of_view = chosen.field_of_view;
   if (!a.quiet) {
+    progress.clear();
     for (const std::string& note : model.notes) fmt::print(stderr, "hsr: note: {}\n", note);
     if (!chosen.note.empty()) fmt::print(stderr, "hsr: note: {}\n", chosen.note);
     if (mesh.edges.empty()) fmt::print(stderr, "hsr: note: {}: every face has no area, the drawing is empty\n", a.model);
   }
 
-  ProgressLine progress("visible lines", a.quiet);
+  progress.stage("visible lines");
   line_options.progress = [&](double done) { progress.show(done); };
   const VisibleLines lines = report.timed("lines", [&] { return roberts(mesh, chosen.view, line_options); });
-  progress.clear();
   describe(report, model, mesh, lines);
   DecisionCounts decisions = lines.decisions;
 
   const bool draws = std::any_of(formats.begin(), formats.end(), [](Format f) { return f != Format::json; });
   std::optional<Drawing> drawing;
   if (draws) {
+    progress.stage("drawing");
     drawing = report.timed("drawing", [&] { return draw(mesh, chosen.view, lines, drawing_options); });
     decisions += drawing->decisions;
     report["drawing"] = {{"polylines", drawing->polylines.size()},
@@ -142,6 +146,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
                          {"merged", drawing->merged},
                          {"short_dropped", drawing->short_dropped},
                          {"scale_mm_per_unit", drawing->scale}};
+    progress.clear();
     if (!drawing->fits && !a.quiet)
       fmt::print(stderr, "hsr: note: at scale {} the drawing is larger than the page {}: --scale fit makes it fit\n", a.scale,
                  a.page);
@@ -150,6 +155,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   if (!chosen.view.is_perspective()) report.leave_out("near plane", "a parallel view has none");
   if (!draws) report.leave_out("drawing", "only JSON was asked for");
 
+  progress.stage("writing");
   report.timed("write", [&] {
     for (std::size_t i = 0; i < a.outputs.size(); ++i) {
       std::string bytes;

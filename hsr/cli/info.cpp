@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "hsr/cli/commands.h"
+#include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
 #include "hsr/read/read.h"
 #include "hsr/scene_facts.h"
@@ -112,9 +113,13 @@ void add_facts(Report& report, const Model& model, const SceneFacts& f) {
 
 void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   Report report;
+  ProgressLine progress(false);
+  progress.stage("reading");
   const Model model = report.timed("read", [&] { return read_model(a.model); });
   const Mesh mesh = report.timed("mesh", [&] { return make_mesh(model.points, model.polygons); });
+  progress.stage("facts");
   const SceneFacts facts = report.timed("facts", [&] { return scene_facts(mesh, model.polygons); });
+  progress.clear();
   print(model, facts);
   add_facts(report, model, facts);
   if (!a.mesh.empty()) write_file(a.mesh, mesh_json(mesh, a.exact ? Numbers::exact : Numbers::rounded), &unfinished);

@@ -15,24 +15,53 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
+double seconds_since(std::chrono::steady_clock::time_point t) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
+}
+
 }  // namespace
 
-ProgressLine::ProgressLine(std::string what, bool quiet)
-    : what_(std::move(what)), enabled_(!quiet && isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine(bool quiet) {
+  if (quiet || isatty(STDERR_FILENO) == 0) return;
+  ticker_ = std::thread([this] {
+    std::unique_lock lock(mutex_);
+    while (!stopped_) {
+      wake_.wait_for(lock, std::chrono::milliseconds(250));
+      if (!stopped_ && seconds_since(start_) > 2) print();
+    }
+  });
+}
 
-void ProgressLine::show(double done) {
-  if (!enabled_) return;
-  const auto now = Clock::now();
-  const double spent = std::chrono::duration<double>(now - start_).count();
-  if (spent < 2 || now - last_ < std::chrono::milliseconds(200)) return;
-  last_ = now;
-  shown_ = true;
-  const std::string left = done > 0 ? ", " + duration(spent / done * (1 - done)) + " left" : "";
-  fmt::print(stderr, "\r\033[K{}: {:.0f} %{}", what_, done * 100, left);
+ProgressLine::~ProgressLine() {
+  if (!ticker_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    stopped_ = true;
+  }
+  wake_.notify_one();
+  ticker_.join();
+  clear();
+}
+
+void ProgressLine::stage(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  stage_ = name;
+  done_ = 0;
+  stage_start_ = Clock::now();
+}
+
+void ProgressLine::print() {
+  const double spent = seconds_since(stage_start_), done = done_;
+  if (done > 0)
+    fmt::print(stderr, "\r\033[K{}: {:.0f} %, {} left", stage_, done * 100, duration(spent / done * (1 - done)));
+  else
+    fmt::print(stderr, "\r\033[K{}: {} so far", stage_, duration(spent));
   std::fflush(stderr);
+  shown_ = true;
 }
 
 void ProgressLine::clear() {
+  const std::lock_guard lock(mutex_);
   if (shown_) fmt::print(stderr, "\r\033[K");
   shown_ = false;
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <optional>
+#include <span>
 
 #include "geometry/box_tree.h"
 #include "geometry/error.h"
@@ -56,6 +56,7 @@ class Tiling {
 
  private:
   void unite(std::vector<Shadow>& cast);
+  void check_ascending(std::span<const Shadow> hidden);
   void name_occluders(const Shadow& hidden, const std::vector<Shadow>& by_face);
 
   const Sight& sight_;
@@ -79,6 +80,23 @@ void Tiling::unite(std::vector<Shadow>& cast) {
       cast[last].to = cast[i].to;
   }
   cast.resize(last + 1);
+}
+
+/// Property (1) of the result, where the build checks its invariants.
+void Tiling::check_ascending([[maybe_unused]] std::span<const Shadow> hidden) {
+#ifdef HSR_CHECKS
+  const DecisionCounts before = exact().counts();  // the report is the same in every build
+  const Bound* reached = &shadows_.first();
+  for (const Shadow& s : hidden) {
+    const Sign gap = shadows_.order(*reached, s.from);
+    if (gap == Sign::positive || (gap == Sign::zero && &s != hidden.data()) || shadows_.order(s.from, s.to) != Sign::negative)
+      throw InvariantError("roberts: hidden intervals that are empty, touch or overlap");
+    reached = &s.to;
+  }
+  if (shadows_.order(*reached, shadows_.last()) == Sign::positive)
+    throw InvariantError("roberts: a hidden interval beyond the end of its edge");
+  exact().counts() = before;
+#endif
 }
 
 /// Greedy: of the faces whose shadow covers the start, the one that reaches furthest, the lowest index first.
@@ -136,6 +154,7 @@ void Tiling::add(EdgeId edge, EdgeClass edge_class, const ImageBox& box) {
       }
     }
     unite(cast_);
+    check_ascending(cast_);
 
     auto& cuts = result_.cuts;
     cuts.push_back(shadows_.first().cut);

@@ -1,0 +1,93 @@
+#include "geometry/box_tree.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace hsr;
+
+namespace {
+
+ImageBox box_at(double u, double v, double depth, double half) {
+  ImageBox box = ImageBox::nothing();
+  box.add({u, v, depth}, {half, half, half});
+  return box;
+}
+
+bool overlap(const ImageBox& a, const ImageBox& b) {
+  for (std::size_t k = 0; k < 2; ++k)
+    if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return false;
+  return true;
+}
+
+std::vector<std::uint32_t> found(const BoxTree& tree, const ImageBox& query) {
+  std::vector<std::uint32_t> boxes;
+  tree.visit(query, [&](std::uint32_t i) {
+    boxes.push_back(i);
+    return true;
+  });
+  std::sort(boxes.begin(), boxes.end());
+  return boxes;
+}
+
+}  // namespace
+
+TEST_CASE("a box contains what it was grown by, whatever the float rounds", "[geometry][box_tree]") {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 10000; ++i) {
+    const double x =
+        std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), static_cast<int>(random() % 2000) - 1063);
+    if (!std::isfinite(x)) continue;
+    const double error = std::fabs(x) * 0x1p-40;
+    const ImageBox box = box_at(x, -x, x, error);
+    CHECK((static_cast<double>(box.low[0]) <= x - error && static_cast<double>(box.high[0]) >= x + error));
+    CHECK((static_cast<double>(box.low[1]) <= -x - error && static_cast<double>(box.high[1]) >= -x + error));
+    CHECK((static_cast<double>(box.farthest) <= x - error && static_cast<double>(box.nearest) >= x + error));
+  }
+}
+
+TEST_CASE("a box of what is not a number is unbounded", "[geometry][box_tree]") {
+  ImageBox box = ImageBox::nothing();
+  box.add({std::nan(""), 0, 0}, {0, std::nan(""), std::numeric_limits<double>::infinity()});
+  CHECK((box.low[0] < -1e38F && box.high[0] > 1e38F && box.low[1] < -1e38F && box.high[1] > 1e38F));
+  CHECK((box.farthest < -1e38F && box.nearest > 1e38F));
+}
+
+TEST_CASE("the tree finds what a search of all boxes finds", "[geometry][box_tree]") {
+  std::mt19937_64 random(5);
+  const auto unit = [&] { return static_cast<double>(random() % 10007) / 10007; };
+  for (const std::size_t n : {0, 1, 2, 7, 8, 9, 64, 65, 513, 5000}) {
+    std::vector<ImageBox> boxes;
+    for (std::size_t i = 0; i < n; ++i) {
+      // some far out, some unbounded, many in one place
+      const double far = random() % 16 == 0 ? 1e6 : 1;
+      boxes.push_back(random() % 200 == 0 ? ImageBox::everything()
+                                          : box_at(far * unit(), random() % 8 == 0 ? 0 : unit(), unit(), 0.02 * unit()));
+    }
+    const BoxTree tree(boxes);
+    for (int q = 0; q < 50; ++q) {
+      const ImageBox query = q == 0 ? ImageBox::everything() : box_at(unit(), unit(), unit(), 0.1 * unit());
+      std::vector<std::uint32_t> expected;
+      for (std::uint32_t i = 0; i < n; ++i)
+        if (overlap(boxes[i], query) && boxes[i].nearest >= query.farthest) expected.push_back(i);
+      CHECK(found(tree, query) == expected);
+    }
+  }
+}
+
+TEST_CASE("a visit stops when it is told to", "[geometry][box_tree]") {
+  const BoxTree tree(std::vector<ImageBox>(1000, box_at(0, 0, 0, 1)));
+  int calls = 0;
+  tree.visit(ImageBox::everything(), [&](std::uint32_t) { return ++calls < 10; });
+  CHECK(calls == 10);
+}
+
+TEST_CASE("a Z-order holds each box once, and equal boxes by index", "[geometry][box_tree]") {
+  const std::vector<ImageBox> equal(100, box_at(1, 2, 3, 0));
+  const auto order = z_order(equal);
+  REQUIRE(order.size() == 100);
+  for (std::uint32_t i = 0; i < 100; ++i) CHECK(order[i] == i);
+  CHECK(z_order({}).empty());
+}
