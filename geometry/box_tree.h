@@ -64,10 +64,11 @@ void BoxTree::visit(const ImageBox& query, F&& f) const {
     const Node& node = nodes_[level_begin_[level] + place];
     unsigned hit = 0;
     for (unsigned k = 0; k < width; ++k) {
-      const bool overlaps = (node.low[0][k] <= query.high[0]) & (node.high[0][k] >= query.low[0]) &
-                            (node.low[1][k] <= query.high[1]) & (node.high[1][k] >= query.low[1]) &
-                            (node.nearest[k] >= query.farthest);
-      hit |= static_cast<unsigned>(overlaps) << k;
+      // Without branches: every comparison is made, and all must hold.
+      const unsigned overlaps = unsigned{node.low[0][k] <= query.high[0]} & unsigned{node.high[0][k] >= query.low[0]} &
+                                unsigned{node.low[1][k] <= query.high[1]} & unsigned{node.high[1][k] >= query.low[1]} &
+                                unsigned{node.nearest[k] >= query.farthest};
+      hit |= overlaps << k;
     }
     // In order of nearness, the nearest last: first from the stack, and first to hide all of the query.
     std::array<std::uint32_t, width> hits;
