@@ -9,6 +9,7 @@
 
 #include "geometry/error.h"
 #include "hsr/cli/commands.h"
+#include "hsr/cli/outputs.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
 #include "hsr/cli/view_options.h"
@@ -87,10 +88,39 @@ void describe(Report& report, const Model& model, const Mesh& mesh, const Visibl
   report["pairs"] = lines.pairs;
 }
 
+/// What was asked for and does nothing here.
+void note_idle_options(const DrawArguments& a, const std::vector<Format>& formats) {
+  const auto any = [&](Format f) { return std::find(formats.begin(), formats.end(), f) != formats.end(); };
+  const auto note = [](const char* option, const char* format) {
+    fmt::print(stderr, "hsr: note: {} has no effect without an output that ends in .{}\n", option, format);
+  };
+  if (a.why && !any(Format::json)) note("--why", "json");
+  if (a.exact && !any(Format::json)) note("--exact", "json");
+  if (!a.size.empty() && !any(Format::png)) note("--size", "png");
+}
+
+/// Why a drawing has no line, for one who wonders.
+std::string empty_drawing(const DrawArguments& a, const VisibleLines& lines) {
+  if (lines.lines.empty())
+    return "no edge of this model is of the classes " + a.edges + " in this view: --edges all draws every edge";
+  const bool nothing_ahead =
+      std::all_of(lines.lines.begin(), lines.lines.end(), [](const LineOfEdge& l) { return l.intervals() == 0; });
+  if (nothing_ahead && !a.view.eye.empty())
+    return "nothing of the model is beyond the near plane, or seen as more than a point: see --target and --near";
+  if (nothing_ahead) return "every edge is seen as a point";
+  return "every line is hidden, or outside the frame: --hidden dashed shows what is hidden";
+}
+
 void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   // Everything that can be refused is refused before the long work.
   std::vector<Format> formats;
   for (const std::string& path : a.outputs) formats.push_back(format_of(path));
+  std::vector<std::string> files = a.outputs;
+  files.push_back(a.report);
+  check_outputs(a.model, files);
+  if (!(a.crease >= 0 && a.crease <= 180))
+    throw InputError(fmt::format("--crease: found {}, expected degrees from 0 to 180", a.crease));
+  if (!(a.margin >= 0)) throw InputError(fmt::format("--margin: found {}, expected millimetres, 0 or more", a.margin));
   if (a.method == "appel") throw InputError("--method: appel comes in a later release, expected roberts");
   LineOptions line_options;
   line_options.classes = parse_classes(a.edges);
@@ -122,6 +152,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   drawing_options.field_of_view = chosen.field_of_view;
   if (!a.quiet) {
     progress.clear();
+    note_idle_options(a, formats);
     for (const std::string& note : model.notes) fmt::print(stderr, "hsr: note: {}\n", note);
     if (!chosen.note.empty()) fmt::print(stderr, "hsr: note: {}\n", chosen.note);
     if (mesh.edges.empty()) fmt::print(stderr, "hsr: note: {}: every face has no area, the drawing is empty\n", a.model);
@@ -147,6 +178,8 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
                          {"short_dropped", drawing->short_dropped},
                          {"scale_mm_per_unit", drawing->scale}};
     progress.clear();
+    if (drawing->polylines.empty() && !a.quiet && !mesh.edges.empty())
+      fmt::print(stderr, "hsr: note: the drawing is empty: {}\n", empty_drawing(a, lines));
     if (!drawing->fits && !a.quiet)
       fmt::print(stderr, "hsr: note: at scale {} the drawing is larger than the page {}: --scale fit makes it fit\n", a.scale,
                  a.page);
@@ -156,6 +189,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   if (!draws) report.leave_out("drawing", "only JSON was asked for");
 
   progress.stage("writing");
+  OutputFiles output(unfinished);
   report.timed("write", [&] {
     for (std::size_t i = 0; i < a.outputs.size(); ++i) {
       std::string bytes;
@@ -165,10 +199,22 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
         bytes = svg(*drawing, {std::filesystem::path(model.name).filename().string(), "view: " + chosen.title});
       else
         bytes = png(*drawing, size);
-      write_file(a.outputs[i], bytes, &unfinished);
+      output.write(a.outputs[i], bytes);
     }
   });
-  if (!a.report.empty()) write_file(a.report, report.text(), &unfinished);
+  if (!a.report.empty()) output.write(a.report, report.text());
+  output.commit();
+}
+
+/// Plain doubles may contradict themselves: then there is no result to show, and that is no defect.
+void run_guarded(const DrawArguments& a, UnfinishedFiles& unfinished) {
+  try {
+    run(a, unfinished);
+  } catch (const std::logic_error& e) {
+    if (a.arithmetic != "double") throw;
+    throw InputError(std::string("--arithmetic double: plain doubles contradict themselves on this model (") + e.what() +
+                     "); expected staged for a drawing");
+  }
 }
 
 }  // namespace
@@ -192,10 +238,10 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
       ->capture_default_str()
       ->type_name("LIST")
       ->group(lines);
-  sub->add_option("--crease", a->crease, "An edge is sharp if its faces deviate from flat by more degrees than this")
+  sub->add_option("--crease", a->crease,
+                  "An edge is sharp if its faces deviate from flat by more than this; exactly this angle is smooth")
       ->capture_default_str()
       ->type_name("DEG")
-      ->check(CLI::Range(0.0, 180.0))
       ->group(lines);
   sub->add_option("--method", a->method, "roberts (appel: a later release)")
       ->capture_default_str()
@@ -204,11 +250,12 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
       ->group(lines);
   sub->add_flag("--why", a->why, "JSON: which faces hide each hidden interval")->group(lines);
   const std::string page = "Page";
-  sub->add_option("--page", a->page, "A0 ... A6, letter, WIDTHxHEIGHTmm, or fit")
+  sub->add_option("--page", a->page,
+                  "A0 ... A6 or letter, turned to suit the drawing, WIDTHxHEIGHTmm, or fit (cut to the drawing)")
       ->capture_default_str()
       ->type_name("PAGE")
       ->group(page);
-  sub->add_option("--scale", a->scale, "Paper to model, such as 1:5, or fit")
+  sub->add_option("--scale", a->scale, "Paper to model, such as 1:5 or 2:1 (perspective: at the target), or fit")
       ->capture_default_str()
       ->type_name("RATIO")
       ->group(page);
@@ -217,11 +264,7 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
       ->type_name("UNIT")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
       ->group(page);
-  sub->add_option("--margin", a->margin, "Around the drawing, mm")
-      ->capture_default_str()
-      ->type_name("MM")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->group(page);
+  sub->add_option("--margin", a->margin, "Around the drawing, mm")->capture_default_str()->type_name("MM")->group(page);
   sub->add_option("--size", a->size, "PNG: pixels [150 to the inch]")->type_name("WxH")->group(page);
   const std::string numbers = "Numbers";
   sub->add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"")->group(numbers);
@@ -235,9 +278,11 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
       ->check(CLI::IsMember({"staged", "double", "interval", "rational"}))
       ->group(numbers);
   const std::string reporting = "Report";
-  sub->add_option("--report", a->report, "Times, counts and decisions as JSON")->type_name("FILE")->group(reporting);
+  sub->add_option("--report", a->report, "Times, counts and decisions as JSON; - for the standard output")
+      ->type_name("FILE")
+      ->group(reporting);
   sub->add_flag("-q,--quiet", a->quiet, "No notes, no progress")->group(reporting);
-  sub->callback([a, &unfinished] { run(*a, unfinished); });
+  sub->callback([a, &unfinished] { run_guarded(*a, unfinished); });
 }
 
 }  // namespace hsr::cli

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "hsr/cli/commands.h"
+#include "hsr/cli/outputs.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
 #include "hsr/read/read.h"
@@ -112,6 +113,7 @@ void add_facts(Report& report, const Model& model, const SceneFacts& f) {
 }
 
 void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
+  check_outputs(a.model, {a.mesh, a.report});
   Report report;
   ProgressLine progress(false);
   progress.stage("reading");
@@ -122,8 +124,10 @@ void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   progress.clear();
   print(model, facts);
   add_facts(report, model, facts);
-  if (!a.mesh.empty()) write_file(a.mesh, mesh_json(mesh, a.exact ? Numbers::exact : Numbers::rounded), &unfinished);
-  if (!a.report.empty()) write_file(a.report, report.text(), &unfinished);
+  OutputFiles output(unfinished);
+  if (!a.mesh.empty()) output.write(a.mesh, mesh_json(mesh, a.exact ? Numbers::exact : Numbers::rounded));
+  if (!a.report.empty()) output.write(a.report, report.text());
+  output.commit();
 }
 
 }  // namespace

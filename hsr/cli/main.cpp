@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <new>
@@ -13,8 +14,12 @@ namespace {
 
 hsr::UnfinishedFiles unfinished;  // global only because a signal handler has no other way to it
 
+bool clears_line = false;  // standard error is a terminal, and may show a progress line
+
 extern "C" void on_interrupt(int signal) {
   unfinished.remove_all();
+  if (clears_line) [[maybe_unused]]
+    const auto written = write(STDERR_FILENO, "\r\033[K", 4);
   _exit(128 + signal);
 }
 
@@ -30,9 +35,18 @@ int fail(const std::string& message) {
   return 2;
 }
 
+/// The library names what it refuses as the options are named, without the dashes.
+std::string with_dashes(const std::string& message) {
+  for (const std::string option :
+       {"page", "scale", "unit", "margin", "size", "fov", "near", "up", "direction", "eye", "target", "view"})
+    if (message.rfind(option + ":", 0) == 0) return "--" + message;
+  return message;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  clears_line = isatty(STDERR_FILENO) != 0;
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   std::signal(SIGHUP, on_interrupt);
@@ -46,18 +60,30 @@ int main(int argc, char** argv) {
   add_later(app, "verify", "Is a painting order right?");
   add_later(app, "compare", "All methods on one scene");
   add_later(app, "stability", "Where each method and arithmetic breaks");
+  const std::string verb = argc > 1 ? argv[1] : "";
   try {
+    const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
+    const bool known = std::any_of(verbs.begin(), verbs.end(), [&](const CLI::App* v) { return v->get_name() == verb; });
+    if (!verb.empty() && verb.front() != '-' && !known)
+      throw hsr::InputError(verb + ": no such verb, expected draw or info ('hsr --help' lists them)");
     app.parse(argc, argv);
+    std::cout.flush();
+    if (std::fflush(stdout) != 0 || !std::cout) throw hsr::InputError("standard output: cannot be written");
+    return 0;
   } catch (const CLI::Success& e) {
-    return app.exit(e);
+    const int status = app.exit(e);
+    std::cout.flush();
+    return std::cout ? status : fail("standard output: cannot be written");
   } catch (const CLI::ParseError& e) {
-    return fail(std::string(e.what()) + " ('hsr --help' and 'hsr VERB --help' say what is)");
+    const bool known = !verb.empty() && verb.front() != '-';
+    return fail(std::string(e.what()) + " (see 'hsr " + (known ? verb + " " : "") + "--help')");
   } catch (const hsr::InputError& e) {
-    return fail(e.what());
+    return fail(with_dashes(e.what()));
   } catch (const std::bad_alloc&) {
     return fail("out of memory: the scene does not fit");
+  } catch (const std::system_error& e) {
+    return fail(std::string("standard output: ") + e.what());
   } catch (const std::exception& e) {
     return fail(std::string("a defect of hsr, please report it: ") + e.what());
   }
-  return 0;
 }

@@ -1,5 +1,7 @@
 #include "hsr/cli/view_options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -11,7 +13,9 @@ namespace hsr::cli {
 
 namespace {
 
-double parse_number(const std::string& option, const std::string& text, const std::string& whole) {
+double parse_number(const std::string& option, std::string text, const std::string& whole) {
+  text.erase(0, text.find_first_not_of(' '));
+  text.erase(text.find_last_not_of(' ') + 1);
   const std::string digits = !text.empty() && text.front() == '+' ? text.substr(1) : text;
   double x = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
@@ -70,8 +74,9 @@ void ViewOptions::add_to(CLI::App& app) {
   app.add_option("--direction", direction, "Parallel view; the direction points toward the viewer")
       ->type_name("X,Y,Z")
       ->group(group);
-  app.add_option("--up", up, "What is up on the paper [the up axis]")->type_name("X,Y,Z")->group(group);
-  app.add_option("--fov", field_of_view, "Perspective: frame this angle instead of all beyond the near plane")
+  app.add_option("--up", up, "What is up on the paper [the up axis, or what it can be]")->type_name("X,Y,Z")->group(group);
+  app.add_option("--fov", field_of_view,
+                 "Perspective: frame this angle, across the shorter side, instead of all beyond the near plane")
       ->type_name("DEG")
       ->group(group);
   app.add_option("--near", near, "Perspective: distance of the near plane [a thousandth of eye to target]")
@@ -90,7 +95,7 @@ ChosenView choose_view(const ViewOptions& o, const Mesh& mesh) {
   if (o.eye.empty() && (o.near || o.field_of_view))
     throw InputError("view: found --near or --fov without --eye, expected them in perspective only: add --eye X,Y,Z");
   if (o.field_of_view && !(*o.field_of_view > 0 && *o.field_of_view < 180))
-    throw InputError("--fov: found " + std::to_string(*o.field_of_view) + ", expected degrees between 0 and 180");
+    throw InputError(fmt::format("--fov: found {}, expected degrees, more than 0 and less than 180", *o.field_of_view));
   const bool y_up = o.up_axis == "y";
   const Point3 target = o.target.empty() ? centre(mesh) : parse_point("--target", o.target);
   ChosenView chosen;

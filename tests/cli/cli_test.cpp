@@ -172,6 +172,8 @@ TEST_CASE("bad usage is one line that says what was expected", "[cli]") {
   check_refused(run("draw " + model + out + " --size 0x5"), {"0x5"});
   check_refused(run("draw " + model + " -o " + (d / "no/such/a.svg")), {"no/such"});
   check_refused(run("order " + model + out), {"order", "later"});
+  check_refused(run("drow " + model + out), {"drow", "draw"});
+  check_refused(run("draw " + model + out + " --crease 181"), {"--crease", "181"});
   check_refused(run(""), {"--help"});
   CHECK(d.files() == 1);  // nothing half written
 }
@@ -192,6 +194,41 @@ TEST_CASE("a model of faces without area gives an empty drawing and says so", "[
   CHECK(o.status == 0);
   CHECK(o.text.find("no area") != std::string::npos);
   CHECK(contents(d / "a.svg").find("</svg>") != std::string::npos);
+}
+
+TEST_CASE("an empty drawing says why", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube), out = " -o " + (d / "a.svg");
+  for (const std::string options : {"--eye 3,3,3 --near 100", "--eye 3,3,3 --target 9,9,9", "--edges wire"}) {
+    const Outcome o = run("draw " + model + out + " " + options);
+    CHECK(o.status == 0);
+    CHECK(o.text.find("the drawing is empty: ") != std::string::npos);
+  }
+}
+
+TEST_CASE("an output never takes the place of the model or of another output", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  fs::create_symlink(model, d / "link.svg");
+  fs::create_hard_link(model, d / "hard.svg");
+  const std::string svg = d / "a.svg";
+  check_refused(run("draw " + model + " -o " + svg + " --report " + model), {"cube.obj", "model itself"});
+  check_refused(run("info " + model + " --mesh " + model), {"cube.obj", "model itself"});
+  check_refused(run("draw " + model + " -o " + (d / "link.svg")), {"link.svg", "model itself"});
+  check_refused(run("draw " + model + " -o " + (d / "hard.svg")), {"hard.svg", "model itself"});
+  check_refused(run("draw " + model + " -o " + svg + " --report " + (d / "./a.svg")), {"a.svg", "twice"});
+  check_refused(run("draw " + model + " -o " + svg + " -o " + (d / "no/b.svg")), {"no/b.svg"});
+  CHECK(contents(model) == cube);
+  CHECK_FALSE(fs::exists(svg));
+}
+
+TEST_CASE("a full disk is an error, not a success", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  for (const std::string verb : {"info " + model, std::string("--help")}) {
+    const int status = std::system((std::string(HSR_COMMAND) + " " + verb + " > /dev/full 2> /dev/null").c_str());
+    CHECK(WEXITSTATUS(status) == 2);
+  }
 }
 
 TEST_CASE("an eye inside the model frames 90 degrees and says so", "[cli]") {

@@ -1,0 +1,58 @@
+#include "hsr/cli/outputs.h"
+
+#include <filesystem>
+
+#include "geometry/error.h"
+
+namespace hsr::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One name for each file, links followed as far as there is something.
+fs::path identity(const std::string& path) {
+  if (path == "-") return path;
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(path, error);
+  return error ? fs::path(path).lexically_normal() : real;
+}
+
+bool is_ordinary(const std::string& path) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  return !fs::exists(status) || fs::is_regular_file(status);
+}
+
+}  // namespace
+
+void check_outputs(const std::string& model, const std::vector<std::string>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const std::string& path = outputs[i];
+    if (path.empty()) continue;
+    if (path != "-") {
+      const fs::path directory = identity(path).parent_path();
+      std::error_code error;
+      if (!directory.empty() && !fs::is_directory(directory, error))
+        throw InputError(path + ": found no directory " + directory.string() + ", expected one to write into");
+      if (!is_ordinary(path)) continue;
+    }
+    std::error_code error;
+    if (identity(path) == identity(model) || fs::equivalent(path, model, error))
+      throw InputError(path + ": is the model itself; expected another file to write");
+    for (std::size_t j = 0; j < i; ++j)
+      if (!outputs[j].empty() && identity(outputs[j]) == identity(path))
+        throw InputError(path + ": found twice among the outputs, expected different files");
+  }
+}
+
+void OutputFiles::write(const std::string& path, const std::string& bytes) {
+  files_.push_back(std::make_unique<OutputFile>(path, &unfinished_));
+  files_.back()->write(bytes);
+}
+
+void OutputFiles::commit() {
+  for (const auto& file : files_) file->commit();
+}
+
+}  // namespace hsr::cli
