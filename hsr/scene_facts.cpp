@@ -5,33 +5,15 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/predicates.h"
 
 namespace hsr {
 
 namespace {
-
-/// Disjoint sets of numbers, joined one by one.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 void count_points(const Mesh& mesh, SceneFacts& facts) {
   facts.points = mesh.points.size();

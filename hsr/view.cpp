@@ -4,23 +4,16 @@
 #include <cmath>
 
 #include "geometry/error.h"
+#include "geometry/rational_vector.h"
 
 namespace hsr {
 
 namespace {
 
-using Vector = std::array<Rational, 3>;
-
-Vector vector(const Point3& p) { return {p.x, p.y, p.z}; }
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-bool is_zero(const Vector& a) { return a[0] == Rational() && a[1] == Rational() && a[2] == Rational(); }
+bool is_zero(const RationalVector& a) { return a[0] == Rational() && a[1] == Rational() && a[2] == Rational(); }
 
 /// The vector scaled to length 1 in doubles; exact first, so that no size overflows.
-Point3 unit(const Vector& a) {
+Point3 unit(const RationalVector& a) {
   Rational most;
   for (const Rational& x : a) most = std::max(most, x.sign() == Sign::negative ? -x : x);
   const double x = (a[0] / most).to_double(), y = (a[1] / most).to_double(), z = (a[2] / most).to_double();
@@ -36,8 +29,8 @@ void expect_finite(const Point3& p, const char* what) {
 }
 
 /// Right, up and toward the viewer make a right-handed frame.
-Frame frame_toward(const Vector& toward, const Point3& up, const Point3& origin) {
-  const Vector right = cross(vector(up), toward);
+Frame frame_toward(const RationalVector& toward, const Point3& up, const Point3& origin) {
+  const RationalVector right = cross(rational(up), toward);
   if (is_zero(right))
     throw InputError("up: found a direction along the line of sight (or zero), expected one that is not parallel to it");
   return {origin, unit(right), unit(cross(toward, right))};
@@ -56,7 +49,7 @@ View parallel_view(const Point3& direction, const Point3& up, const Point3& targ
   view.viewpoint = {without_minus_zero(direction), true};
   view.target = without_minus_zero(target);
   view.up = without_minus_zero(up);
-  view.frame = frame_toward(vector(direction), up, view.target);
+  view.frame = frame_toward(rational(direction), up, view.target);
   return view;
 }
 
@@ -69,7 +62,7 @@ View perspective_view(const Point3& eye, const Point3& target, const Point3& up,
   view.viewpoint = {without_minus_zero(eye), false};
   view.target = without_minus_zero(target);
   view.up = without_minus_zero(up);
-  view.frame = frame_toward(minus(vector(eye), vector(target)), up, view.target);
+  view.frame = frame_toward(minus(rational(eye), rational(target)), up, view.target);
   view.near = 0.001;
   if (near_distance) {
     if (!std::isfinite(*near_distance) || *near_distance <= 0)
@@ -117,15 +110,15 @@ Point3 centre(const Mesh& mesh) {
 }
 
 std::array<Rational, 2> image(const View& view, const std::array<Rational, 3>& p) {
-  const Vector o = vector(view.frame.origin), u = vector(view.frame.right), v = vector(view.frame.up);
-  const Vector n = cross(u, v), e = vector(view.viewpoint.at);
+  const RationalVector o = rational(view.frame.origin), u = rational(view.frame.right), v = rational(view.frame.up);
+  const RationalVector n = cross(u, v), e = rational(view.viewpoint.at);
   // The point where the line of sight of p meets the paper, relative to the origin: w = x u + y v.
-  const Vector along = view.viewpoint.is_direction ? e : minus(p, e);
-  const Vector& from = view.viewpoint.is_direction ? p : e;
+  const RationalVector along = view.viewpoint.is_direction ? e : minus(p, e);
+  const RationalVector& from = view.viewpoint.is_direction ? p : e;
   const Rational slope = dot(n, along);
   require(slope.sign() != Sign::zero, "image: the line of sight is parallel to the paper");
   const Rational s = dot(n, minus(o, from)) / slope;
-  const Vector w = {from[0] + s * along[0] - o[0], from[1] + s * along[1] - o[1], from[2] + s * along[2] - o[2]};
+  const RationalVector w = {from[0] + s * along[0] - o[0], from[1] + s * along[1] - o[1], from[2] + s * along[2] - o[2]};
   const Rational nn = dot(n, n);
   return {dot(cross(w, v), n) / nn, dot(cross(u, w), n) / nn};
 }

@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
+
+#include "geometry/disjoint_sets.h"
 
 namespace hsr {
 
@@ -82,24 +83,6 @@ bool on_one_image_line(const Mesh& mesh, const View& view, const Edge& e, const 
   return contains(f.a) && contains(f.b);
 }
 
-/// Sets that grow together; the least member stands for each.
-class Partition {
- public:
-  explicit Partition(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::uint32_t i, std::uint32_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 }  // namespace
 
 ImageLines image_lines(const Projection& projection, const IndexedVector<VertexId, HomogeneousPoint>& at,
@@ -135,7 +118,7 @@ ImageLines image_lines(const Projection& projection, const IndexedVector<VertexI
   });
 
   // Along ascending c, the lines seen so far whose c may still be met again.
-  Partition partition(drawn.size());
+  DisjointSets partition(drawn.size());
   std::vector<Candidate> open;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const Candidate& c = candidates[k];
@@ -146,7 +129,7 @@ ImageLines image_lines(const Projection& projection, const IndexedVector<VertexI
       found = partition.find(o.position) == partition.find(c.position) ||
               on_one_image_line(mesh, projection.view(), edge_at(o.position), edge_at(c.position), predicates);
       if (!found) continue;
-      partition.unite(o.position, c.position);
+      partition.join(o.position, c.position);
       break;
     }
     if (!found) open.push_back(c);

@@ -3,20 +3,12 @@
 #include <string>
 
 #include "geometry/error.h"
+#include "geometry/rational_vector.h"
 #include "hsr/drawing/cut_parameter.h"
 
 namespace hsr {
 
 namespace {
-
-using Vector = std::array<Rational, 3>;
-
-Vector vector(const Point3& p) { return {p.x, p.y, p.z}; }
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// 1000 x / w rounded, halves away from zero; nothing where the enclosure leaves two answers.
 std::optional<std::int64_t> thousandths(const Enclosure& x) {
@@ -40,14 +32,14 @@ std::int64_t thousandths(const Rational& x) {
 // y up. By Cramer's rule, parallel:  x = (p - o).(up x D) / d,  y = (p - o).(D x right) / d,  d = det(right, up, D);
 // perspective, g = o - e:      x = (p - e).(up x g) / w,  y = (p - e).(g x right) / w,  w = (p - e).(right x up).
 Projection::Projection(const Mesh& mesh, const View& view, const Point3& anchor) : mesh_(mesh), view_(view), anchor_(anchor) {
-  const Vector right = vector(view.frame.right), up = vector(view.frame.up), e = vector(view.viewpoint.at);
+  const RationalVector right = rational(view.frame.right), up = rational(view.frame.up), e = rational(view.viewpoint.at);
   const bool parallel = view.viewpoint.is_direction;
-  const Vector g = parallel ? e : minus(vector(view.frame.origin), e);
-  const Vector n = cross(right, up);
-  const Vector from_eye = parallel ? Vector{} : minus(vector(anchor), e);
+  const RationalVector g = parallel ? e : minus(rational(view.frame.origin), e);
+  const RationalVector n = cross(right, up);
+  const RationalVector from_eye = parallel ? RationalVector{} : minus(rational(anchor), e);
   const Rational unit = parallel ? dot(n, g) : dot(n, from_eye);
   require(unit.sign() != Sign::zero, "Projection: the anchor is not in front of the eye");
-  const Vector x = cross(up, g), y = cross(g, right);
+  const RationalVector x = cross(up, g), y = cross(g, right);
   const Rational anchor_x = dot(x, from_eye) / unit, anchor_y = dot(y, from_eye) / unit;
   for (std::size_t k = 0; k < 3; ++k) {
     const Rational w = parallel ? Rational() : n[k] / unit;
@@ -60,7 +52,7 @@ Projection::Projection(const Mesh& mesh, const View& view, const Point3& anchor)
 }
 
 std::array<Rational, 2> Projection::relative(const Point3& point) const {
-  const auto h = exact(vector(point));
+  const auto h = exact(rational(point));
   return {h[0] / h[2], h[1] / h[2]};
 }
 
@@ -96,25 +88,25 @@ HomogeneousPoint Projection::at(const Edge& edge, const Cut& cut) const {
 }
 
 std::array<Rational, 3> Projection::exact(const std::array<Rational, 3>& p) const {
-  const Vector d = minus(p, vector(anchor_));
-  Vector h;
+  const RationalVector d = minus(p, rational(anchor_));
+  RationalVector h;
   for (std::size_t i = 0; i < 3; ++i) h[i] = rows_[i][0] * d[0] + rows_[i][1] * d[1] + rows_[i][2] * d[2] + rows_[i][3];
   return h;
 }
 
-std::array<Rational, 3> Projection::exact(VertexId v) const { return exact(vector(mesh_.points[v])); }
+std::array<Rational, 3> Projection::exact(VertexId v) const { return exact(rational(mesh_.points[v])); }
 
 std::array<Rational, 2> Projection::exact(const Edge& edge, const Cut& cut) const {
-  const Vector a = vector(mesh_.points[edge.a]), b = vector(mesh_.points[edge.b]);
-  Vector h;
+  const RationalVector a = rational(mesh_.points[edge.a]), b = rational(mesh_.points[edge.b]);
+  RationalVector h;
   if (cut.kind == Cut::Kind::start) {
     h = exact(a);
   } else if (cut.kind == Cut::Kind::end) {
     h = exact(b);
   } else {
     const Rational t = parameter(mesh_, view_, edge, cut);
-    const Vector d = minus(b, a);
-    h = exact(Vector{a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]});
+    const RationalVector d = minus(b, a);
+    h = exact(RationalVector{a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]});
   }
   return {h[0] / h[2], h[1] / h[2]};
 }
