@@ -136,6 +136,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
                            : a.hidden == "dashed" ? HiddenLines::dashed
                                                   : HiddenLines::solid;
   drawing_options.arithmetic = line_options.arithmetic;
+  drawing_options.leave_out_near = true;
   std::optional<PixelSize> size;
   if (!a.size.empty()) size = parse_size(a.size);
   if (a.threads && *a.threads < 1) throw InputError("--threads: found " + std::to_string(*a.threads) + ", expected 1 or more");
@@ -174,6 +175,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
                          {"visible_under_visible", drawing->visible_under_visible},
                          {"hidden_under_visible", drawing->hidden_under_visible},
                          {"hidden_under_hidden", drawing->hidden_under_hidden},
+                         {"near_coincident", drawing->near_coincident},
                          {"merged", drawing->merged},
                          {"short_dropped", drawing->short_dropped},
                          {"scale_mm_per_unit", drawing->scale}};

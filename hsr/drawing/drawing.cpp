@@ -12,6 +12,7 @@
 #include "geometry/error.h"
 #include "hsr/drawing/image_lines.h"
 #include "hsr/drawing/join.h"
+#include "hsr/drawing/near_lines.h"
 #include "hsr/drawing/overlay.h"
 #include "hsr/drawing/placement.h"
 
@@ -131,8 +132,6 @@ class Placer {
   const VisibleLines& lines_;
 };
 
-constexpr double shortest = 10;  // thousandths of a millimetre
-
 double length_of(std::span<const PaperPoint> points, bool closed) {
   double length = 0;
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
@@ -150,9 +149,10 @@ class Collector {
   Collector(Drawing& drawing, const Mesh& mesh, const VisibleLines& lines, const Overlay& overlay)
       : drawing_(drawing), mesh_(mesh), lines_(lines), overlay_(overlay) {}
 
-  /// @param of_line the stroke of each paper line
-  void add(std::span<const std::uint32_t> passes, bool closed, const std::vector<PaperLine>& paper,
+  /// @param of_line the stroke of each line of the paper before any was left out near another
+  void add(std::span<const std::uint32_t> passes, bool closed, const DistinctLines& distinct,
            const std::vector<std::uint32_t>& of_line) {
+    const std::vector<PaperLine>& paper = distinct.lines;
     std::vector<PaperPoint>& points = drawing_.points;
     Polyline p;
     p.closed = closed;
@@ -160,26 +160,33 @@ class Collector {
     for (const std::uint32_t pass : passes) points.push_back((pass & 1U) != 0 ? paper[pass / 2].to : paper[pass / 2].from);
     if (!closed) points.push_back((passes.back() & 1U) != 0 ? paper[passes.back() / 2].from : paper[passes.back() / 2].to);
     p.end_point = static_cast<std::uint32_t>(points.size());
-    if (length_of(drawing_.points_of(p), closed) < shortest) {
+    if (length_of(drawing_.points_of(p), closed) < least_on_paper) {
       ++drawing_.short_dropped;
       points.resize(p.first_point);
       return;
     }
-    const Stroke& first = overlay_.strokes[of_line[passes.front() / 2]];
+    const Stroke& first = overlay_.strokes[of_line[distinct.part_of[passes.front() / 2]]];
     p.hidden = first.hidden;
     p.edge_class = first.edge_class;
-    add_sources(p, passes, of_line);
+    add_sources(p, passes, distinct, of_line);
     drawing_.polylines.push_back(p);
   }
 
  private:
-  void add_sources(Polyline& p, std::span<const std::uint32_t> passes, const std::vector<std::uint32_t>& of_line) {
+  void add_sources(Polyline& p, std::span<const std::uint32_t> passes, const DistinctLines& distinct,
+                   const std::vector<std::uint32_t>& of_line) {
     edges_.clear();
     faces_.clear();
-    for (const std::uint32_t pass : passes) {
-      const Stroke& stroke = overlay_.strokes[of_line[pass / 2]];
+    const auto add_edges = [&](std::uint32_t line) {
+      const Stroke& stroke = overlay_.strokes[of_line[line]];
       for (std::uint32_t s = stroke.first_source; s < stroke.end_source; ++s)
         edges_.push_back(lines_.lines[overlay_.sources[s]].edge);
+    };
+    for (const std::uint32_t pass : passes) {
+      add_edges(distinct.part_of[pass / 2]);
+      const auto& pairs = distinct.stands_for;
+      auto pair = std::lower_bound(pairs.begin(), pairs.end(), std::array<std::uint32_t, 2>{pass / 2, 0});
+      for (; pair != pairs.end() && (*pair)[0] == pass / 2; ++pair) add_edges((*pair)[1]);
     }
     sort_unique(edges_);
     p.first_edge = static_cast<std::uint32_t>(drawing_.edges.size());
@@ -255,14 +262,24 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
     of_line.push_back(k);
   }
 
-  const Chains chains = join(paper);
+  Chains chains = join(paper);
+  DistinctLines distinct;
+  if (options.leave_out_near) distinct = without_near(paper, chains);
+  drawing.near_coincident = distinct.near_coincident;
+  if (distinct.near_coincident > 0) {
+    chains = join(distinct.lines);
+  } else {
+    distinct.lines = std::move(paper);
+    distinct.part_of.resize(distinct.lines.size());
+    std::iota(distinct.part_of.begin(), distinct.part_of.end(), 0U);
+  }
   std::vector<std::uint32_t> order(chains.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return paper[chains[a].front() / 2].style < paper[chains[b].front() / 2].style;
+    return distinct.lines[chains[a].front() / 2].style < distinct.lines[chains[b].front() / 2].style;
   });
   Collector collector(drawing, mesh, lines, overlay);
-  for (const std::uint32_t c : order) collector.add(chains[c], chains.closed[c] != 0, paper, of_line);
+  for (const std::uint32_t c : order) collector.add(chains[c], chains.closed[c] != 0, distinct, of_line);
   return drawing;
 }
 

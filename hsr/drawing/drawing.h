@@ -23,6 +23,8 @@ struct DrawingOptions {
   /// proportions of the page less its margins. Nothing: all that is beyond the near plane.
   std::optional<double> field_of_view = {};
   Arithmetic arithmetic = Arithmetic::staged;  ///< double_only is taken as staged
+  /// Last, on the written coordinates: also leave out what runs within 0.01 mm of a stronger line; see near_lines.h.
+  bool leave_out_near = false;
 };
 
 /// Some lines of one style, joined end to end.
@@ -46,8 +48,9 @@ struct Drawing {
 
   /// Parts of edges that were left out where another one is drawn, wholly or in part.
   std::uint64_t visible_under_visible = 0, hidden_under_visible = 0, hidden_under_hidden = 0;
-  std::uint64_t merged = 0;         ///< joints between collinear parts that became one line
-  std::uint64_t short_dropped = 0;  ///< joined lines under 0.01 mm
+  std::uint64_t near_coincident = 0;  ///< lines left out within 0.01 mm of a stronger one, wholly or in part
+  std::uint64_t merged = 0;           ///< joints between collinear parts that became one line
+  std::uint64_t short_dropped = 0;    ///< joined lines under 0.01 mm
   DecisionCounts decisions;
 
   std::span<const PaperPoint> points_of(const Polyline& p) const {
@@ -68,6 +71,7 @@ struct Drawing {
 ///   drawn (3) a coordinate is the exact one rounded to 0.001 mm, halves away from zero; except where the field of view cuts a
 ///   line (4) the same for any number of threads
 ///
+/// With leave_out_near, less what it leaves out.
 /// Fit: the box around all lines, drawn hidden ones or not, fills the page less its margins; so --hidden changes no place.
 /// @throws InputError if the field of view is not within (0, 180), or a line lies beyond 1e9 mm
 /// Exact: yes. Cost: O(n log n), and an exact rational point for each end that coincides with one of another edge in mid-edge.

@@ -57,12 +57,13 @@ struct HandMadeLines {
   }
 
   /// On a page of 100 by 100 mm, 1 unit to the millimetre; the middle of the box around the lines is in the middle of the page.
-  Drawing draw(HiddenLines hidden_lines = HiddenLines::dashed, double scale = 1) const {
+  Drawing draw(HiddenLines hidden_lines = HiddenLines::dashed, double scale = 1, bool leave_out_near = false) const {
     const Mesh m = mesh();
     DrawingOptions options;
     options.page = parse_page("100x100mm");
     options.scale = scale;
     options.hidden = hidden_lines;
+    options.leave_out_near = leave_out_near;
     return hsr::draw(m, named_view("front"), lines(m), options);
   }
 };

@@ -1,0 +1,320 @@
+#include "hsr/drawing/near_lines.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <tuple>
+
+namespace hsr {
+
+namespace {
+
+__extension__ using Wide = __int128;  // coordinates are below 2^41: products of three differences fit
+
+constexpr std::int64_t slope = 8;  // of two lines that run in roughly one direction, no more than 1 in this
+constexpr std::int64_t shortest_run = 100 * least_on_paper;  // left out of a path
+
+struct Vector {
+  Wide x, y;
+};
+Vector operator-(const PaperPoint& a, const PaperPoint& b) { return {a.x - b.x, a.y - b.y}; }
+Wide dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
+Wide cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
+Wide magnitude(Wide a) { return a < 0 ? -a : a; }
+/// @pre b > 0
+Wide floor_of(Wide a, Wide b) { return a / b - (a % b < 0 ? 1 : 0); }
+Wide ceiling_of(Wide a, Wide b) { return -floor_of(-a, b); }
+
+bool is_near(const PaperPoint& p, const PaperPoint& q) { return dot(p - q, p - q) <= least_on_paper * least_on_paper; }
+
+bool is_near(const PaperPoint& p, const PaperLine& line) {
+  const Vector s = line.to - line.from, v = p - line.from;
+  const Wide along = dot(v, s);
+  if (along <= 0) return is_near(p, line.from);
+  if (along >= dot(s, s)) return is_near(p, line.to);
+  const Wide off = magnitude(cross(s, v));
+  if (off > least_on_paper * (magnitude(s.x) + magnitude(s.y))) return false;  // so that the squares fit
+  return off * off <= least_on_paper * least_on_paper * dot(s, s);
+}
+
+/// A line as a row of points of the paper, one for each step along the coordinate that changes more.
+class Steps {
+ public:
+  explicit Steps(const PaperLine& line) : line_(line), d_(line.to - line.from) {
+    count_ = static_cast<std::int64_t>(std::max(magnitude(d_.x), magnitude(d_.y)));
+  }
+  std::int64_t count() const { return count_; }
+  PaperPoint operator[](std::int64_t m) const {
+    const auto at = [&](std::int64_t from, Wide d) {
+      return from + static_cast<std::int64_t>(floor_of(2 * d * m + count_, 2 * static_cast<Wide>(count_)));
+    };
+    return {at(line_.from.x, d_.x), at(line_.from.y, d_.y)};
+  }
+  const Vector& direction() const { return d_; }
+
+ private:
+  PaperLine line_;
+  Vector d_;
+  std::int64_t count_;
+};
+
+/// Steps of a line, first and last.
+struct Range {
+  std::int64_t first, last;
+};
+
+/// The last of the steps from `inside` to `end` that is near; what is near is in one piece.
+std::int64_t last_near(const Steps& steps, const PaperLine& line, std::int64_t inside, std::int64_t end) {
+  if (is_near(steps[end], line)) return end;
+  while (inside - end > 1 || end - inside > 1) {
+    const std::int64_t middle = (inside + end) / 2;
+    (is_near(steps[middle], line) ? inside : end) = middle;
+  }
+  return inside;
+}
+
+/// What of a line runs beside another.
+struct Beside {
+  Range range;
+  std::uint32_t line;
+};
+
+/// Ascending, with a gap between any two.
+std::vector<Range> united(std::vector<Beside> beside) {
+  std::sort(beside.begin(), beside.end(), [](const Beside& a, const Beside& b) { return a.range.first < b.range.first; });
+  std::vector<Range> result;
+  for (const Beside& b : beside)
+    if (!result.empty() && b.range.first <= result.back().last + 1)
+      result.back().last = std::max(result.back().last, b.range.last);
+    else
+      result.push_back(b.range);
+  return result;
+}
+
+/// The line less some of it.
+std::vector<PaperLine> rest(const PaperLine& line, const std::vector<Range>& out) {
+  std::vector<PaperLine> result;
+  if (out.empty()) return {line};
+  const Steps steps(line);
+  std::int64_t done = 0;
+  const auto keep_up_to = [&](std::int64_t end) {
+    if (end > done) result.push_back({steps[done], steps[end], line.style});
+  };
+  for (const Range& range : out) {
+    keep_up_to(range.first);
+    done = range.last;
+  }
+  keep_up_to(steps.count());
+  return result;
+}
+
+/// A cut breaks a path, and its dashes begin anew: so of a path only longer runs are left out, or all of it.
+void put_back_short_runs(const std::vector<PaperLine>& lines, std::span<const std::uint32_t> passes, bool closed,
+                         std::vector<std::vector<Range>>& out) {
+  struct Run {
+    std::int64_t length;
+    std::vector<std::array<std::uint32_t, 2>> of;  // line, and which of its ranges
+  };
+  std::vector<Run> runs;
+  bool from_start = false, open = false;  // the first run begins where the path does; the last one may go on
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const std::uint32_t k = passes[i] / 2;
+    const bool back = (passes[i] & 1U) != 0;
+    const std::int64_t count = Steps(lines[k]).count();
+    const auto n = static_cast<std::uint32_t>(out[k].size());
+    if (n == 0) open = false;
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t r = back ? n - 1 - j : j;
+      const Range& range = out[k][r];
+      const bool at_begin = back ? range.last == count : range.first == 0;
+      const bool at_end = back ? range.first == 0 : range.last == count;
+      if (i == 0 && at_begin) from_start = true;
+      if (!(open && at_begin)) runs.push_back({0, {}});
+      runs.back().length += range.last - range.first;
+      runs.back().of.push_back({k, r});
+      open = at_end;
+    }
+  }
+  if (runs.empty() || (runs.size() == 1 && from_start && open && runs[0].of.size() == passes.size())) return;
+  if (closed && runs.size() > 1 && from_start && open) {
+    runs[0].length += runs.back().length;
+    runs.back().length = runs[0].length;
+  }
+  constexpr Range put_back = {1, 0};
+  for (const Run& run : runs)
+    if (run.length < shortest_run)
+      for (const auto& [k, r] : run.of) out[k][r] = put_back;
+  for (const std::uint32_t pass : passes) std::erase_if(out[pass / 2], [](const Range& r) { return r.first > r.last; });
+}
+
+/// The part of a line that the other one stands for; first > last: none.
+Range part_near(const PaperLine& weak, const PaperLine& strong) {
+  const Range none = {1, 0};
+  const Steps steps(weak);
+  const Vector &d = steps.direction(), s = strong.to - strong.from;
+  const Wide along = dot(d, s);
+  if (along == 0 || magnitude(cross(d, s)) * slope > magnitude(along)) return none;
+
+  // Beside it: the foot of the perpendicular is on the strong line.
+  const PaperPoint& start = along > 0 ? strong.from : strong.to;
+  const Wide per_step = magnitude(along), before = dot(start - weak.from, s) * (along > 0 ? 1 : -1);
+  const auto first = static_cast<std::int64_t>(std::max<Wide>(0, ceiling_of(before * steps.count(), per_step)));
+  const auto last =
+      static_cast<std::int64_t>(std::min<Wide>(steps.count(), floor_of((before + dot(s, s)) * steps.count(), per_step)));
+  if (first >= last) return none;
+
+  // The nearest step is at an end of that, or where the two cross.
+  const Wide off_first = cross(s, steps[first] - strong.from), off_last = cross(s, steps[last] - strong.from);
+  std::int64_t inside = magnitude(off_first) <= magnitude(off_last) ? first : last;
+  if ((off_first < 0) != (off_last < 0) && off_first != off_last)
+    inside =
+        first + static_cast<std::int64_t>((last - first) * magnitude(off_first) / (magnitude(off_first) + magnitude(off_last)));
+  if (!is_near(steps[inside], strong)) return none;
+  Range part = {last_near(steps, strong, inside, first), last_near(steps, strong, inside, last)};
+  if (is_near(steps[part.first], steps[part.last])) return none;
+
+  const bool meet = weak.from == strong.from || weak.from == strong.to || weak.to == strong.from || weak.to == strong.to;
+  if (meet && (part.first != first || part.last != last)) return none;
+  if (part.first == first) part.first = last_near(steps, strong, first, 0);
+  if (part.last == last) part.last = last_near(steps, strong, last, steps.count());
+  return part;
+}
+
+/// Which lines come within least_on_paper of a square of the paper.
+class Squares {
+ public:
+  struct Entry {
+    std::int64_t column, row;
+    std::uint32_t line;
+    friend bool operator<(const Entry& a, const Entry& b) {
+      return std::tie(a.column, a.row, a.line) < std::tie(b.column, b.row, b.line);
+    }
+  };
+
+  explicit Squares(const std::vector<PaperLine>& lines) {
+    Wide length = 0;
+    for (const PaperLine& line : lines) length += Steps(line).count();
+    size_ = std::max<std::int64_t>(100, static_cast<std::int64_t>(length / std::max<std::size_t>(1, lines.size())));
+    for (std::uint32_t k = 0; k < lines.size(); ++k)
+      each(lines[k], [&](std::int64_t column, std::int64_t row) { entries_.push_back({column, row, k}); });
+    tbb::parallel_sort(entries_.begin(), entries_.end());
+  }
+
+  /// Lines near which the line may be, ascending.
+  void candidates(const PaperLine& line, std::vector<std::uint32_t>& found) const {
+    found.clear();
+    each(line, [&](std::int64_t column, std::int64_t row) {
+      auto e = std::lower_bound(entries_.begin(), entries_.end(), Entry{column, row, 0});
+      for (; e != entries_.end() && e->column == column && e->row == row; ++e) found.push_back(e->line);
+    });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+
+ private:
+  std::int64_t square(std::int64_t x) const { return static_cast<std::int64_t>(floor_of(x, size_)); }
+
+  template <class F>
+  void each(const PaperLine& line, F&& f) const {
+    PaperPoint a = line.from, b = line.to;
+    if (b < a) std::swap(a, b);
+    const Vector d = b - a;
+    const std::int64_t low = std::min(a.y, b.y), high = std::max(a.y, b.y), reach = least_on_paper + 1;
+    for (std::int64_t column = square(a.x - reach); column <= square(b.x + reach); ++column) {
+      // The line over the column, and a little more.
+      std::int64_t from = low, to = high;
+      if (d.x > 0) {
+        const auto y_at = [&](std::int64_t x) {
+          return a.y + static_cast<std::int64_t>(floor_of((std::clamp(x, a.x, b.x) - a.x) * d.y, d.x));
+        };
+        const std::int64_t y = y_at(column * size_ - reach), z = y_at((column + 1) * size_ + reach);
+        from = std::min(y, z);
+        to = std::max(y, z) + 1;
+      }
+      for (std::int64_t row = square(from - reach); row <= square(to + reach); ++row) f(column, row);
+    }
+  }
+
+  std::int64_t size_;
+  std::vector<Entry> entries_;
+};
+
+/// The lines' numbers, the strongest first.
+std::vector<std::uint32_t> by_strength(const std::vector<PaperLine>& lines, const Chains& chains) {
+  std::vector<std::int64_t> length(chains.size(), 0);
+  std::vector<std::uint32_t> chain_of(lines.size()), order(lines.size());
+  for (std::uint32_t c = 0; c < chains.size(); ++c)
+    for (const std::uint32_t pass : chains[c]) {
+      chain_of[pass / 2] = c;
+      length[c] += Steps(lines[pass / 2]).count();
+    }
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&](std::uint32_t k) {
+    return std::make_tuple(lines[k].style ^ 16U, -length[chain_of[k]], chain_of[k], k);  // visible: + 16, hence first
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  return order;
+}
+
+}  // namespace
+
+DistinctLines without_near(const std::vector<PaperLine>& lines, const Chains& chains) {
+  const std::vector<std::uint32_t> order = by_strength(lines, chains);
+  std::vector<std::uint32_t> rank(lines.size());
+  for (std::uint32_t r = 0; r < order.size(); ++r) rank[order[r]] = r;
+  const Squares squares(lines);
+  std::vector<std::vector<std::uint32_t>> stronger(lines.size());  // that it runs beside
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines.size(), 512), [&](const auto& range) {
+    std::vector<std::uint32_t> candidates;
+    for (std::size_t k = range.begin(); k != range.end(); ++k) {
+      squares.candidates(lines[k], candidates);
+      for (const std::uint32_t other : candidates) {
+        if (rank[other] >= rank[k]) continue;
+        const Range part = part_near(lines[k], lines[other]);
+        if (part.first <= part.last) stronger[k].push_back(other);
+      }
+    }
+  });
+
+  // Only what is left of the stronger ones leaves something out: so of many lines side by side not all vanish.
+  std::vector<std::vector<PaperLine>> left(lines.size());
+  std::vector<std::vector<Beside>> beside(lines.size());
+  std::vector<std::vector<Range>> out(lines.size());
+  for (const std::uint32_t k : order) {
+    for (const std::uint32_t other : stronger[k])
+      for (const PaperLine& part : left[other]) {
+        const Range range = part_near(lines[k], part);
+        if (range.first <= range.last) beside[k].push_back({range, other});
+      }
+    out[k] = united(beside[k]);
+    left[k] = rest(lines[k], out[k]);
+  }
+
+  // To draw more than needed never makes a gap.
+  for (std::uint32_t c = 0; c < chains.size(); ++c) put_back_short_runs(lines, chains[c], chains.closed[c] != 0, out);
+
+  DistinctLines result;
+  std::vector<std::vector<std::uint32_t>> stands_for(lines.size());
+  for (std::uint32_t k = 0; k < lines.size(); ++k) {
+    if (out[k].empty()) continue;
+    ++result.near_coincident;
+    for (const Beside& b : beside[k])
+      if (std::any_of(out[k].begin(), out[k].end(),
+                      [&](const Range& r) { return r.first <= b.range.first && b.range.last <= r.last; }))
+        stands_for[b.line].push_back(k);
+  }
+  for (std::uint32_t k = 0; k < lines.size(); ++k)
+    for (const PaperLine& part : rest(lines[k], out[k])) {
+      for (const std::uint32_t other : stands_for[k])
+        result.stands_for.push_back({static_cast<std::uint32_t>(result.lines.size()), other});
+      result.lines.push_back(part);
+      result.part_of.push_back(k);
+    }
+  return result;
+}
+
+}  // namespace hsr
