@@ -225,7 +225,7 @@ TEST_CASE("an output never takes the place of the model or of another output", "
 TEST_CASE("a full disk is an error, not a success", "[cli]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube);
-  for (const std::string verb : {"info " + model, std::string("--help")}) {
+  for (const std::string& verb : {"info " + model, std::string("--help")}) {
     const int status = std::system((std::string(HSR_COMMAND) + " " + verb + " > /dev/full 2> /dev/null").c_str());
     CHECK(WEXITSTATUS(status) == 2);
   }
