@@ -43,8 +43,6 @@ Predicates::Predicates(const Certificate& points, const Certificate& direction, 
       scale_(is_narrow_ ? std::ldexp(1.0, -points.lowest) : 0),
       direction_scale_(is_narrow_ ? std::ldexp(1.0, -direction.lowest) : 0) {}
 
-/// A polynomial of degree d in numbers of at most w bits (differences and directions) with at most 2^12 terms, as all of ours
-/// have, is smaller than 2^(d w + 12); one bit more for the sign.
 template <class Polynomial>
 Sign Predicates::staged(const Polynomial& polynomial, bool only_spans, int degree) {
   if (arithmetic_ == Arithmetic::staged || arithmetic_ == Arithmetic::double_only) {
@@ -167,6 +165,8 @@ PlaneFilter::PlaneFilter(const Plane& plane, Arithmetic arithmetic) {
     slope =
         std::max({n.x.error, n.y.error, n.z.error}) * 1.01 + 6 * u * std::max({std::fabs(nx), std::fabs(ny), std::fabs(nz)});
     least = at_eye.error * 1.01 + 6 * u * std::fabs(offset) + 0x1p-900;
+    // Nothing bounds k: where products with it might overflow, nothing is certain. Below, n . d stays under 2^902.
+    if (!(std::max({std::fabs(nx), std::fabs(ny), std::fabs(nz), std::fabs(offset)}) < 0x1p800)) least = HUGE_VAL;
   }
   if (arithmetic == Arithmetic::double_only) slope = least = 0;
   if (arithmetic == Arithmetic::interval || arithmetic == Arithmetic::rational) least = HUGE_VAL;

@@ -30,7 +30,15 @@ double size(const Point3& a) { return std::fabs(a.x) + std::fabs(a.y) + std::fab
 }  // namespace
 
 Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(&mesh), arithmetic_(arithmetic) {
-  Certificate points = certificate(mesh.points), direction;
+  // Only of the points that are used: a stray one far away must not cost the others the fast arithmetic.
+  std::vector<char> is_used(mesh.points.size(), 0);
+  Certificate points, direction;
+  for (const Edge& e : mesh.edges) {
+    for (const VertexId v : {e.a, e.b}) {
+      if (is_used[v.value] == 0) points.add(mesh.points[v]);
+      is_used[v.value] = 1;
+    }
+  }
   if (view.is_perspective()) {
     points.add(view.viewpoint.at);
     points.add(view.target);
@@ -42,7 +50,8 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(
   direction_certificate_ = scaled(direction, direction_power);
   points_.resize(mesh.points.size());
   tbb::parallel_for(Range(0, points_.size(), 4096), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) points_[VertexId(i)] = scaled(mesh.points[VertexId(i)], power);
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      if (is_used[i] != 0) points_[VertexId(i)] = scaled(mesh.points[VertexId(i)], power);
   });
   eye_ = {scaled(view.viewpoint.at, view.is_perspective() ? power : direction_power), view.viewpoint.is_direction};
   target_ = view.is_perspective() ? scaled(view.target, power) : Point3{};
@@ -57,6 +66,7 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(
     tbb::parallel_for(Range(0, points_.size(), 1024), [&](const Range& range) {
       Predicates exact = predicates();
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        if (is_used[i] == 0) continue;
         const ErrorBounded x = near_filter_(points_[VertexId(i)]);
         near_side_[VertexId(i)] = x.is_certain() ? sign_of(x.value) : exact.side(near, points_[VertexId(i)]);
       }
@@ -76,7 +86,12 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(
     depth_ = minus(target_, eye_.at);
     const double length = std::max({std::fabs(depth_.x), std::fabs(depth_.y), std::fabs(depth_.z)});
     depth_ = {depth_.x / length, depth_.y / length, depth_.z / length};
-    row_ = {view.frame.right, view.frame.up};
+    for (std::size_t r = 0; r < 2; ++r) {
+      const Point3& row = r == 0 ? view.frame.right : view.frame.up;
+      const double most =
+          std::max({std::fabs(row.x), std::fabs(row.y), std::fabs(row.z), 1.0});  // the bounds below want entries <= 1
+      row_[r] = {row.x / most, row.y / most, row.z / most};
+    }
   } else {
     const Point3& d = eye_.at;
     const int k = std::fabs(d.x) >= std::fabs(d.y) && std::fabs(d.x) >= std::fabs(d.z) ? 0
@@ -95,6 +110,16 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(
       middle_ = {dot(row_[0], p), dot(row_[1], p), dot(depth_, p)};
     }
   }
+}
+
+bool Sight::reaches_before_near(TriangleId t) const {
+  const auto& c = mesh_->triangles[t];
+  return std::any_of(c.begin(), c.end(), [&](VertexId v) { return beyond_near(v) == Sign::negative; });
+}
+
+bool Sight::reaches_beyond_near(TriangleId t) const {
+  const auto& c = mesh_->triangles[t];
+  return std::any_of(c.begin(), c.end(), [&](VertexId v) { return beyond_near(v) != Sign::negative; });
 }
 
 Plane Sight::face_plane(TriangleId t) const {

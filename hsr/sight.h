@@ -39,7 +39,12 @@ class Sight {
   /// On which side of the near plane: positive, beyond it. Parallel views have no near plane: positive.
   Sign beyond_near(VertexId v) const { return is_perspective() ? near_side_[v] : Sign::positive; }
 
-  /// Conservative boxes of what is beyond the near plane, in an image of its own (not the paper's). @pre some of it is
+  /// Some of the triangle is cut away; some of it is left.
+  bool reaches_before_near(TriangleId t) const;
+  bool reaches_beyond_near(TriangleId t) const;
+
+  /// Conservative boxes of what is beyond the near plane, in an image of its own (not the paper's); of nothing,
+  /// ImageBox::nothing().
   ImageBox box(VertexId a, VertexId b) const;
   ImageBox box(TriangleId t) const;
 
@@ -60,8 +65,8 @@ class Sight {
   // The image: rows of a fixed map; parallel, u = p[i] - ratio p[k]; perspective, u = row . (p - eye) / (depth . (p - eye)).
   std::array<Point3, 2> row_;
   Point3 depth_;
-  std::array<double, 3> middle_ = {0, 0,
-                                   0};  // parallel: image of some point of the mesh, subtracted to keep the floats' digits
+  // Parallel: the image of some point of the mesh, subtracted to keep the digits of a float.
+  std::array<double, 3> middle_ = {0, 0, 0};
 };
 
 }  // namespace hsr

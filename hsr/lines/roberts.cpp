@@ -6,6 +6,7 @@
 #include <atomic>
 #include <mutex>
 #include <span>
+#include <string>
 
 #include "geometry/box_tree.h"
 #include "geometry/error.h"
@@ -29,9 +30,7 @@ struct Occluders {
     const Mesh& mesh = sight.mesh();
     triangles.reserve(mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const auto& c = mesh.triangles[TriangleId(i)];
-      if (std::any_of(c.begin(), c.end(), [&](VertexId v) { return sight.beyond_near(v) != Sign::negative; }))
-        triangles.emplace_back(i);
+      if (sight.reaches_beyond_near(TriangleId(i))) triangles.emplace_back(i);
     }
     std::vector<ImageBox> boxes(triangles.size());
     tbb::parallel_for(Range(0, boxes.size(), 1024), [&](const Range& range) {
@@ -57,7 +56,7 @@ class Tiling {
  private:
   void unite(std::vector<Shadow>& cast);
   void check_ascending(std::span<const Shadow> hidden);
-  void name_occluders(const Shadow& hidden, const std::vector<Shadow>& by_face);
+  void name_occluders(std::span<const Shadow> hidden, std::span<const Shadow> by_face);
 
   const Sight& sight_;
   const Occluders& occluders_;
@@ -70,8 +69,9 @@ class Tiling {
 /// Sorts `cast` and replaces what overlaps or touches by its union.
 void Tiling::unite(std::vector<Shadow>& cast) {
   if (cast.size() < 2) return;
-  std::sort(cast.begin(), cast.end(),
-            [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; });
+  // stable_sort stays within bounds even where --arithmetic double gives no order at all.
+  std::stable_sort(cast.begin(), cast.end(),
+                   [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; });
   std::size_t last = 0;
   for (std::size_t i = 1; i < cast.size(); ++i) {
     if (shadows_.order(cast[i].from, cast[last].to) == Sign::positive)
@@ -85,7 +85,8 @@ void Tiling::unite(std::vector<Shadow>& cast) {
 /// Property (1) of the result, where the build checks its invariants.
 void Tiling::check_ascending([[maybe_unused]] std::span<const Shadow> hidden) {
 #ifdef HSR_CHECKS
-  const DecisionCounts before = exact().counts();  // the report is the same in every build
+  if (options_.arithmetic == Arithmetic::double_only) return;  // it promises nothing
+  const DecisionCounts before = exact().counts();              // the report is the same in every build
   const Bound* reached = &shadows_.first();
   for (const Shadow& s : hidden) {
     const Sign gap = shadows_.order(*reached, s.from);
@@ -99,18 +100,24 @@ void Tiling::check_ascending([[maybe_unused]] std::span<const Shadow> hidden) {
 #endif
 }
 
-/// Greedy: of the faces whose shadow covers the start, the one that reaches furthest, the lowest index first.
-void Tiling::name_occluders(const Shadow& hidden, const std::vector<Shadow>& by_face) {
-  Bound reached = hidden.from;
-  while (shadows_.order(reached, hidden.to) == Sign::negative) {
-    const Shadow* best = nullptr;
-    for (const Shadow& s : by_face) {
-      if (shadows_.order(s.from, reached) == Sign::positive || shadows_.order(s.to, reached) != Sign::positive) continue;
-      if (best == nullptr || shadows_.order(best->to, s.to) == Sign::negative) best = &s;
+/// Greedy: of the faces whose shadow covers the start, the one that reaches furthest, the lowest index first. One sweep over
+/// the shadows of the faces, which ascend by their start, then by face.
+void Tiling::name_occluders(std::span<const Shadow> hidden, std::span<const Shadow> by_face) {
+  std::size_t next = 0;
+  const Shadow* furthest = nullptr;
+  for (const Shadow& interval : hidden) {
+    Bound reached = interval.from;
+    while (shadows_.order(reached, interval.to) == Sign::negative) {
+      for (; next < by_face.size() && shadows_.order(by_face[next].from, reached) != Sign::positive; ++next) {
+        const Shadow& s = by_face[next];
+        const Sign further = furthest == nullptr ? Sign::negative : shadows_.order(furthest->to, s.to);
+        if (further == Sign::negative || (further == Sign::zero && s.face < furthest->face)) furthest = &s;
+      }
+      if (furthest == nullptr || shadows_.order(reached, furthest->to) != Sign::negative)
+        throw InvariantError("roberts: a hidden interval without an occluder");
+      result_.occluders.push_back({furthest->face, furthest->from.cut, furthest->to.cut});
+      reached = furthest->to;
     }
-    if (best == nullptr) throw InvariantError("roberts: a hidden interval without an occluder");
-    result_.occluders.push_back({best->face, best->from.cut, best->to.cut});
-    reached = best->to;
   }
 }
 
@@ -130,8 +137,9 @@ void Tiling::add(EdgeId edge, EdgeClass edge_class, const ImageBox& box) {
       shadows_.cast(occluders_.triangles[i], cast_);
       if (options_.why || cast_.size() == before) return true;
       all_hidden = shadows_.covers_all(cast_.back());
-      // Now and then the shadows so far are united: together they may hide the whole edge.
-      if (!all_hidden && cast_.size() >= united + 4) {
+      // Now and then the shadows so far are united: together they may hide the whole edge. As their number doubles, so that a
+      // long edge behind many separate faces costs no more than sorting them a few times.
+      if (!all_hidden && cast_.size() >= 2 * united + 4) {
         unite(cast_);
         united = cast_.size();
         all_hidden = shadows_.covers_all(cast_.back());
@@ -152,9 +160,12 @@ void Tiling::add(EdgeId edge, EdgeClass edge_class, const ImageBox& box) {
         by_face_.insert(by_face_.end(), one_face_.begin(), one_face_.end());
         i = end;
       }
+      std::stable_sort(by_face_.begin(), by_face_.end(),
+                       [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; });
     }
     unite(cast_);
     check_ascending(cast_);
+    if (options_.why) name_occluders(cast_, by_face_);
 
     auto& cuts = result_.cuts;
     cuts.push_back(shadows_.first().cut);
@@ -162,7 +173,6 @@ void Tiling::add(EdgeId edge, EdgeClass edge_class, const ImageBox& box) {
     for (const Shadow& s : cast_) {
       if (&s != &cast_.front() || !line.starts_hidden) cuts.push_back(s.from.cut);
       cuts.push_back(s.to.cut);
-      if (options_.why) name_occluders(s, by_face_);
     }
     if (cast_.empty() || shadows_.order(cast_.back().to, shadows_.last()) != Sign::zero) cuts.push_back(shadows_.last().cut);
   }
@@ -239,7 +249,8 @@ VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<st
     all.decisions += part.decisions;
   }
   if (cuts > 0xffffffffU || occluders > 0xffffffffU)
-    throw InputError("the drawing has " + std::to_string(std::max(cuts, occluders)) + " interval ends, expected at most 2^32");
+    throw InputError("the drawing has " + std::to_string(std::max(cuts, occluders)) +
+                     " interval ends, expected fewer than 2^32");
   all.lines.reserve(place.size());
   all.cuts.reserve(cuts);
   all.occluders.reserve(occluders);

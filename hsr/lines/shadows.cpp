@@ -21,6 +21,14 @@ const Bound end_bound = {cut_of(Cut::Kind::end), 1, 0, Sign::positive};
 
 }  // namespace
 
+/// A value whose sign is known exactly. Where the double has the other sign, it is moved to zero and its error grows by as
+/// much.
+Shadows::Value Shadows::known(const ErrorBounded& x, Sign s) {
+  if (s == Sign::zero) return {{0, 0}, s};
+  if (sign_of(x.value) != s) return {{0, std::fabs(x.value) + x.error}, s};
+  return {x, s};
+}
+
 Shadows::Value Shadows::at(const PlaneFilter& filter, const Plane& plane, const Point3& p, bool on_plane) {
   if (on_plane) return {{0, 0}, Sign::zero};
   const ErrorBounded x = filter(p);
@@ -28,12 +36,12 @@ Shadows::Value Shadows::at(const PlaneFilter& filter, const Plane& plane, const 
     ++exact_.counts().filter;
     return {x, sign_of(x.value)};
   }
-  const Sign s = exact_.side_beyond_filter(plane, p);
-  return {s == Sign::zero ? ErrorBounded{} : x, s};
+  return known(x, exact_.side_beyond_filter(plane, p));
 }
 
 Bound Shadows::bound(const Cut& cut, const Value& at_a, const Value& at_b) const {
-  // t = A / (A - B) with A and B of opposite signs: |dt/dA| and |dt/dB| are at most 1 / |A - B|, the division rounds thrice.
+  // t = A / (A - B), where A and B, as computed and exactly, have opposite signs (or are zero): between the two |dt/dA| and
+  // |dt/dB| are at most 1 / |A - B|. Difference and quotient round once each.
   const double fall = at_a.x.value - at_b.x.value, loss = at_a.x.error + at_b.x.error;
   const double least = std::fabs(at_a.x.value) + std::fabs(at_b.x.value) - loss;
   const double t = at_a.x.value / fall;
@@ -70,7 +78,8 @@ bool Shadows::start(EdgeId id) {
   if (near_a * near_b == Sign::negative) {
     const Plane near = sight_.near_plane();
     const PlaneFilter filter = sight_.filter(near);
-    (near_a == Sign::negative ? first_ : last_) = bound(cut_of(Cut::Kind::near), {filter(pa_), near_a}, {filter(pb_), near_b});
+    (near_a == Sign::negative ? first_ : last_) =
+        bound(cut_of(Cut::Kind::near), known(filter(pa_), near_a), known(filter(pb_), near_b));
   }
   // Seen as a point iff every plane of the line of sight of a contains b. A coefficient of the edge's view plane that is
   // certainly not zero settles it: each errs by at most `slope`.
@@ -134,7 +143,7 @@ void Shadows::cast(TriangleId triangle, std::vector<Shadow>& shadows) {
               wanted, false))
       return;
   }
-  if (std::any_of(c.begin(), c.end(), [&](VertexId v) { return sight_.beyond_near(v) == Sign::negative; }) &&
+  if (sight_.reaches_before_near(triangle) &&
       !clip(cut_of(Cut::Kind::near_line, triangle.value), sight_.near_line(plane), false, false, -facing, false))
     return;
   if (order(from_, to_) == Sign::negative) shadows.push_back({from_, to_, sight_.mesh().face_of[triangle]});
@@ -160,7 +169,7 @@ void Shadows::edge_on(TriangleId triangle, std::vector<Shadow>& shadows) {
     if (inner != Sign::zero) break;
   }
   const FaceId face = sight_.mesh().face_of[triangle];
-  const bool near_cuts = std::any_of(c.begin(), c.end(), [&](VertexId v) { return sight_.beyond_near(v) == Sign::negative; });
+  const bool near_cuts = sight_.reaches_before_near(triangle);
   const auto add = [&] {
     if (order(from_, to_) == Sign::negative) shadows.push_back({from_, to_, face});
   };

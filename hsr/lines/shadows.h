@@ -52,6 +52,7 @@ class Shadows {
     ErrorBounded x;
     Sign sign;
   };
+  static Value known(const ErrorBounded& x, Sign s);
   Value at(const PlaneFilter& filter, const Plane& plane, const Point3& p, bool on_plane);
   bool is_corner(VertexId v, const std::array<VertexId, 3>& c) const { return v == c[0] || v == c[1] || v == c[2]; }
   bool misses(const std::array<VertexId, 3>& corners) const;

@@ -319,6 +319,77 @@ TEST_CASE("plain doubles are wrong where the answer needs exactness, so the comp
   CHECK(for_points(p, Arithmetic::double_only).side(Plane::of_face(p[0], p[1], p[2]), p[3]) == Sign::zero);
 }
 
+TEST_CASE("the widest numbers of each fixed width still fit", "[geometry][predicates]") {
+  // For each degree, the most bits with which 127, 192, 384 and 768 bits are said to suffice; and one more, for the next stage.
+  Numbers random(51);
+  std::size_t exact = 0;
+  for (const int bits : {11, 12, 18, 19, 28, 29, 37, 38, 40, 41, 58, 59, 60, 61, 82, 83, 122, 123, 124, 125}) {
+    const double most = bits <= 53 ? std::ldexp(1, bits) - 1 : std::ldexp(0x1p53 - 1, bits - 53);
+    for (int i = 0; i < 150; ++i) {
+      std::vector<Point3> p = {{1, 1, 1}};  // the lowest bit
+      const auto coordinate = [&] { return (random(2) == 0 ? -1 : 1) * (random(8) == 0 ? 1 : most); };
+      while (p.size() < 14) p.push_back({coordinate(), coordinate(), coordinate()});
+      const Viewpoint eye = {p[13], i % 2 == 0};
+      Certificate direction;
+      if (eye.is_direction) direction.add(eye.at);
+      Predicates predicates(certificate(p), direction);
+      const Plane a = Plane::of_face(p[1], p[2], p[3]), b = Plane::of_sight(eye, p[4], p[5]),
+                  c = Plane::of_face(p[6], p[7], p[8]);
+      const Plane x = Plane::of_face(p[9], p[10], p[11]);
+      CHECK(predicates.side_beyond_filter(a, p[12]) == reference_side(a, p[12]));
+      CHECK(predicates.side_beyond_filter(b, p[12]) == reference_side(b, p[12]));
+      CHECK(predicates.cross(a, b, p[12], p[0]) == reference_cross(a, b, p[12], p[0]));
+      const Sign meet = sign_of(polynomials::meet_value(RationalArithmetic{}, a, b, c));
+      if (meet != Sign::zero)
+        CHECK(predicates.side(x, a, b, c) == meet * sign_of(polynomials::meet_side_value(RationalArithmetic{}, x, a, b, c)));
+      exact += predicates.counts().exact;
+    }
+  }
+  CHECK(exact > 1000);
+}
+
+TEST_CASE("a prepared plane is certain of nothing that overflows", "[geometry][predicates]") {
+  Numbers random(61);
+  for (int i = 0; i < 20000; ++i) {
+    std::vector<Point3> p;
+    while (p.size() < 6) p.push_back({random.mantissa() * 0x1p99, random.mantissa() * 0x1p99, random.mantissa() * 0x1p99});
+    const double k = std::ldexp(1 + std::fabs(random.mantissa()), static_cast<int>(random(1000)));
+    const Plane line = Plane::near_line(p[0], p[1], k, Plane::of_face(p[2], p[3], p[4]));
+    const ErrorBounded v = PlaneFilter(line, Arithmetic::staged)(p[5]);
+    if (v.is_certain() && sign_of(v.value) != reference_side(line, p[5])) FAIL("a wrong sign with k = " << k);
+  }
+}
+
+TEST_CASE("the bound of a prepared plane is above the error, and not far above", "[geometry][predicates]") {
+  // Climbs toward the worst error of a plane's value, relative to its bound.
+  Numbers random(71);
+  Rational worst;
+  for (int climb = 0; climb < 60; ++climb) {
+    std::vector<Point3> p;
+    while (p.size() < 4) p.push_back(random.point(Numbers::doubles));
+    Rational best;
+    for (int step = 0; step < 400; ++step) {
+      std::vector<Point3> q = p;
+      Point3& moved = q[random(4)];
+      double& x = random(3) == 0 ? moved.x : random(2) == 0 ? moved.y : moved.z;
+      x += random.mantissa() * std::ldexp(1, -static_cast<int>(random(53)));
+      const Plane plane = Plane::of_face(q[0], q[1], q[2]);
+      const ErrorBounded v = PlaneFilter(plane, Arithmetic::staged)(q[3]);
+      if (!(v.error > 0x1p-500)) continue;
+      Rational error = Rational(v.value) - value(RationalArithmetic{}, plane, q[3]);
+      if (error.sign() == Sign::negative) error = -error;
+      const Rational share = error / Rational(v.error);
+      if (share > best) {
+        best = share;
+        p = q;
+      }
+    }
+    if (best > worst) worst = best;
+  }
+  CHECK(worst.to_double() <= 1);
+  CHECK(worst.to_double() > 0.2);  // a bound that were a third of this one would be passed
+}
+
 TEST_CASE("cuts of an edge are ordered as their parameters are", "[geometry][predicates]") {
   Numbers random(31);
   int compared = 0;
