@@ -19,8 +19,8 @@ Format format_of(const std::string& path) {
   for (const char* later : {"pdf", "eps", "dxf", "tex"})
     if (ending == later)
       throw InputError(path + ": " + ending + " comes in a later release; this one writes svg, png and json");
-  throw InputError(path + ": found " + (ending.empty() ? "no ending" : "the ending ." + ending) +
-                   ", expected .svg, .png or .json");
+  const std::string found = ending.empty() ? "no ending" : std::string("the ending .").append(ending);
+  throw InputError(path + ": found " + found + ", expected .svg, .png or .json");
 }
 
 }  // namespace hsr
