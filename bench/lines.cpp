@@ -20,6 +20,7 @@
 #include "bench/scenes.h"
 #include "geometry/error.h"
 #include "geometry/mesh.h"
+#include "hsr/lines/appel.h"
 #include "hsr/lines/roberts.h"
 #include "hsr/view.h"
 
@@ -30,6 +31,7 @@ struct Request {
   std::vector<std::string> scenes, views;
   std::string edges = "all", csv;
   int threads = 1, repeat = 3;
+  std::string method = "roberts";
 };
 
 /// Median and half the range of a few seconds.
@@ -97,7 +99,7 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
     VisibleLines result;
     mesh_times.add([&] { mesh = make_mesh(model.points, model.polygons); });
     const View view = view_of(view_name, mesh);
-    line_times.add([&] { result = roberts(mesh, view, options); });
+    line_times.add([&] { result = request.method == "appel" ? appel(mesh, view, options) : roberts(mesh, view, options); });
     if (k > 0) continue;
     row.megabytes = peak_memory() / 1e6;
     row.triangles = mesh.triangles.size();
@@ -194,6 +196,7 @@ int main(int argc, char** argv) {
                  "knot, city, rand or terrain and a size, as in knot100k; a city's is in boxes of 12");
   app.add_option("--view", request.views, "oblique, elevation, perspective; default: all three");
   app.add_option("--edges", request.edges, "all, or default: all but smooth ones")->check(CLI::IsMember({"all", "default"}));
+  app.add_option("--method", request.method, "roberts or appel")->check(CLI::IsMember({"roberts", "appel"}));
   app.add_option("--threads", request.threads, "number of threads")->check(CLI::PositiveNumber);
   app.add_option("--repeat", request.repeat, "how often each is measured")->check(CLI::PositiveNumber);
   app.add_option("--csv", request.csv, "write the table to this file, too");

@@ -118,6 +118,7 @@ BoxTree::BoxTree(std::span<const ImageBox> boxes) : order_(z_order(boxes)) {
       node.low[d][k] = b.low[d];
       node.high[d][k] = b.high[d];
     }
+    node.farthest[k] = b.farthest;
     node.nearest[k] = b.nearest;
   };
   std::size_t below = order_.size();  // boxes on the level below

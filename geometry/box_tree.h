@@ -32,28 +32,38 @@ std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes);
 /// `visit(query, f)` calls f(index of box) for every box that overlaps the query in the image and reaches nearer than the
 /// query's farthest point, i.e. for all that could hide some of it; stops when f returns false. Cost: build O(n log n),
 /// parallel; a query O(log n + k) on meshes. The same order of calls for any number of threads.
+/// `visit_touching` leaves out, too, what lies wholly nearer than the query: it calls for all that could touch it.
 class BoxTree {
  public:
   BoxTree() = default;
   explicit BoxTree(std::span<const ImageBox> boxes);
 
   template <class F>
-  void visit(const ImageBox& query, F&& f) const;
+  void visit(const ImageBox& query, F&& f) const {
+    visit<false>(query, f);
+  }
+  template <class F>
+  void visit_touching(const ImageBox& query, F&& f) const {
+    visit<true>(query, f);
+  }
 
  private:
   static constexpr std::size_t width = 8;
   /// Eight sibling boxes, a coordinate at a time.
   struct Node {
     std::array<std::array<float, width>, 2> low, high;
-    std::array<float, width> nearest;
+    std::array<float, width> farthest, nearest;
   };
+  template <bool touching, class F>
+  void visit(const ImageBox& query, F& f) const;
+
   std::vector<Node> nodes_;                 // level upon level, the leaves' level first
   std::vector<std::uint32_t> level_begin_;  // of each level in nodes_
   std::vector<std::uint32_t> order_;        // box at each place of the lowest level
 };
 
-template <class F>
-void BoxTree::visit(const ImageBox& query, F&& f) const {
+template <bool touching, class F>
+void BoxTree::visit(const ImageBox& query, F& f) const {
   if (nodes_.empty()) return;
   // Depth first; at most width - 1 siblings wait on each level.
   std::array<std::pair<std::uint32_t, std::uint32_t>, 12 * width> stack;  // level, node on it
@@ -65,9 +75,10 @@ void BoxTree::visit(const ImageBox& query, F&& f) const {
     unsigned hit = 0;
     for (unsigned k = 0; k < width; ++k) {
       // Without branches: every comparison is made, and all must hold.
-      const unsigned overlaps = unsigned{node.low[0][k] <= query.high[0]} & unsigned{node.high[0][k] >= query.low[0]} &
-                                unsigned{node.low[1][k] <= query.high[1]} & unsigned{node.high[1][k] >= query.low[1]} &
-                                unsigned{node.nearest[k] >= query.farthest};
+      unsigned overlaps = unsigned{node.low[0][k] <= query.high[0]} & unsigned{node.high[0][k] >= query.low[0]} &
+                          unsigned{node.low[1][k] <= query.high[1]} & unsigned{node.high[1][k] >= query.low[1]} &
+                          unsigned{node.nearest[k] >= query.farthest};
+      if constexpr (touching) overlaps &= unsigned{node.farthest[k] <= query.nearest};
       hit |= overlaps << k;
     }
     // In order of nearness, the nearest last: first from the stack, and first to hide all of the query.

@@ -1,9 +1,13 @@
 #include "hsr/sight.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "hsr/image_line.h"
 
 namespace hsr {
 
@@ -72,15 +76,19 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(
       }
     });
   }
+  choose_rows(view);
+  compute_images(is_used);
   facing_.resize(mesh.triangles.size(), Sign::zero);
   tbb::parallel_for(Range(0, mesh.triangles.size(), 1024), [&](const Range& range) {
     Predicates exact = predicates();
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const auto& t = mesh.triangles[TriangleId(i)];
-      facing_[TriangleId(i)] = exact.side(sight_plane(t[0], t[1]), points_[t[2]]);
+      facing_[TriangleId(i)] = ImageLine(*this, t[0], t[1]).side(t[2], exact);
     }
   });
+}
 
+void Sight::choose_rows(const View& view) {
   // Any map that is constant along lines of sight serves, so rounded rows are as good as others.
   if (is_perspective()) {
     depth_ = minus(target_, eye_.at);
@@ -103,13 +111,75 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(
       const std::size_t i = (static_cast<std::size_t>(k) + 1 + r) % 3;
       row[i] = 1;
       row[static_cast<std::size_t>(k)] = -d[static_cast<int>(i)] / d[k];
+      is_whole_ratio_[r] = d[static_cast<int>(i)] == 0 || std::fabs(d[static_cast<int>(i)]) == std::fabs(d[k]);
       row_[r] = {row[0], row[1], row[2]};
     }
-    if (!mesh.edges.empty()) {
-      const Point3& p = points_[mesh.edges.front().a];
+    if (!mesh_->edges.empty()) {
+      const Point3& p = points_[mesh_->edges.front().a];
       middle_ = {dot(row_[0], p), dot(row_[1], p), dot(depth_, p)};
     }
   }
+}
+
+/// The images of all vertices in use that are beyond the near plane.
+///
+/// Parallel, with D toward the viewer and k the axis of its largest entry: rows u', v' of det(u, D, v) = O without the share of
+/// D leave -D_k (u'_i v'_j - u'_j v'_i), so the image is mirrored where D_k > 0.
+/// Perspective, with M the matrix of the rows and the depth: det(M) O = m_c m_d m_p times the turn of the images, and the
+/// depths m are positive; so it is mirrored where det(M) < 0. The rows are orthogonal but for rounding: |det| is far from zero,
+/// or the images are given up.
+void Sight::compute_images(const std::vector<char>& is_used) {
+  image_error_ = HUGE_VAL;
+  if (arithmetic_ != Arithmetic::staged || filter_arithmetic_ != Arithmetic::staged) return;
+  double mirror;
+  if (is_perspective()) {
+    const Point3 &r = row_[0], &s = row_[1], &t = depth_;
+    const double det = r.x * (s.y * t.z - s.z * t.y) + r.y * (s.z * t.x - s.x * t.z) + r.z * (s.x * t.y - s.y * t.x);
+    if (!(std::fabs(det) > 0x1p-20)) return;
+    mirror = det > 0 ? 1 : -1;
+  } else {
+    mirror = dot(depth_, eye_.at) * dot(depth_, {1, 1, 1}) > 0 ? -1 : 1;
+  }
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  image_.resize(points_.size(), {nan, nan});
+  image_error_ = tbb::parallel_reduce(
+      Range(0, points_.size(), 4096), 0.0,
+      [&](const Range& range, double error) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          if (is_used[i] != 0 && beyond_near(VertexId(i)) != Sign::negative)
+            error = std::max(error, compute_image(VertexId(i), mirror));
+        return error;
+      },
+      [](double x, double y) { return std::max(x, y); });
+}
+
+/// Returns a bound of the error of both coordinates.
+///
+/// Parallel: see add_to; where the ratio is 0, 1 or -1 the product is exact, and Knuth's two-sum tells whether the sum is.
+double Sight::compute_image(VertexId v, double mirror) {
+  const Point3& p = points_[v];
+  if (is_perspective()) {
+    const Point3 q = minus(p, eye_.at);
+    const double e = 6 * u * size(q) + 0x1p-1000, m = dot(depth_, q);
+    if (!(m > 2 * e)) return HUGE_VAL;
+    const double x = dot(row_[0], q) / m, y = dot(row_[1], q) / m;
+    image_[v] = {mirror * x, y};
+    const double most = std::max(std::fabs(x), std::fabs(y));
+    return (e + most * e) / (m - e) * 1.01 + 4 * u * most;
+  }
+  const int k = depth_.x != 0 ? 0 : depth_.y != 0 ? 1 : 2;
+  std::array<double, 2> c;
+  double error = 0;
+  for (std::size_t r = 0; r < 2; ++r) {
+    const double own = p[(k + 1 + static_cast<int>(r)) % 3], ratio = row_[r][k], share = ratio * p[k];
+    const double sum = own + share, back = sum - own;
+    c[r] = sum;
+    const bool is_exact = is_whole_ratio_[r] && (own - (sum - back)) + (share - back) == 0;
+    // The ratio is at most 1; an underflow costs it less than u.
+    if (!is_exact) error = std::max(error, 5 * u * (std::fabs(own) + 2 * std::fabs(p[k])) + 0x1p-1000);
+  }
+  image_[v] = {mirror * c[0], c[1]};
+  return error;
 }
 
 bool Sight::reaches_before_near(TriangleId t) const {

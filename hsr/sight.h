@@ -9,6 +9,11 @@
 
 namespace hsr {
 
+/// A point in the image that Sight computes in: not the paper's, but constant along lines of sight like it.
+struct ImagePoint {
+  double x, y;
+};
+
 /// A mesh as one view sees it: what every method needs first.
 ///
 /// Points, eye and target are multiplied by one power of two, and the direction by another, so that the largest coordinate is
@@ -34,6 +39,12 @@ class Sight {
   Plane near_plane() const { return Plane::near(eye_.at, target_, near_); }
   Plane near_line(const Plane& line) const { return Plane::near_line(eye_.at, target_, near_, line); }
 
+  /// The image of a vertex beyond the near plane, rounded: within image_error() in each coordinate. The exact images turn as O
+  /// says: O(c, d, p) > 0 iff c, d, p is a left turn.
+  const ImagePoint& image(VertexId v) const { return image_[v]; }
+  /// Zero: every image is exact. Infinite: images decide nothing.
+  double image_error() const { return image_error_; }
+
   /// The sign of O(t0, t1, t2): zero, the triangle is seen edge-on. The eye lies on the side -facing of its plane.
   Sign facing(TriangleId t) const { return facing_[t]; }
   /// On which side of the near plane: positive, beyond it. Parallel views have no near plane: positive.
@@ -49,6 +60,9 @@ class Sight {
   ImageBox box(TriangleId t) const;
 
  private:
+  void choose_rows(const View& view);
+  void compute_images(const std::vector<char>& is_used);
+  double compute_image(VertexId v, double mirror);
   void add_to(ImageBox& box, const Point3& p, double error) const;
   void add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const;
 
@@ -62,9 +76,12 @@ class Sight {
   IndexedVector<TriangleId, Sign> facing_;
   IndexedVector<VertexId, Sign> near_side_;
   PlaneFilter near_filter_;
+  IndexedVector<VertexId, ImagePoint> image_;
+  double image_error_;
   // The image: rows of a fixed map; parallel, u = p[i] - ratio p[k]; perspective, u = row . (p - eye) / (depth . (p - eye)).
   std::array<Point3, 2> row_;
   Point3 depth_;
+  std::array<bool, 2> is_whole_ratio_ = {false, false};  // the ratio is 0, 1 or -1, exactly
   // Parallel: the image of some point of the mesh, subtracted to keep the digits of a float.
   std::array<double, 3> middle_ = {0, 0, 0};
 };

@@ -1,20 +1,9 @@
 #pragma once
 
-#include <array>
-#include <functional>
-
+#include "hsr/lines/line_options.h"
 #include "hsr/lines/visible_lines.h"
 
 namespace hsr {
-
-struct LineOptions {
-  /// Which classes to compute; by default all but smooth.
-  std::array<bool, 6> classes = {true, true, true, true, true, false};
-  double crease = 30;  ///< degrees; edges that deviate more from flat are sharp
-  bool why = false;    ///< name the faces that hide each hidden interval
-  Arithmetic arithmetic = Arithmetic::staged;
-  std::function<void(double done)> progress;  ///< called now and then with the share done, 0 ... 1; may throw to cancel
-};
 
 /// The visible and the hidden parts of each edge: each edge against each face that overlaps it in the image.
 ///

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hsr/image_line.h"
 #include "hsr/lines/cut_plane.h"
 
 namespace hsr {
@@ -49,6 +50,12 @@ Bound Shadows::bound(const Cut& cut, const Value& at_a, const Value& at_b) const
   return {cut, known ? t : 0.5, known ? loss / least * 1.01 + 8 * ErrorBounded::u : HUGE_VAL, at_a.sign};
 }
 
+Bound Shadows::place(const Cut& cut) {
+  const Plane plane = cut_plane(sight_, cut);
+  const PlaneFilter filter = sight_.filter(plane);
+  return bound(cut, at(filter, plane, pa_, false), at(filter, plane, pb_, false));
+}
+
 Sign Shadows::order(const Bound& x, const Bound& y) {
   if (x.cut == y.cut) return Sign::zero;
   using Kind = Cut::Kind;
@@ -81,13 +88,7 @@ bool Shadows::start(EdgeId id) {
     (near_a == Sign::negative ? first_ : last_) =
         bound(cut_of(Cut::Kind::near), known(filter(pa_), near_a), known(filter(pb_), near_b));
   }
-  // Seen as a point iff every plane of the line of sight of a contains b. A coefficient of the edge's view plane that is
-  // certainly not zero settles it: each errs by at most `slope`.
-  const double most = std::max({std::fabs(edge_sight_.nx), std::fabs(edge_sight_.ny), std::fabs(edge_sight_.nz)});
-  if (most > edge_sight_.slope && edge_sight_.least < HUGE_VAL && most > edge_sight_.least) return true;
-  for (int axis = 0; axis < 3; ++axis)
-    if (exact_.side(Plane::of_sight_along_axis(sight_.eye(), pa_, axis), pb_) != Sign::zero) return true;
-  return false;
+  return !ImageLine(sight_, a_, b_).is_point(exact_);
 }
 
 /// True only if the corners that are not ends of the edge lie certainly on one side of its view plane: then the triangle's cone

@@ -37,6 +37,9 @@ class Shadows {
   /// Appends the shadows of `triangle` on the edge, at most four.
   void cast(TriangleId triangle, std::vector<Shadow>& shadows);
 
+  /// Where the plane of `cut` crosses the edge. @pre it separates the ends of the edge
+  Bound place(const Cut& cut);
+
   /// The ends of what is beyond the near plane.
   const Bound& first() const { return first_; }
   const Bound& last() const { return last_; }

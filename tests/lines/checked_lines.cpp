@@ -2,6 +2,9 @@
 
 #include <exception>
 
+#include "hsr/lines/appel.h"
+#include "hsr/lines/roberts.h"
+
 namespace hsr {
 
 namespace {
@@ -19,6 +22,12 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
+std::string differences_of(const std::string& method, VisibleLines (*lines)(const Mesh&, const View&, const LineOptions&),
+                           const Mesh& mesh, const View& view, const LineOptions& options) {
+  const std::string text = joined(oracle::compare_with_oracle(mesh, view, lines(mesh, view, options), options));
+  return text.empty() ? text : method + ":\n" + text;
+}
+
 std::string one_or_both(const std::string& found, const std::string& expected) {
   return found == expected ? found : "roberts: " + found + " | oracle: " + expected;
 }
@@ -29,7 +38,7 @@ CheckedLines::CheckedLines(const scenes::TestScene& scene, const LineOptions& op
   const VisibleLines lines = roberts(mesh_, scene.view, options);
   found_ = oracle::seen_edges(mesh_, scene.view, lines);
   expected_ = oracle::seen_by_oracle(mesh_, scene.view, options);
-  differences_ = joined(oracle::compare_with_oracle(mesh_, scene.view, lines, options));
+  differences_ = wrong_with(scene, options);
 }
 
 std::string CheckedLines::operator()(std::uint32_t a, std::uint32_t b) const {
@@ -51,7 +60,10 @@ std::string CheckedLines::intervals(std::uint32_t a, std::uint32_t b) const {
 std::string wrong_with(const scenes::TestScene& scene, const LineOptions& options) {
   try {
     const Mesh mesh = scene.mesh();
-    return joined(oracle::compare_with_oracle(mesh, scene.view, roberts(mesh, scene.view, options), options));
+    std::string wrong = differences_of("roberts", roberts, mesh, scene.view, options);
+    LineOptions without_why = options;
+    without_why.why = false;
+    return wrong + differences_of("appel", appel, mesh, scene.view, without_why);
   } catch (const std::exception& e) {
     return std::string("exception: ") + e.what() + "\n";
   }

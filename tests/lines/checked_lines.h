@@ -25,7 +25,7 @@ class CheckedLines {
   /// The same without the class.
   std::string intervals(std::uint32_t a, std::uint32_t b) const;
   const std::vector<oracle::SeenEdge>& edges() const { return found_; }
-  /// How the two differ; empty: they agree.
+  /// How roberts and appel differ from the oracle; empty: they agree.
   const std::string& differences() const { return differences_; }
 
  private:
@@ -35,7 +35,7 @@ class CheckedLines {
   std::string differences_;
 };
 
-/// What is wrong with roberts on this scene: the differences to the oracle, or the exception. Empty: nothing.
+/// What is wrong with roberts and appel on this scene: their differences to the oracle, or the exception. Empty: nothing.
 std::string wrong_with(const scenes::TestScene& scene, const LineOptions& options = all_edges());
 
 }  // namespace hsr

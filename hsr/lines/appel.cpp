@@ -1,0 +1,352 @@
+#include "hsr/lines/appel.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "geometry/error.h"
+#include "hsr/lines/crossings.h"
+#include "hsr/lines/layer_count.h"
+#include "hsr/lines/layers.h"
+#include "hsr/lines/line_progress.h"
+#include "hsr/lines/occluders.h"
+#include "hsr/lines/requested_edges.h"
+#include "hsr/lines/tiling.h"
+#include "hsr/sight.h"
+
+namespace hsr {
+
+namespace {
+
+using Range = tbb::blocked_range<std::size_t>;
+
+/// Counts that are known only relative to one another: disjoint sets in which each member knows how far it lies above the one
+/// that stands for its set (weighted union, Tarjan 1975).
+class RelativeCounts {
+ public:
+  explicit RelativeCounts(std::size_t n) : parent_(n), above_(n, 0) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  std::uint32_t root(std::uint32_t k) { return find(k); }
+  std::int32_t above_root(std::uint32_t k) { return find(k) == k ? 0 : above_[k]; }
+  /// Says count(b) - count(a) = difference. False: it is known to be another.
+  bool join(std::uint32_t a, std::uint32_t b, std::int32_t difference) {
+    const std::uint32_t p = find(a), q = find(b);
+    const std::int32_t of_roots = above_root(a) + difference - above_root(b);  // count(q) - count(p)
+    if (p == q) return of_roots == 0;
+    if (p < q) {
+      parent_[q] = p;
+      above_[q] = of_roots;
+    } else {
+      parent_[p] = q;
+      above_[p] = -of_roots;
+    }
+    return true;
+  }
+
+ private:
+  /// Afterwards k hangs on its root.
+  std::uint32_t find(std::uint32_t k) {
+    std::uint32_t top = k;
+    std::int32_t above = 0;
+    while (parent_[top] != top) {
+      above += above_[top];
+      top = parent_[top];
+    }
+    while (parent_[k] != top && k != top) {
+      const std::uint32_t next = parent_[k];
+      const std::int32_t own = above_[k];
+      parent_[k] = top;
+      above_[k] = above;
+      above -= own;
+      k = next;
+    }
+    return top;
+  }
+
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::int32_t> above_;
+};
+
+/// How many layers lie before an edge just inside one of its ends, to the left and to the right of the edge.
+struct Sides {
+  std::int32_t left = 0, right = 0;
+};
+
+struct Part {
+  std::vector<Course> courses;
+  std::vector<std::uint32_t> first_change;  // one more
+  std::vector<LayerChange> changes;
+  // Of the triangles at the ends, just inside.
+  std::vector<Sides> at_start, at_end;
+  DecisionCounts decisions;
+  std::uint64_t pairs = 0;
+};
+
+class Appel {
+ public:
+  Appel(const Mesh& mesh, const View& view, const LineOptions& options)
+      : options_(options),
+        sight_(mesh, view, options.arithmetic),
+        requested_(sight_, options),
+        layers_(sight_),
+        occluders_(sight_),
+        order_(z_order(requested_.boxes)),
+        parts_((order_.size() + edges_of_block - 1) / edges_of_block),
+        counts_(mesh.points.size()) {}
+
+  VisibleLines lines() {
+    LineProgress progress(options_.progress, 2 * order_.size());
+    for_each_part([&](std::size_t part, std::size_t begin, std::size_t end) {
+      find_courses(parts_[part], begin, end);
+      progress.advance(end - begin);
+    });
+    carry_on();
+    count_roots();
+    std::vector<VisibleLines> lines(parts_.size());
+    std::vector<std::array<std::uint32_t, 2>> place(order_.size());
+    for_each_part([&](std::size_t part, std::size_t begin, std::size_t end) {
+      lines[part] = tiled(parts_[part], begin, end);
+      for (std::size_t k = begin; k < end; ++k)
+        place[order_[k]] = {static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(k - begin)};
+      progress.advance(end - begin);
+    });
+    VisibleLines all = joined(lines, place);
+    all.decisions += requested_.decisions;
+    all.decisions += root_decisions_;
+    for (const Part& part : parts_) {
+      all.decisions += part.decisions;
+      all.pairs += part.pairs;
+    }
+    return all;
+  }
+
+ private:
+  template <class F>
+  void for_each_part(const F& visit) const {
+    tbb::parallel_for(Range(0, parts_.size(), 1), [&](const Range& range) {
+      for (std::size_t part = range.begin(); part < range.end(); ++part)
+        visit(part, part * edges_of_block, std::min((part + 1) * edges_of_block, order_.size()));
+    });
+  }
+  const Edge& edge(std::size_t k) const { return sight_.mesh().edges[requested_.edges[order_[k]]]; }
+
+  void find_courses(Part& part, std::size_t begin, std::size_t end) const;
+  Sides at_vertex(LayerCount& count, EdgeId e, VertexId v, VertexId to) const;
+  void carry_on();
+  void count_roots();
+  Sides start(const Part& part, std::size_t i, const Edge& e, LayerCount& count) const;
+  VisibleLines tiled(const Part& part, std::size_t begin, std::size_t end) const;
+  void add_shadows(Shadows& shadows, std::span<const LayerChange> changes, Sides layers, std::vector<Shadow>& hidden) const;
+
+  const LineOptions& options_;
+  Sight sight_;
+  RequestedEdges requested_;
+  Layers layers_;
+  Occluders occluders_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Part> parts_;
+  RelativeCounts counts_;
+  std::vector<std::int32_t> root_count_;  // by the vertex that stands for a connected part
+  std::vector<std::int32_t> before_;      // by vertex: the layers before it, without the triangles at it, where it is clean
+  DecisionCounts root_decisions_;
+};
+
+/// Between two counted triangles around a plain vertex no triangle at that vertex hides.
+Sides Appel::at_vertex(LayerCount& count, EdgeId e, VertexId v, VertexId to) const {
+  if (layers_.is_plain(v)) {
+    const auto triangles = sight_.mesh().triangles_at(e);
+    // A plain vertex has only edges without weight: with a counted triangle on one side there is one on the other.
+    if (std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return layers_.counts(t); })) return {};
+  }
+  return {count.at_vertex(v, to, Sign::positive), count.at_vertex(v, to, Sign::negative)};
+}
+
+void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
+  Crossings crossings(sight_, layers_, occluders_);
+  LayerCount count(sight_, layers_);
+  part.first_change.push_back(0);
+  for (std::size_t k = begin; k < end; ++k) {
+    const EdgeId id = requested_.edges[order_[k]];
+    const Course course = crossings.find(id, requested_.boxes[order_[k]], part.changes);
+    part.courses.push_back(course);
+    part.first_change.push_back(static_cast<std::uint32_t>(part.changes.size()));
+    Sides at_start, at_end;
+    if (!course.is_point && !course.is_degenerate) {
+      const Edge& e = sight_.mesh().edges[id];
+      at_start = at_vertex(count, id, e.a, e.b);
+      at_end = at_vertex(count, id, e.b, e.a);
+      std::swap(at_end.left, at_end.right);  // seen from b, the other way round
+    }
+    part.at_start.push_back(at_start);
+    part.at_end.push_back(at_end);
+  }
+  part.decisions += crossings.decisions();
+  part.decisions += count.decisions();
+  part.pairs = crossings.pairs();
+}
+
+/// What lies before a vertex, without the triangles at it, is the same for all of its edges where the vertex is clean.
+void Appel::carry_on() {
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const Part& part = parts_[p];
+    for (std::size_t i = 0; i < part.courses.size(); ++i) {
+      const Course& c = part.courses[i];
+      if (c.is_point || c.is_degenerate || !c.start_is_clean || !c.end_is_clean) continue;
+      const Edge& e = edge(p * edges_of_block + i);
+      const std::int32_t left = part.at_start[i].left + c.left - part.at_end[i].left;
+      const bool agrees = counts_.join(e.a.value, e.b.value, left);
+#ifdef HSR_CHECKS
+      if (options_.arithmetic != Arithmetic::double_only &&
+          (!agrees || left != part.at_start[i].right + c.right - part.at_end[i].right))
+        throw InvariantError("appel: the layers along edges contradict each other");
+#else
+      static_cast<void>(agrees);
+#endif
+    }
+  }
+}
+
+/// One query for each connected part.
+void Appel::count_roots() {
+  constexpr std::int32_t unknown = -1;
+  root_count_.assign(sight_.mesh().points.size(), unknown);
+  struct Query {
+    std::uint32_t root;
+    VertexId from, to;
+  };
+  std::vector<Query> queries;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    for (std::size_t i = 0; i < parts_[p].courses.size(); ++i) {
+      const Course& c = parts_[p].courses[i];
+      if (c.is_point || c.is_degenerate) continue;
+      const Edge& e = edge(p * edges_of_block + i);
+      const bool from_start = c.start_is_clean;
+      if (!from_start && !c.end_is_clean) continue;
+      const VertexId from = from_start ? e.a : e.b, to = from_start ? e.b : e.a;
+      const std::uint32_t root = counts_.root(from.value);
+      if (root_count_[root] != unknown) continue;
+      root_count_[root] = 0;
+      queries.push_back({root, from, to});
+    }
+  }
+  constexpr std::size_t block = 64;
+  std::vector<DecisionCounts> decisions((queries.size() + block - 1) / block);
+  tbb::parallel_for(Range(0, decisions.size(), 1), [&](const Range& range) {
+    for (std::size_t k = range.begin(); k < range.end(); ++k) {
+      LayerCount count(sight_, layers_);
+      for (std::size_t q = k * block; q < std::min(queries.size(), (k + 1) * block); ++q) {
+        const auto& [root, from, to] = queries[q];
+        root_count_[root] = count.before(from, to, Sign::positive, occluders_);
+      }
+      decisions[k] = count.decisions();
+    }
+  });
+  for (const Query& q : queries) root_count_[q.root] -= counts_.above_root(q.from.value);
+  for (const DecisionCounts& d : decisions) root_decisions_ += d;
+  before_.resize(root_count_.size());
+  for (std::size_t v = 0; v < before_.size(); ++v) {
+    const auto k = static_cast<std::uint32_t>(v);
+    before_[v] = root_count_[counts_.root(k)] + counts_.above_root(k);
+  }
+}
+
+/// From a clean end, or else by a query of its own.
+Sides Appel::start(const Part& part, std::size_t i, const Edge& e, LayerCount& count) const {
+  const Course& c = part.courses[i];
+  const Sides &at_start = part.at_start[i], &at_end = part.at_end[i];
+  if (c.start_is_clean) {
+    const std::int32_t before = before_[e.a.value];
+    return {before + at_start.left, before + at_start.right};
+  }
+  if (c.end_is_clean) {
+    const std::int32_t before = before_[e.b.value];
+    return {before + at_end.left - c.left, before + at_end.right - c.right};
+  }
+  return {count.before(e.a, e.b, Sign::positive, occluders_) + at_start.left,
+          count.before(e.a, e.b, Sign::negative, occluders_) + at_start.right};
+}
+
+/// The parts of the edge before which, on one side or the other, there is a layer.
+void Appel::add_shadows(Shadows& shadows, std::span<const LayerChange> changes, Sides layers,
+                        std::vector<Shadow>& hidden) const {
+  struct Place {
+    Bound at;
+    std::int32_t left, right;
+  };
+  std::vector<Place> places;
+  places.reserve(changes.size());
+  for (const LayerChange& c : changes) {
+    const Edge& e = sight_.mesh().edges[EdgeId(c.is_face ? 0U : c.by)];
+    const Cut cut = c.is_face ? Cut{Cut::Kind::face, 0, c.by, 0} : Cut{Cut::Kind::sight, 0, e.a.value, e.b.value};
+    places.push_back({shadows.place(cut), c.left, c.right});
+  }
+  std::sort(places.begin(), places.end(),
+            [&](const Place& x, const Place& y) { return shadows.order(x.at, y.at) == Sign::negative; });
+  Bound from = shadows.first();
+  for (std::size_t k = 0; k <= places.size(); ++k) {
+    const Bound& to = k < places.size() ? places[k].at : shadows.last();
+    const bool is_hidden = layers.left > 0 || layers.right > 0;
+    // Places that coincide have no length between them.
+    if (k > 0 && k < places.size() && shadows.order(from, to) == Sign::zero) {
+    } else if (is_hidden) {
+      hidden.push_back({from, to, {}});
+    }
+    if (k == places.size()) break;
+    layers.left += places[k].left;
+    layers.right += places[k].right;
+    from = to;
+  }
+}
+
+VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) const {
+  Tiling tiling(sight_, options_);
+  LayerCount count(sight_, layers_);
+  std::vector<Shadow> hidden;
+  for (std::size_t k = begin; k < end; ++k) {
+    const std::size_t i = k - begin;
+    const EdgeId id = requested_.edges[order_[k]];
+    const EdgeClass edge_class = requested_.classes[order_[k]];
+    const ImageBox& box = requested_.boxes[order_[k]];
+    const Course& course = part.courses[i];
+    if (course.is_degenerate) {
+      tiling.add_by_casting(id, edge_class, box, occluders_);
+      continue;
+    }
+    if (course.is_point) {
+      tiling.add_nothing(id, edge_class);
+      continue;
+    }
+    const Sides layers = start(part, i, sight_.mesh().edges[id], count);
+    const std::span<const LayerChange> changes(part.changes.data() + part.first_change[i],
+                                               part.changes.data() + part.first_change[i + 1]);
+    const bool starts_hidden = layers.left > 0 || layers.right > 0;
+    if (changes.empty() && (starts_hidden || layers_.cast().empty())) {
+      tiling.add_whole(id, edge_class, starts_hidden);
+      continue;
+    }
+    Shadows& shadows = tiling.shadows();
+    shadows.start(id);
+    hidden.clear();
+    add_shadows(shadows, changes, layers, hidden);
+    layers_.cast_tree().visit(box, [&](std::uint32_t t) {
+      ++tiling.pairs();
+      shadows.cast(layers_.cast()[t], hidden);
+      return true;
+    });
+    tiling.add(id, edge_class, hidden);
+  }
+  VisibleLines lines = tiling.take();
+  lines.decisions += count.decisions();
+  return lines;
+}
+
+}  // namespace
+
+VisibleLines appel(const Mesh& mesh, const View& view, const LineOptions& options) {
+  require(!options.why, "appel: layers do not say which faces they are; roberts does");
+  return Appel(mesh, view, options).lines();
+}
+
+}  // namespace hsr

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hsr/lines/layers.h"
+#include "hsr/lines/occluders.h"
+#include "hsr/lines/visible_lines.h"
+#include "hsr/sight.h"
+
+namespace hsr {
+
+class ImageLine;
+
+/// A place inside an edge where the number of layers before it changes, going from a to b: by `left` just to the left of the
+/// edge, by `right` just to the right. They differ where an occluding edge ends exactly on the edge, as seen.
+struct LayerChange {
+  std::uint32_t by;  ///< an EdgeId; of a pierced face, a TriangleId
+  bool is_face;
+  std::int32_t left, right;
+};
+
+/// What happens along one edge.
+struct Course {
+  bool is_point = false;             ///< seen as a point
+  bool is_degenerate = false;        ///< it touches something in space, or crosses the near plane: layers do not tell
+  bool start_is_clean = true;        ///< no occluding edge that is not at a lies before a or on it, as seen
+  bool end_is_clean = true;          ///< the same for b
+  std::int32_t left = 0, right = 0;  ///< the sum of the changes
+};
+
+/// Finds where the layers before an edge change. One object per thread.
+///
+/// "Just to the left" settles every coincidence in the image: an end of an occluding edge that is seen exactly on the edge lies
+/// to the right of what is just to the left of it, and to the left of what is just to the right. In space nothing is settled
+/// that way: an edge that touches an occluding edge, or the side or corner of a face, is degenerate.
+/// Exact: yes. Source: Appel 1967.
+class Crossings {
+ public:
+  Crossings(const Sight& sight, const Layers& layers, const Occluders& occluders)
+      : sight_(sight), layers_(layers), occluders_(occluders), exact_(sight.predicates()) {}
+
+  /// Appends the changes along the edge, in no order.
+  Course find(EdgeId edge, const ImageBox& box, std::vector<LayerChange>& changes);
+
+  const DecisionCounts& decisions() const { return exact_.counts(); }
+  std::uint64_t pairs() const { return pairs_; }
+
+ private:
+  void cross(const Edge& edge, const OccludingEdge& occluding, std::vector<LayerChange>& changes);
+  void pierce(const Edge& edge, TriangleId t, std::vector<LayerChange>& changes);
+  void add(LayerChange change, std::vector<LayerChange>& changes);
+  Sign side(const Plane& plane, VertexId p);
+
+  const Sight& sight_;
+  const Layers& layers_;
+  const Occluders& occluders_;
+  Predicates exact_;
+  std::uint64_t pairs_ = 0;
+  const ImageLine* line_ = nullptr;
+  Course course_;
+};
+
+}  // namespace hsr

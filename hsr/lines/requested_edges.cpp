@@ -1,0 +1,42 @@
+#include "hsr/lines/requested_edges.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "hsr/lines/edge_class.h"
+
+namespace hsr {
+
+RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options) {
+  using Range = tbb::blocked_range<std::size_t>;
+  const Mesh& mesh = sight.mesh();
+  constexpr std::uint8_t none = 0xff;
+  std::vector<std::uint8_t> edge_classes(mesh.edges.size(), none);
+  std::vector<DecisionCounts> counts((mesh.edges.size() + edges_of_block - 1) / edges_of_block);
+  tbb::parallel_for(Range(0, counts.size(), 1), [&](const Range& range) {
+    for (std::size_t part = range.begin(); part < range.end(); ++part) {
+      Predicates exact = sight.predicates();
+      const std::size_t end = std::min((part + 1) * edges_of_block, mesh.edges.size());
+      for (std::size_t e = part * edges_of_block; e < end; ++e) {
+        const auto found = edge_class(sight, exact, EdgeId(e), options.crease);
+        if (found && options.classes[static_cast<std::size_t>(*found)]) edge_classes[e] = static_cast<std::uint8_t>(*found);
+      }
+      counts[part] = exact.counts();
+    }
+  });
+  for (const DecisionCounts& c : counts) decisions += c;
+  for (std::size_t e = 0; e < edge_classes.size(); ++e) {
+    if (edge_classes[e] == none) continue;
+    edges.emplace_back(e);
+    classes.push_back(static_cast<EdgeClass>(edge_classes[e]));
+  }
+  boxes.resize(edges.size());
+  tbb::parallel_for(Range(0, edges.size(), 1024), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      boxes[i] = sight.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b);
+  });
+}
+
+}  // namespace hsr

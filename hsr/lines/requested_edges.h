@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "geometry/box_tree.h"
+#include "hsr/lines/line_options.h"
+#include "hsr/lines/visible_lines.h"
+#include "hsr/sight.h"
+
+namespace hsr {
+
+/// How many edges are handled together: fixed, so that counts are the same for any number of threads.
+constexpr std::size_t edges_of_block = 512;
+
+/// The edges that are asked for, ascending, their classes and boxes. Cost: O(n), parallel.
+struct RequestedEdges {
+  std::vector<EdgeId> edges;
+  std::vector<EdgeClass> classes;
+  std::vector<ImageBox> boxes;
+  DecisionCounts decisions;
+
+  RequestedEdges(const Sight& sight, const LineOptions& options);
+};
+
+}  // namespace hsr

@@ -1,0 +1,181 @@
+#include "hsr/lines/tiling.h"
+
+#include <algorithm>
+#include <string>
+
+#include "geometry/error.h"
+
+namespace hsr {
+
+/// Sorts `cast` and replaces what overlaps or touches by its union.
+void Tiling::unite(std::vector<Shadow>& cast) {
+  if (cast.size() < 2) return;
+  // stable_sort stays within bounds even where --arithmetic double gives no order at all.
+  std::stable_sort(cast.begin(), cast.end(),
+                   [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < cast.size(); ++i) {
+    if (shadows_.order(cast[i].from, cast[last].to) == Sign::positive)
+      cast[++last] = cast[i];
+    else if (shadows_.order(cast[last].to, cast[i].to) == Sign::negative)
+      cast[last].to = cast[i].to;
+  }
+  cast.resize(last + 1);
+}
+
+/// Property (1) of the result, where the build checks its invariants.
+void Tiling::check_ascending([[maybe_unused]] std::span<const Shadow> hidden) {
+#ifdef HSR_CHECKS
+  if (options_.arithmetic == Arithmetic::double_only) return;  // it promises nothing
+  const DecisionCounts before = exact().counts();              // the report is the same in every build
+  const Bound* reached = &shadows_.first();
+  for (const Shadow& s : hidden) {
+    const Sign gap = shadows_.order(*reached, s.from);
+    if (gap == Sign::positive || (gap == Sign::zero && &s != hidden.data()) || shadows_.order(s.from, s.to) != Sign::negative)
+      throw InvariantError("roberts: hidden intervals that are empty, touch or overlap");
+    reached = &s.to;
+  }
+  if (shadows_.order(*reached, shadows_.last()) == Sign::positive)
+    throw InvariantError("roberts: a hidden interval beyond the end of its edge");
+  exact().counts() = before;
+#endif
+}
+
+/// Greedy: of the faces whose shadow covers the start, the one that reaches furthest, the lowest index first. One sweep over
+/// the shadows of the faces, which ascend by their start, then by face.
+void Tiling::name_occluders(std::span<const Shadow> hidden, std::span<const Shadow> by_face) {
+  std::size_t next = 0;
+  const Shadow* furthest = nullptr;
+  for (const Shadow& interval : hidden) {
+    Bound reached = interval.from;
+    while (shadows_.order(reached, interval.to) == Sign::negative) {
+      for (; next < by_face.size() && shadows_.order(by_face[next].from, reached) != Sign::positive; ++next) {
+        const Shadow& s = by_face[next];
+        const Sign further = furthest == nullptr ? Sign::negative : shadows_.order(furthest->to, s.to);
+        if (further == Sign::negative || (further == Sign::zero && s.face < furthest->face)) furthest = &s;
+      }
+      if (furthest == nullptr || shadows_.order(reached, furthest->to) != Sign::negative)
+        throw InvariantError("roberts: a hidden interval without an occluder");
+      result_.occluders.push_back({furthest->face, furthest->from.cut, furthest->to.cut});
+      reached = furthest->to;
+    }
+  }
+}
+
+void Tiling::sort_by_face() {
+  by_face_.clear();
+  std::stable_sort(cast_.begin(), cast_.end(), [](const Shadow& x, const Shadow& y) { return x.face < y.face; });
+  for (auto i = cast_.begin(); i != cast_.end();) {
+    const auto end = std::find_if(i, cast_.end(), [&](const Shadow& s) { return s.face != i->face; });
+    one_face_.assign(i, end);
+    unite(one_face_);
+    by_face_.insert(by_face_.end(), one_face_.begin(), one_face_.end());
+    i = end;
+  }
+  std::stable_sort(by_face_.begin(), by_face_.end(),
+                   [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; });
+}
+
+LineOfEdge Tiling::begun(EdgeId edge, EdgeClass edge_class) const {
+  LineOfEdge line;
+  line.edge = edge;
+  line.edge_class = edge_class;
+  line.first_cut = static_cast<std::uint32_t>(result_.cuts.size());
+  line.first_occluder = static_cast<std::uint32_t>(result_.occluders.size());
+  return line;
+}
+
+void Tiling::end(LineOfEdge line) {
+  line.end_cut = static_cast<std::uint32_t>(result_.cuts.size());
+  line.end_occluder = static_cast<std::uint32_t>(result_.occluders.size());
+  result_.lines.push_back(line);
+}
+
+void Tiling::add_nothing(EdgeId edge, EdgeClass edge_class) { end(begun(edge, edge_class)); }
+
+void Tiling::add_whole(EdgeId edge, EdgeClass edge_class, bool is_hidden) {
+  LineOfEdge line = begun(edge, edge_class);
+  line.starts_hidden = is_hidden;
+  result_.cuts.push_back({Cut::Kind::start});
+  result_.cuts.push_back({Cut::Kind::end});
+  end(line);
+}
+
+void Tiling::add(EdgeId edge, EdgeClass edge_class, std::vector<Shadow>& cast) {
+  unite(cast);
+  check_ascending(cast);
+  LineOfEdge line = begun(edge, edge_class);
+  if (options_.why) name_occluders(cast, by_face_);
+  auto& cuts = result_.cuts;
+  cuts.push_back(shadows_.first().cut);
+  line.starts_hidden = !cast.empty() && shadows_.order(shadows_.first(), cast.front().from) == Sign::zero;
+  for (const Shadow& s : cast) {
+    if (&s != &cast.front() || !line.starts_hidden) cuts.push_back(s.from.cut);
+    cuts.push_back(s.to.cut);
+  }
+  if (cast.empty() || shadows_.order(cast.back().to, shadows_.last()) != Sign::zero) cuts.push_back(shadows_.last().cut);
+  end(line);
+}
+
+void Tiling::add_by_casting(EdgeId edge, EdgeClass edge_class, const ImageBox& box, const Occluders& occluders) {
+  if (!shadows_.start(edge)) {
+    add_nothing(edge, edge_class);
+    return;
+  }
+  cast_.clear();
+  bool all_hidden = false;
+  std::size_t united = 0;  // of cast_, when it was last united
+  occluders.tree.visit(box, [&](std::uint32_t i) {
+    ++result_.pairs;
+    const std::size_t before = cast_.size();
+    shadows_.cast(occluders.triangles[i], cast_);
+    if (options_.why || cast_.size() == before) return true;
+    all_hidden = shadows_.covers_all(cast_.back());
+    // Now and then the shadows so far are united: together they may hide the whole edge. As their number doubles, so that a
+    // long edge behind many separate faces costs no more than sorting them a few times.
+    if (!all_hidden && cast_.size() >= 2 * united + 4) {
+      unite(cast_);
+      united = cast_.size();
+      all_hidden = shadows_.covers_all(cast_.back());
+    }
+    return !all_hidden;
+  });
+  if (all_hidden) {
+    cast_.front() = cast_.back();
+    cast_.resize(1);
+  }
+  if (options_.why) sort_by_face();
+  add(edge, edge_class, cast_);
+}
+
+VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<std::array<std::uint32_t, 2>>& place) {
+  VisibleLines all;
+  std::size_t cuts = 0, occluders = 0;
+  for (const VisibleLines& part : parts) {
+    cuts += part.cuts.size();
+    occluders += part.occluders.size();
+    all.pairs += part.pairs;
+    all.decisions += part.decisions;
+  }
+  if (cuts > 0xffffffffU || occluders > 0xffffffffU)
+    throw InputError("the drawing has " + std::to_string(std::max(cuts, occluders)) +
+                     " interval ends, expected fewer than 2^32");
+  all.lines.reserve(place.size());
+  all.cuts.reserve(cuts);
+  all.occluders.reserve(occluders);
+  for (const auto& [part, at] : place) {
+    LineOfEdge line = parts[part].lines[at];
+    const auto line_cuts = parts[part].cuts_of(line);
+    const auto line_occluders = parts[part].occluders_of(line);
+    line.first_cut = static_cast<std::uint32_t>(all.cuts.size());
+    line.first_occluder = static_cast<std::uint32_t>(all.occluders.size());
+    all.cuts.insert(all.cuts.end(), line_cuts.begin(), line_cuts.end());
+    all.occluders.insert(all.occluders.end(), line_occluders.begin(), line_occluders.end());
+    line.end_cut = static_cast<std::uint32_t>(all.cuts.size());
+    line.end_occluder = static_cast<std::uint32_t>(all.occluders.size());
+    all.lines.push_back(line);
+  }
+  return all;
+}
+
+}  // namespace hsr
