@@ -7,6 +7,10 @@
 #include <utility>
 #include <vector>
 
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
 namespace hsr {
 
 /// A closed box in an image: two image coordinates and the nearness to the viewer (larger is nearer). Conservative: what it
@@ -30,40 +34,89 @@ std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes);
 /// A static tree over boxes: eight to a node along their Z-order, level upon level.
 ///
 /// `visit(query, f)` calls f(index of box) for every box that overlaps the query in the image and reaches nearer than the
-/// query's farthest point, i.e. for all that could hide some of it; stops when f returns false. Cost: build O(n log n),
-/// parallel; a query O(log n + k) on meshes. The same order of calls for any number of threads.
+/// query's farthest point, i.e. for all that could hide some of it, roughly the nearest first; stops when f returns false.
 /// `visit_touching` leaves out, too, what lies wholly nearer than the query: it calls for all that could touch it.
+/// Cost: build O(n log n), parallel; a query O(log n + k) on meshes. The same order of calls for any number of threads.
+///
+/// Many queries close to one another share the way down: `leaves` finds the leaves that overlap all of them together, and
+/// `visit_leaf` looks for each query at one leaf.
 class BoxTree {
  public:
+  enum class Depth { hiding, touching };
+
   BoxTree() = default;
   explicit BoxTree(std::span<const ImageBox> boxes);
 
+  bool is_empty() const { return nodes_.empty(); }
+
   template <class F>
   void visit(const ImageBox& query, F&& f) const {
-    visit<false>(query, f);
+    visit_boxes<Depth::hiding>(query, f);
   }
   template <class F>
   void visit_touching(const ImageBox& query, F&& f) const {
-    visit<true>(query, f);
+    visit_boxes<Depth::touching>(query, f);
+  }
+
+  /// Appends the leaves that overlap the query, until there are `limit` of them. False: there are more.
+  template <Depth depth>
+  bool leaves(const ImageBox& query, std::size_t limit, std::vector<std::uint32_t>& found) const;
+  /// False: f returned false.
+  template <Depth depth, class F>
+  bool visit_leaf(std::uint32_t leaf, const ImageBox& query, F&& f) const {
+    for (unsigned hit = overlaps<depth>(nodes_[leaf], query); hit != 0; hit &= hit - 1)
+      if (!f(order_[leaf * width + static_cast<unsigned>(__builtin_ctz(hit))])) return false;
+    return true;
   }
 
  private:
   static constexpr std::size_t width = 8;
   /// Eight sibling boxes, a coordinate at a time.
-  struct Node {
+  struct alignas(32) Node {
     std::array<std::array<float, width>, 2> low, high;
     std::array<float, width> farthest, nearest;
   };
-  template <bool touching, class F>
-  void visit(const ImageBox& query, F& f) const;
+  /// Bit k: box k overlaps the query.
+  template <Depth depth>
+  static unsigned overlaps(const Node& node, const ImageBox& query);
+  template <Depth depth, class F>
+  void visit_boxes(const ImageBox& query, F& f) const;
 
   std::vector<Node> nodes_;                 // level upon level, the leaves' level first
   std::vector<std::uint32_t> level_begin_;  // of each level in nodes_
   std::vector<std::uint32_t> order_;        // box at each place of the lowest level
 };
 
-template <bool touching, class F>
-void BoxTree::visit(const ImageBox& query, F& f) const {
+template <BoxTree::Depth depth>
+unsigned BoxTree::overlaps(const Node& node, const ImageBox& query) {
+#if defined(__SSE__)
+  const auto four = [&](std::size_t k) {
+    __m128 all = _mm_cmple_ps(_mm_load_ps(&node.low[0][k]), _mm_set1_ps(query.high[0]));
+    all = _mm_and_ps(all, _mm_cmpge_ps(_mm_load_ps(&node.high[0][k]), _mm_set1_ps(query.low[0])));
+    all = _mm_and_ps(all, _mm_cmple_ps(_mm_load_ps(&node.low[1][k]), _mm_set1_ps(query.high[1])));
+    all = _mm_and_ps(all, _mm_cmpge_ps(_mm_load_ps(&node.high[1][k]), _mm_set1_ps(query.low[1])));
+    all = _mm_and_ps(all, _mm_cmpge_ps(_mm_load_ps(&node.nearest[k]), _mm_set1_ps(query.farthest)));
+    if constexpr (depth == Depth::touching)
+      all = _mm_and_ps(all, _mm_cmple_ps(_mm_load_ps(&node.farthest[k]), _mm_set1_ps(query.nearest)));
+    return static_cast<unsigned>(_mm_movemask_ps(all));
+  };
+  return four(0) | four(4) << 4U;
+#else
+  unsigned hit = 0;
+  for (unsigned k = 0; k < width; ++k) {
+    // Without branches: every comparison is made, and all must hold.
+    unsigned all = unsigned{node.low[0][k] <= query.high[0]} & unsigned{node.high[0][k] >= query.low[0]} &
+                   unsigned{node.low[1][k] <= query.high[1]} & unsigned{node.high[1][k] >= query.low[1]} &
+                   unsigned{node.nearest[k] >= query.farthest};
+    if constexpr (depth == Depth::touching) all &= unsigned{node.farthest[k] <= query.nearest};
+    hit |= all << k;
+  }
+  return hit;
+#endif
+}
+
+template <BoxTree::Depth depth, class F>
+void BoxTree::visit_boxes(const ImageBox& query, F& f) const {
   if (nodes_.empty()) return;
   // Depth first; at most width - 1 siblings wait on each level.
   std::array<std::pair<std::uint32_t, std::uint32_t>, 12 * width> stack;  // level, node on it
@@ -72,15 +125,7 @@ void BoxTree::visit(const ImageBox& query, F& f) const {
   while (top > 0) {
     const auto [level, place] = stack[--top];
     const Node& node = nodes_[level_begin_[level] + place];
-    unsigned hit = 0;
-    for (unsigned k = 0; k < width; ++k) {
-      // Without branches: every comparison is made, and all must hold.
-      unsigned overlaps = unsigned{node.low[0][k] <= query.high[0]} & unsigned{node.high[0][k] >= query.low[0]} &
-                          unsigned{node.low[1][k] <= query.high[1]} & unsigned{node.high[1][k] >= query.low[1]} &
-                          unsigned{node.nearest[k] >= query.farthest};
-      if constexpr (touching) overlaps &= unsigned{node.farthest[k] <= query.nearest};
-      hit |= overlaps << k;
-    }
+    unsigned hit = overlaps<depth>(node, query);
     // In order of nearness, the nearest last: first from the stack, and first to hide all of the query.
     std::array<std::uint32_t, width> hits;
     std::size_t count = 0;
@@ -97,6 +142,28 @@ void BoxTree::visit(const ImageBox& query, F& f) const {
         if (!f(order_[place * width + hits[i]])) return;
     }
   }
+}
+
+template <BoxTree::Depth depth>
+bool BoxTree::leaves(const ImageBox& query, std::size_t limit, std::vector<std::uint32_t>& found) const {
+  if (nodes_.empty()) return true;
+  const std::size_t end = found.size() + limit;
+  std::array<std::pair<std::uint32_t, std::uint32_t>, 12 * width> stack;
+  std::size_t top = 0;
+  stack[top++] = {static_cast<std::uint32_t>(level_begin_.size() - 1), 0};
+  while (top > 0) {
+    const auto [level, place] = stack[--top];
+    unsigned hit = overlaps<depth>(nodes_[level_begin_[level] + place], query);
+    if (level == 0) {
+      if (hit == 0) continue;
+      if (found.size() == end) return false;
+      found.push_back(place);
+    }
+    else
+      for (; hit != 0; hit &= hit - 1)
+        stack[top++] = {level - 1, place * width + static_cast<std::uint32_t>(__builtin_ctz(hit))};
+  }
+  return true;
 }
 
 }  // namespace hsr

@@ -167,9 +167,16 @@ void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
   Crossings crossings(sight_, layers_, occluders_);
   LayerCount count(sight_, layers_);
   part.first_change.push_back(0);
+  constexpr std::size_t group = 16;
+  std::vector<ImageBox> boxes;
   for (std::size_t k = begin; k < end; ++k) {
+    if ((k - begin) % group == 0) {
+      boxes.clear();
+      for (std::size_t i = k; i < std::min(k + group, end); ++i) boxes.push_back(requested_.boxes[order_[i]]);
+      crossings.turn_to(boxes);
+    }
     const EdgeId id = requested_.edges[order_[k]];
-    const Course course = crossings.find(id, requested_.boxes[order_[k]], part.changes);
+    const Course course = crossings.find(id, boxes[(k - begin) % group], part.changes);
     part.courses.push_back(course);
     part.first_change.push_back(static_cast<std::uint32_t>(part.changes.size()));
     Sides at_start, at_end;

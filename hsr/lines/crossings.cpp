@@ -17,6 +17,16 @@ void Crossings::add(LayerChange change, std::vector<LayerChange>& changes) {
   changes.push_back(change);
 }
 
+void Crossings::turn_to(std::span<const ImageBox> boxes) {
+  constexpr std::size_t limit = 64;  // more of them cost an edge more than its own way down the tree
+  ImageBox all = ImageBox::nothing();
+  for (const ImageBox& box : boxes) all.add(box);
+  edge_leaves_.clear();
+  face_leaves_.clear();
+  shares_edge_leaves_ = layers_.tree().leaves<BoxTree::Depth::hiding>(all, limit, edge_leaves_);
+  shares_face_leaves_ = occluders_.tree.leaves<BoxTree::Depth::touching>(all, limit, face_leaves_);
+}
+
 Course Crossings::find(EdgeId id, const ImageBox& box, std::vector<LayerChange>& changes) {
   const Edge& edge = sight_.mesh().edges[id];
   course_ = {};
@@ -31,13 +41,25 @@ Course Crossings::find(EdgeId id, const ImageBox& box, std::vector<LayerChange>&
     return course_;
   }
   const std::size_t before = changes.size();
-  layers_.tree().visit(box, [&](std::uint32_t i) {
+  using Depth = BoxTree::Depth;
+  const auto visit = [&]<Depth depth>(const BoxTree& tree, bool shares, const std::vector<std::uint32_t>& leaves,
+                                      const auto& f) {
+    if (shares) {
+      for (const std::uint32_t leaf : leaves)
+        if (!tree.visit_leaf<depth>(leaf, box, f)) return;
+    } else if constexpr (depth == Depth::hiding) {
+      tree.visit(box, f);
+    } else {
+      tree.visit_touching(box, f);
+    }
+  };
+  visit.operator()<Depth::hiding>(layers_.tree(), shares_edge_leaves_, edge_leaves_, [&](std::uint32_t i) {
     const OccludingEdge& occluding = layers_.edges()[i];
     if (occluding.edge != id) cross(edge, occluding, changes);
     return !course_.is_degenerate;
   });
   if (!course_.is_degenerate)
-    occluders_.tree.visit_touching(box, [&](std::uint32_t i) {
+    visit.operator()<Depth::touching>(occluders_.tree, shares_face_leaves_, face_leaves_, [&](std::uint32_t i) {
       if (layers_.counts(occluders_.triangles[i])) pierce(edge, occluders_.triangles[i], changes);
       return !course_.is_degenerate;
     });

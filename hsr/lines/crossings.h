@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hsr/lines/layers.h"
@@ -40,7 +41,9 @@ class Crossings {
   Crossings(const Sight& sight, const Layers& layers, const Occluders& occluders)
       : sight_(sight), layers_(layers), occluders_(occluders), exact_(sight.predicates()) {}
 
-  /// Appends the changes along the edge, in no order.
+  /// Turns to a few edges that are near one another in the image: the search is then shared.
+  void turn_to(std::span<const ImageBox> boxes);
+  /// Appends the changes along the edge, in no order. @pre `box` is the edge's, one of those turned to
   Course find(EdgeId edge, const ImageBox& box, std::vector<LayerChange>& changes);
 
   const DecisionCounts& decisions() const { return exact_.counts(); }
@@ -57,6 +60,9 @@ class Crossings {
   const Occluders& occluders_;
   Predicates exact_;
   std::uint64_t pairs_ = 0;
+  // The leaves that may matter to the edges turned to; if they are too many, each edge looks for its own.
+  std::vector<std::uint32_t> edge_leaves_, face_leaves_;
+  bool shares_edge_leaves_ = false, shares_face_leaves_ = false;
   const ImageLine* line_ = nullptr;
   Course course_;
 };
