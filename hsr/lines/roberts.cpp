@@ -44,7 +44,7 @@ struct Occluders {
 class Tiling {
  public:
   Tiling(const Sight& sight, const Occluders& occluders, const LineOptions& options)
-      : sight_(sight), occluders_(occluders), options_(options), shadows_(sight) {}
+      : occluders_(occluders), options_(options), shadows_(sight) {}
 
   void add(EdgeId edge, EdgeClass edge_class, const ImageBox& box);
   Predicates& exact() { return shadows_.exact(); }
@@ -58,7 +58,6 @@ class Tiling {
   void check_ascending(std::span<const Shadow> hidden);
   void name_occluders(std::span<const Shadow> hidden, std::span<const Shadow> by_face);
 
-  const Sight& sight_;
   const Occluders& occluders_;
   const LineOptions& options_;
   Shadows shadows_;
