@@ -120,12 +120,12 @@ std::string family(const std::string& scene) { return scene.substr(0, scene.find
 
 void print_row(const Row& row) {
   const auto& d = row.decisions;
-  const double all = std::max(1.0, static_cast<double>(d.filter + d.interval + d.exact));
+  const double all = std::max(1.0, static_cast<double>(d.all()));
   const auto share = [&](std::uint64_t n) { return fmt::format("{:.4g} %", 100 * static_cast<double>(n) / all); };
   fmt::print("| {} | {} | {} | {} | {:.3f} | {:.3f} ± {:.3f} | {:.3f} | {} | {} | {} | {} | {} | {} | {} | {} | {:.0f} |\n",
              row.scene, row.view, row.triangles, row.edges, row.mesh.median, row.lines.median, row.lines.spread,
              row.lines_processor.median, row.pairs, static_cast<std::uint64_t>(all), share(d.filter), share(d.interval),
-             share(d.exact), share(d.zero), row.visible, row.hidden, row.megabytes);
+             share(d.exact()), share(d.zero), row.visible, row.hidden, row.megabytes);
   std::fflush(stdout);
 }
 
@@ -161,7 +161,7 @@ void write_csv(const std::string& path, const std::vector<Row>& rows, const Requ
   for (const Row& r : rows)
     out << fmt::format("{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{},{},{},{},{},{:.1f}\n", r.scene, r.view,
                        request.edges, request.threads, r.triangles, r.edges, r.mesh.median, r.lines.median, r.lines.spread,
-                       r.lines_processor.median, r.pairs, r.decisions.filter, r.decisions.interval, r.decisions.exact,
+                       r.lines_processor.median, r.pairs, r.decisions.filter, r.decisions.interval, r.decisions.exact(),
                        r.decisions.zero, r.visible, r.hidden, r.megabytes);
   if (!out.flush()) throw InputError(path + ": cannot be written");
 }

@@ -77,10 +77,10 @@ class Points {
 
 void report_stages(benchmark::State& state, const Predicates& predicates) {
   const DecisionCounts& n = predicates.counts();
-  const double all = static_cast<double>(n.filter + n.interval + n.exact);
+  const double all = static_cast<double>(n.all());
   state.counters["filter"] = static_cast<double>(n.filter) / all;
   state.counters["interval"] = static_cast<double>(n.interval) / all;
-  state.counters["exact"] = static_cast<double>(n.exact) / all;
+  state.counters["exact"] = static_cast<double>(n.exact()) / all;
   state.counters["zero"] = static_cast<double>(n.zero) / all;
 }
 

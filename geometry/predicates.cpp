@@ -28,7 +28,9 @@ Sign exact_sign(const FixedInteger<L>& x) {
 DecisionCounts& DecisionCounts::operator+=(const DecisionCounts& o) {
   filter += o.filter;
   interval += o.interval;
-  exact += o.exact;
+  narrow += o.narrow;
+  fixed += o.fixed;
+  big += o.big;
   zero += o.zero;
   return *this;
 }
@@ -65,7 +67,7 @@ Sign Predicates::beyond_filter(const Polynomial& polynomial, bool only_spans, in
   Sign s = Sign::zero;
   if (bits <= 127 && is_narrow_ && arithmetic_ == Arithmetic::staged) {
     s = exact_sign(polynomial(NarrowArithmetic{scale_, direction_scale_}));
-    ++counts_.exact;
+    ++counts_.narrow;
     if (s == Sign::zero) ++counts_.zero;
     return s;
   }
@@ -89,7 +91,7 @@ Sign Predicates::beyond_filter(const Polynomial& polynomial, bool only_spans, in
     s = exact_sign(polynomial(FixedArithmetic<12>{points_.lowest, direction_.lowest}));
   else
     s = exact_sign(polynomial(BigArithmetic{}));
-  ++counts_.exact;
+  ++(arithmetic_ != Arithmetic::rational && bits <= 768 ? counts_.fixed : counts_.big);
   if (s == Sign::zero) ++counts_.zero;
   return s;
 }

@@ -15,9 +15,17 @@ enum class Arithmetic : unsigned char { staged, double_only, interval, rational 
 
 /// How often each stage decided a sign, and how many of these signs were zero.
 struct DecisionCounts {
-  std::uint64_t filter = 0, interval = 0, exact = 0, zero = 0;
+  std::uint64_t filter = 0, interval = 0;
+  std::uint64_t narrow = 0;  // 128-bit integers
+  std::uint64_t fixed = 0;   // integers of 192, 384 or 768 bits
+  std::uint64_t big = 0;     // big floats; rationals where these are forced
+  std::uint64_t zero = 0;
+
+  std::uint64_t exact() const { return narrow + fixed + big; }
+  std::uint64_t all() const { return filter + interval + exact(); }
 
   DecisionCounts& operator+=(const DecisionCounts& o);
+  bool operator==(const DecisionCounts&) const = default;
 };
 
 /// The three predicates that carry everything (docs/conventions.md, "Predicates"), for points under one certificate.

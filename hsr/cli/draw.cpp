@@ -100,7 +100,7 @@ void note_idle_options(const DrawArguments& a, const std::vector<Format>& format
 }
 
 /// Why a drawing has no line, for one who wonders.
-std::string empty_drawing(const DrawArguments& a, const VisibleLines& lines) {
+std::string empty_drawing(const DrawArguments& a, const VisibleLines& lines, const Drawing& drawing) {
   if (lines.lines.empty())
     return "no edge of this model is of the classes " + a.edges + " in this view: --edges all draws every edge";
   const bool nothing_ahead =
@@ -108,6 +108,8 @@ std::string empty_drawing(const DrawArguments& a, const VisibleLines& lines) {
   if (nothing_ahead && !a.view.eye.empty())
     return "nothing of the model is beyond the near plane, or seen as more than a point: see --target and --near";
   if (nothing_ahead) return "every edge is seen as a point";
+  if (drawing.short_dropped > 0)
+    return "every line is shorter than 0.01 mm at scale " + a.scale + ": --scale fit shows the whole";
   return "every line is hidden, or outside the frame: --hidden dashed shows what is hidden";
 }
 
@@ -181,7 +183,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
                          {"scale_mm_per_unit", drawing->scale}};
     progress.clear();
     if (drawing->polylines.empty() && !a.quiet && !mesh.edges.empty())
-      fmt::print(stderr, "hsr: note: the drawing is empty: {}\n", empty_drawing(a, lines));
+      fmt::print(stderr, "hsr: note: the drawing is empty: {}\n", empty_drawing(a, lines, *drawing));
     if (!drawing->fits && !a.quiet)
       fmt::print(stderr, "hsr: note: at scale {} the drawing is larger than the page {}: --scale fit makes it fit\n", a.scale,
                  a.page);

@@ -17,7 +17,7 @@ void Report::leave_out(const std::string& stage, const std::string& why) {
 }
 
 void Report::set_decisions(const DecisionCounts& c) {
-  json_["decisions"] = {{"filter", c.filter}, {"interval", c.interval}, {"exact", c.exact}, {"zero", c.zero}};
+  json_["decisions"] = {{"filter", c.filter}, {"interval", c.interval}, {"exact", c.exact()}, {"zero", c.zero}};
 }
 
 std::string Report::text() {

@@ -96,6 +96,7 @@ ChosenView choose_view(const ViewOptions& o, const Mesh& mesh) {
     throw InputError("view: found --near or --fov without --eye, expected them in perspective only: add --eye X,Y,Z");
   if (o.field_of_view && !(*o.field_of_view > 0 && *o.field_of_view < 180))
     throw InputError(fmt::format("--fov: found {}, expected degrees, more than 0 and less than 180", *o.field_of_view));
+  if (o.near && !(*o.near > 0)) throw InputError(fmt::format("--near: found {}, expected a distance above 0", *o.near));
   const bool y_up = o.up_axis == "y";
   const Point3 target = o.target.empty() ? centre(mesh) : parse_point("--target", o.target);
   ChosenView chosen;

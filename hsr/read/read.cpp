@@ -16,6 +16,7 @@ namespace {
 
 using read::Source;
 
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr const char* known = "OBJ, OFF, PLY, STL, glTF or GLB, also gzipped";
 
 /// The ending of `path` in lower case, without the point and without ".gz".
@@ -51,7 +52,10 @@ constexpr std::array<Unsupported, 14> unsupported = {{
     {"amf", "AMF", "STL or OBJ"},
 }};
 
-Model read_by_content(const Source& source) {
+Model read_by_content(Source source) {
+  // Some programs write the byte order mark of UTF-8 before a text; it would hide the first keyword.
+  if (source.bytes.starts_with(byte_order_mark) && !looks_like_binary_stl(source))
+    source.bytes.remove_prefix(byte_order_mark.size());
   const std::string ending = ending_of(source.path);
   if (source.bytes.empty()) source.refuse("", "found an empty file, expected a model");
   if (looks_like_ply(source)) return read_ply(source);

@@ -162,7 +162,7 @@ TEST_CASE("bad usage is one line that says what was expected", "[cli]") {
   check_refused(run("draw " + model + out + " --direction 0,0,0"), {"direction"});
   check_refused(run("draw " + model + out + " --direction 0,0,1 --up 0,0,2"), {"up"});
   check_refused(run("draw " + model + out + " --near 1"), {"--eye"});
-  check_refused(run("draw " + model + out + " --eye 5,5,5 --near 0"), {"near"});
+  check_refused(run("draw " + model + out + " --eye 5,5,5 --near 0"), {"--near: found 0,"});
   check_refused(run("draw " + model + out + " --eye 5,5,5 --fov 180"), {"180"});
   check_refused(run("draw " + model + out + " --edges outline,blunt"), {"blunt", "sharp"});
   check_refused(run("draw " + model + out + " --page A9"), {"A9"});
@@ -199,10 +199,12 @@ TEST_CASE("a model of faces without area gives an empty drawing and says so", "[
 TEST_CASE("an empty drawing says why", "[cli]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube), out = " -o " + (d / "a.svg");
-  for (const std::string options : {"--eye 3,3,3 --near 100", "--eye 3,3,3 --target 9,9,9", "--edges wire"}) {
+  for (const std::string options :
+       {"--eye 3,3,3 --near 100", "--eye 3,3,3 --target 9,9,9", "--edges wire", "--scale 1:1000000"}) {
     const Outcome o = run("draw " + model + out + " " + options);
     CHECK(o.status == 0);
     CHECK(o.text.find("the drawing is empty: ") != std::string::npos);
+    CHECK((o.text.find("0.01 mm at scale 1:1000000") != std::string::npos) == options.starts_with("--scale"));
   }
 }
 

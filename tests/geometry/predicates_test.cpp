@@ -265,17 +265,29 @@ TEST_CASE("the stage that decides is the cheapest that can", "[geometry][predica
   SECTION("the filter, where the points are far from degenerate") {
     const auto [s, n] = decide({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     CHECK(s == Sign::positive);
-    CHECK((n.filter == 1 && n.interval == 0 && n.exact == 0 && n.zero == 0));
+    CHECK(n == DecisionCounts{.filter = 1});
   }
   SECTION("128-bit integers, where few bits make a zero") {
     const auto [s, n] = decide({{0, 0, 0}, {1, 2, 3}, {4, 5, 6}, {5, 7, 9}});
     CHECK(s == Sign::zero);
-    CHECK((n.filter == 0 && n.interval == 0 && n.exact == 1 && n.zero == 1));
+    CHECK(n == DecisionCounts{.narrow = 1, .zero = 1});
+  }
+  SECTION("128-bit integers, where doubles lose the last bit of a determinant") {
+    // 2^30 2^30 - (2^30 - 1) (2^30 + 1) = 1
+    const auto [s, n] = decide({{0, 0, 0}, {0x1p30, 0x1p30 - 1, 0}, {0, 0, 1}, {0x1p30 + 1, 0x1p30, 0}});
+    CHECK(s == Sign::negative);
+    CHECK(n == DecisionCounts{.narrow = 1});
   }
   SECTION("the interval, for a zero of axis-parallel points with many bits") {
     const auto [s, n] = decide({{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.7, 0.3}, {0x1p-60, 5.1, 0.3}});
     CHECK(s == Sign::zero);
-    CHECK((n.filter == 0 && n.interval == 1 && n.exact == 0 && n.zero == 1));
+    CHECK(n == DecisionCounts{.interval = 1, .zero = 1});
+  }
+  SECTION("the interval, for doubles that are exact where the filter's bound assumes a rounding") {
+    // 2^26 2^26 - (2^26 - 1) (2^26 + 1) = 1, times 2^40
+    const auto [s, n] = decide({{0, 0, 0}, {0x1p26, 0x1p26 - 1, 0}, {0, 0, 0x1p40}, {0x1p26 + 1, 0x1p26, 0}});
+    CHECK(s == Sign::negative);
+    CHECK(n == DecisionCounts{.interval = 1});
   }
   SECTION("wide integers, for one ulp beside a plane of full doubles") {
     // p = a + b - c but for the rounding of the sum
@@ -283,13 +295,37 @@ TEST_CASE("the stage that decides is the cheapest that can", "[geometry][predica
     const Point3 p = {a.x + b.x - c.x, a.y + b.y - c.y, a.z + b.z - c.z};
     const auto [s, n] = decide({a, b, c, p});
     CHECK(s == reference_side(Plane::of_face(a, b, c), p));
-    CHECK((n.filter == 0 && n.interval == 0 && n.exact == 1));
+    CHECK(n.fixed == 1);
+    CHECK(n.all() == 1);
+  }
+  SECTION("wide integers of each width, then big floats, as the bits grow") {
+    // The plane of (e, 0), (1, 1) and the z axis; (2, 2) is beside it by e, which every difference in doubles loses.
+    const auto beside = [&](int exponent) {
+      const double e = std::ldexp(1, exponent);
+      return decide({{e, 0, 0}, {1, 1, 0}, {e, 0, 1}, {2, 2, 0}});
+    };
+    for (const int exponent : {-56, -57, -120, -121, -248}) {  // 190, 193, 382, 385 and 766 bits
+      const auto [s, n] = beside(exponent);
+      CHECK(s == Sign::positive);
+      CHECK(n == DecisionCounts{.fixed = 1});
+    }
+    const auto [s, n] = beside(-249);  // 769 bits
+    CHECK(s == Sign::positive);
+    CHECK(n == DecisionCounts{.big = 1});
   }
   SECTION("big floats, where the numbers are 2^1000 apart") {
     const auto [s, n] = decide({{0, 0, 0}, {1e-256, 0, 0}, {0, 0, 1}, {.5, 1e-256, .5}});
     CHECK(s == Sign::negative);  // the value is -1e-512
-    CHECK((n.filter == 0 && n.interval == 0 && n.exact == 1 && n.zero == 0));
+    CHECK(n == DecisionCounts{.big = 1});
   }
+}
+
+TEST_CASE("counts of stages add up", "[geometry][predicates]") {
+  DecisionCounts n = {.filter = 1, .interval = 2, .narrow = 4, .fixed = 8, .big = 16, .zero = 32};
+  CHECK(n.exact() == 28);
+  CHECK(n.all() == 31);
+  n += n;
+  CHECK(n == DecisionCounts{.filter = 2, .interval = 4, .narrow = 8, .fixed = 16, .big = 32, .zero = 64});
 }
 
 TEST_CASE("orientation does not lose what lies below the smallest double", "[geometry][predicates]") {
@@ -308,7 +344,8 @@ TEST_CASE("every arithmetic but plain doubles gives the same signs", "[geometry]
       CHECK(staged.side(x, c.points[1]) == other.side(x, c.points[1]));
       CHECK(staged.cross(x, y, c.points[1], c.points[2]) == other.cross(x, y, c.points[1], c.points[2]));
       CHECK(other.counts().filter == 0);
-      if (arithmetic == Arithmetic::rational) CHECK(other.counts().interval == 0);
+      CHECK(other.counts().narrow == 0);
+      if (arithmetic == Arithmetic::rational) CHECK(other.counts().big == other.counts().all());
     }
   }
 }
@@ -342,7 +379,7 @@ TEST_CASE("the widest numbers of each fixed width still fit", "[geometry][predic
       const Sign meet = sign_of(polynomials::meet_value(RationalArithmetic{}, a, b, c));
       if (meet != Sign::zero)
         CHECK(predicates.side(x, a, b, c) == meet * sign_of(polynomials::meet_side_value(RationalArithmetic{}, x, a, b, c)));
-      exact += predicates.counts().exact;
+      exact += predicates.counts().exact();
     }
   }
   CHECK(exact > 1000);

@@ -37,6 +37,6 @@ TEST_CASE("an edge behind many separate faces costs no more than sorting them", 
     CHECK(lines.occluders.size() == (why ? posts : 0));
     const DecisionCounts& n = lines.decisions;
     // 12 = log2 of the posts; each shadow takes a few dozen signs, and part in a few sorts
-    CHECK(static_cast<double>(n.filter + n.interval + n.exact) < 20.0 * posts * 12);
+    CHECK(static_cast<double>(n.all()) < 20.0 * posts * 12);
   }
 }

@@ -38,6 +38,18 @@ TEST_CASE("Files on disk read like bytes in memory", "[read][file]") {
   }
 }
 
+TEST_CASE("A byte order mark before a text is passed over", "[read][file]") {
+  for (const SmallFile& file : small_files()) {
+    const std::string marked = "\xef\xbb\xbf" + file.bytes;
+    if (read::is_gzip(file.bytes) || file.bytes.find('\0') != std::string::npos) continue;
+    INFO(file.name);
+    const Model model = read_model(file.name, file.bytes), same = read_model(file.name, marked);
+    CHECK(same.points == model.points);
+    CHECK(same.polygons.corners == model.polygons.corners);
+    CHECK(same.notes == model.notes);
+  }
+}
+
 TEST_CASE("What is no file is refused", "[read][file]") {
   const TemporaryDirectory directory;
   const std::string missing = directory.file("missing.obj");
