@@ -185,7 +185,7 @@ void print_row(const Row& row, const Request& request) {
   std::fflush(stdout);
 }
 
-/// e in t ~ n^e from each size of a scene to the next; times under 0.02 s say nothing.
+/// e in t ~ n^e from each size of a scene to the next; times under 0.005 s say nothing.
 void print_growth(const std::vector<Row>& rows, const Request& request) {
   std::map<std::array<std::string, 3>, std::vector<const Row*>> series;
   for (const Row& row : rows) series[{family(row.scene), row.view, row.peer}].push_back(&row);
@@ -198,7 +198,7 @@ void print_growth(const std::vector<Row>& rows, const Request& request) {
       if (!(decade > 0)) continue;
       const auto exponent = [&](const Times& from, const Times& to) {
         const double s = seconds_of(from, request).median, t = seconds_of(to, request).median;
-        return s < 0.02 ? std::string() : t == 0 ? "?" : fmt::format("{:.2f}", std::log(t / s) / decade);
+        return s < 0.005 ? std::string() : t == 0 ? "?" : fmt::format("{:.2f}", std::log(t / s) / decade);
       };
       table += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {:.2f} |\n", key[0], key[1], a.scene, b.scene, key[2],
                            exponent(a.of_peer.compute, b.of_peer.compute), exponent(a.of_all.both, b.of_all.both),
