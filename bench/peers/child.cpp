@@ -1,6 +1,9 @@
 #include "bench/peers/child.h"
 
 #include <poll.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -31,6 +34,9 @@ void write_all(int file, const char* bytes, std::size_t size) {
 
 /// The first byte tells a result from an excuse.
 [[noreturn]] void work_and_exit(const std::function<std::string()>& work, const Limits& limits, int file) {
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would be left to enforce the time limit
+#endif
   const auto bytes = static_cast<rlim_t>(limits.gigabytes * 1e9);
   const rlimit memory = {bytes, bytes}, core = {0, 0};
   if (bytes > 0) setrlimit(RLIMIT_AS, &memory);
