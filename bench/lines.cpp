@@ -4,10 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <fstream>
 #include <map>
@@ -18,9 +16,10 @@
 
 #include "bench/memory.h"
 #include "bench/scenes.h"
+#include "bench/seconds.h"
+#include "bench/views.h"
 #include "geometry/error.h"
 #include "geometry/mesh.h"
-#include "hsr/lines/appel.h"
 #include "hsr/lines/roberts.h"
 #include "hsr/view.h"
 
@@ -31,12 +30,6 @@ struct Request {
   std::vector<std::string> scenes, views;
   std::string edges = "all", csv;
   int threads = 1, repeat = 3;
-  std::string method = "roberts";
-};
-
-/// Median and half the range of a few seconds.
-struct Seconds {
-  double median = 0, spread = 0;
 };
 
 struct Row {
@@ -49,43 +42,6 @@ struct Row {
   double megabytes = 0;
 };
 
-Seconds seconds(std::vector<double> times) {
-  std::sort(times.begin(), times.end());
-  const std::size_t middle = times.size() / 2;
-  const double median = times.size() % 2 == 1 ? times[middle] : (times[middle - 1] + times[middle]) / 2;
-  return {median, (times.back() - times.front()) / 2};
-}
-
-/// Seconds by the clock and, of all threads together, on the processors: other work on the machine disturbs the second far
-/// less.
-struct Times {
-  std::vector<double> clock, processor;
-
-  template <class Work>
-  void add(Work&& work) {
-    const auto start = std::chrono::steady_clock::now();
-    const std::clock_t processor_start = std::clock();
-    work();
-    processor.push_back(static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC);
-    clock.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-};
-
-/// oblique: from above, in a direction that is no multiple of anything; elevation: from the front; perspective: from the same
-/// direction, two diagonals of the bounding box away from its centre.
-View view_of(const std::string& name, const Mesh& mesh) {
-  const Point3 oblique = {1, -0.83, 0.61}, up = {0, 0, 1}, target = centre(mesh);
-  if (name == "oblique") return parallel_view(oblique, up, target);
-  if (name == "elevation") return parallel_view({0, -1, 0}, up, target);
-  if (name != "perspective") throw InputError("view '" + name + "': expected oblique, elevation or perspective");
-  Point3 half;  // of the box
-  for (const Point3& p : mesh.points)
-    half = {std::max(half.x, std::fabs(p.x - target.x)), std::max(half.y, std::fabs(p.y - target.y)),
-            std::max(half.z, std::fabs(p.z - target.z))};
-  const double step = 4 * std::hypot(half.x, half.y, half.z) / std::hypot(oblique.x, oblique.y, oblique.z);
-  return perspective_view({target.x + step * oblique.x, target.y + step * oblique.y, target.z + step * oblique.z}, target, up);
-}
-
 Row measure(const Model& model, const std::string& view_name, const Request& request) {
   Row row;
   row.scene = model.name;
@@ -97,9 +53,9 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
   for (int k = 0; k < request.repeat; ++k) {
     Mesh mesh;
     VisibleLines result;
-    mesh_times.add([&] { mesh = make_mesh(model.points, model.polygons); });
+    mesh_times.add(elapsed([&] { mesh = make_mesh(model.points, model.polygons); }));
     const View view = view_of(view_name, mesh);
-    line_times.add([&] { result = request.method == "appel" ? appel(mesh, view, options) : roberts(mesh, view, options); });
+    line_times.add(elapsed([&] { result = roberts(mesh, view, options); }));
     if (k > 0) continue;
     row.megabytes = peak_memory() / 1e6;
     row.triangles = mesh.triangles.size();
@@ -116,16 +72,14 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
   return row;
 }
 
-std::string family(const std::string& scene) { return scene.substr(0, scene.find_first_of("0123456789")); }
-
 void print_row(const Row& row) {
   const auto& d = row.decisions;
-  const double all = std::max(1.0, static_cast<double>(d.all()));
+  const double all = std::max(1.0, static_cast<double>(d.filter + d.interval + d.exact));
   const auto share = [&](std::uint64_t n) { return fmt::format("{:.4g} %", 100 * static_cast<double>(n) / all); };
   fmt::print("| {} | {} | {} | {} | {:.3f} | {:.3f} ± {:.3f} | {:.3f} | {} | {} | {} | {} | {} | {} | {} | {} | {:.0f} |\n",
              row.scene, row.view, row.triangles, row.edges, row.mesh.median, row.lines.median, row.lines.spread,
              row.lines_processor.median, row.pairs, static_cast<std::uint64_t>(all), share(d.filter), share(d.interval),
-             share(d.exact()), share(d.zero), row.visible, row.hidden, row.megabytes);
+             share(d.exact), share(d.zero), row.visible, row.hidden, row.megabytes);
   std::fflush(stdout);
 }
 
@@ -161,7 +115,7 @@ void write_csv(const std::string& path, const std::vector<Row>& rows, const Requ
   for (const Row& r : rows)
     out << fmt::format("{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{},{},{},{},{},{:.1f}\n", r.scene, r.view,
                        request.edges, request.threads, r.triangles, r.edges, r.mesh.median, r.lines.median, r.lines.spread,
-                       r.lines_processor.median, r.pairs, r.decisions.filter, r.decisions.interval, r.decisions.exact(),
+                       r.lines_processor.median, r.pairs, r.decisions.filter, r.decisions.interval, r.decisions.exact,
                        r.decisions.zero, r.visible, r.hidden, r.megabytes);
   if (!out.flush()) throw InputError(path + ": cannot be written");
 }
@@ -196,7 +150,6 @@ int main(int argc, char** argv) {
                  "knot, city, rand or terrain and a size, as in knot100k; a city's is in boxes of 12");
   app.add_option("--view", request.views, "oblique, elevation, perspective; default: all three");
   app.add_option("--edges", request.edges, "all, or default: all but smooth ones")->check(CLI::IsMember({"all", "default"}));
-  app.add_option("--method", request.method, "roberts or appel")->check(CLI::IsMember({"roberts", "appel"}));
   app.add_option("--threads", request.threads, "number of threads")->check(CLI::PositiveNumber);
   app.add_option("--repeat", request.repeat, "how often each is measured")->check(CLI::PositiveNumber);
   app.add_option("--csv", request.csv, "write the table to this file, too");

@@ -234,4 +234,6 @@ Model scene(const std::string& name) {
   throw InputError("scene '" + name + "': expected knot, city, rand or terrain and a size, as in knot100k");
 }
 
+std::string family(const std::string& scene) { return scene.substr(0, scene.find_first_of("0123456789")); }
+
 }  // namespace hsr::bench

@@ -30,4 +30,7 @@ Model terrain(std::size_t triangles);
 /// @throws InputError for another name
 Model scene(const std::string& name);
 
+/// The name of a scene without its size.
+std::string family(const std::string& scene);
+
 }  // namespace hsr::bench

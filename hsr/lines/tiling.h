@@ -15,7 +15,7 @@ namespace hsr {
 /// block of edges.
 class Tiling {
  public:
-  Tiling(const Sight& sight, const LineOptions& options) : sight_(sight), options_(options), shadows_(sight) {}
+  Tiling(const Sight& sight, const LineOptions& options) : options_(options), shadows_(sight) {}
 
   /// The edge as all the triangles that overlap it in the image leave it.
   void add_by_casting(EdgeId edge, EdgeClass edge_class, const ImageBox& box, const Occluders& occluders);
@@ -42,7 +42,6 @@ class Tiling {
   LineOfEdge begun(EdgeId edge, EdgeClass edge_class) const;
   void end(LineOfEdge line);
 
-  const Sight& sight_;
   const LineOptions& options_;
   Shadows shadows_;
   std::vector<Shadow> cast_, by_face_, one_face_;
