@@ -20,7 +20,7 @@
 #include "bench/views.h"
 #include "geometry/error.h"
 #include "geometry/mesh.h"
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 #include "hsr/view.h"
 
 namespace hsr::bench {
@@ -28,9 +28,14 @@ namespace {
 
 struct Request {
   std::vector<std::string> scenes, views;
-  std::string edges = "all", csv;
+  std::string edges = "all", csv, method = "automatic", hidden_tiles = "automatic";
   int threads = 1, repeat = 3;
 };
+
+const std::map<std::string, LineMethod> methods = {
+    {"automatic", LineMethod::automatic}, {"appel", LineMethod::appel}, {"roberts", LineMethod::roberts}};
+const std::map<std::string, Stage> stages = {
+    {"automatic", Stage::automatic}, {"always", Stage::always}, {"never", Stage::never}};
 
 struct Row {
   std::string scene, view;
@@ -48,6 +53,8 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
   row.view = view_name;
   LineOptions options;
   if (request.edges == "all") options.classes.fill(true);
+  options.method = methods.at(request.method);
+  options.hidden_tiles = stages.at(request.hidden_tiles);
   Times mesh_times, line_times;
   reset_peak_memory();
   for (int k = 0; k < request.repeat; ++k) {
@@ -55,7 +62,7 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
     VisibleLines result;
     mesh_times.add(elapsed([&] { mesh = make_mesh(model.points, model.polygons); }));
     const View view = view_of(view_name, mesh);
-    line_times.add(elapsed([&] { result = roberts(mesh, view, options); }));
+    line_times.add(elapsed([&] { result = visible_lines(mesh, view, options); }));
     if (k > 0) continue;
     row.megabytes = peak_memory() / 1e6;
     row.triangles = mesh.triangles.size();
@@ -74,12 +81,12 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
 
 void print_row(const Row& row) {
   const auto& d = row.decisions;
-  const double all = std::max(1.0, static_cast<double>(d.filter + d.interval + d.exact));
+  const double all = std::max(1.0, static_cast<double>(d.filter + d.interval + d.exact()));
   const auto share = [&](std::uint64_t n) { return fmt::format("{:.4g} %", 100 * static_cast<double>(n) / all); };
   fmt::print("| {} | {} | {} | {} | {:.3f} | {:.3f} ± {:.3f} | {:.3f} | {} | {} | {} | {} | {} | {} | {} | {} | {:.0f} |\n",
              row.scene, row.view, row.triangles, row.edges, row.mesh.median, row.lines.median, row.lines.spread,
              row.lines_processor.median, row.pairs, static_cast<std::uint64_t>(all), share(d.filter), share(d.interval),
-             share(d.exact), share(d.zero), row.visible, row.hidden, row.megabytes);
+             share(d.exact()), share(d.zero), row.visible, row.hidden, row.megabytes);
   std::fflush(stdout);
 }
 
@@ -115,7 +122,7 @@ void write_csv(const std::string& path, const std::vector<Row>& rows, const Requ
   for (const Row& r : rows)
     out << fmt::format("{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{},{},{},{},{},{:.1f}\n", r.scene, r.view,
                        request.edges, request.threads, r.triangles, r.edges, r.mesh.median, r.lines.median, r.lines.spread,
-                       r.lines_processor.median, r.pairs, r.decisions.filter, r.decisions.interval, r.decisions.exact,
+                       r.lines_processor.median, r.pairs, r.decisions.filter, r.decisions.interval, r.decisions.exact(),
                        r.decisions.zero, r.visible, r.hidden, r.megabytes);
   if (!out.flush()) throw InputError(path + ": cannot be written");
 }
@@ -150,6 +157,8 @@ int main(int argc, char** argv) {
                  "knot, city, rand or terrain and a size, as in knot100k; a city's is in boxes of 12");
   app.add_option("--view", request.views, "oblique, elevation, perspective; default: all three");
   app.add_option("--edges", request.edges, "all, or default: all but smooth ones")->check(CLI::IsMember({"all", "default"}));
+  app.add_option("--method", request.method, "automatic, appel or roberts")->check(CLI::IsMember({"automatic", "appel", "roberts"}));
+  app.add_option("--hidden-tiles", request.hidden_tiles, "automatic, always or never")->check(CLI::IsMember({"automatic", "always", "never"}));
   app.add_option("--threads", request.threads, "number of threads")->check(CLI::PositiveNumber);
   app.add_option("--repeat", request.repeat, "how often each is measured")->check(CLI::PositiveNumber);
   app.add_option("--csv", request.csv, "write the table to this file, too");

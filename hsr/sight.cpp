@@ -131,14 +131,13 @@ void Sight::choose_rows(const View& view) {
 void Sight::compute_images(const std::vector<char>& is_used) {
   image_error_ = HUGE_VAL;
   if (arithmetic_ != Arithmetic::staged || filter_arithmetic_ != Arithmetic::staged) return;
-  double mirror;
   if (is_perspective()) {
     const Point3 &r = row_[0], &s = row_[1], &t = depth_;
     const double det = r.x * (s.y * t.z - s.z * t.y) + r.y * (s.z * t.x - s.x * t.z) + r.z * (s.x * t.y - s.y * t.x);
     if (!(std::fabs(det) > 0x1p-20)) return;
-    mirror = det > 0 ? 1 : -1;
+    image_mirror_ = det > 0 ? 1 : -1;
   } else {
-    mirror = dot(depth_, eye_.at) * dot(depth_, {1, 1, 1}) > 0 ? -1 : 1;
+    image_mirror_ = dot(depth_, eye_.at) * dot(depth_, {1, 1, 1}) > 0 ? -1 : 1;
   }
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   image_.resize(points_.size(), {nan, nan});
@@ -147,7 +146,7 @@ void Sight::compute_images(const std::vector<char>& is_used) {
       [&](const Range& range, double error) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
           if (is_used[i] != 0 && beyond_near(VertexId(i)) != Sign::negative)
-            error = std::max(error, compute_image(VertexId(i), mirror));
+            error = std::max(error, compute_image(VertexId(i)));
         return error;
       },
       [](double x, double y) { return std::max(x, y); });
@@ -156,14 +155,14 @@ void Sight::compute_images(const std::vector<char>& is_used) {
 /// Returns a bound of the error of both coordinates.
 ///
 /// Parallel: see add_to; where the ratio is 0, 1 or -1 the product is exact, and Knuth's two-sum tells whether the sum is.
-double Sight::compute_image(VertexId v, double mirror) {
+double Sight::compute_image(VertexId v) {
   const Point3& p = points_[v];
   if (is_perspective()) {
     const Point3 q = minus(p, eye_.at);
     const double e = 6 * u * size(q) + 0x1p-1000, m = dot(depth_, q);
     if (!(m > 2 * e)) return HUGE_VAL;
     const double x = dot(row_[0], q) / m, y = dot(row_[1], q) / m;
-    image_[v] = {mirror * x, y};
+    image_[v] = {image_mirror_ * x, y};
     const double most = std::max(std::fabs(x), std::fabs(y));
     return (e + most * e) / (m - e) * 1.01 + 4 * u * most;
   }
@@ -178,7 +177,7 @@ double Sight::compute_image(VertexId v, double mirror) {
     // The ratio is at most 1; an underflow costs it less than u.
     if (!is_exact) error = std::max(error, 5 * u * (std::fabs(own) + 2 * std::fabs(p[k])) + 0x1p-1000);
   }
-  image_[v] = {mirror * c[0], c[1]};
+  image_[v] = {image_mirror_ * c[0], c[1]};
   return error;
 }
 

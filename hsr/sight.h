@@ -44,6 +44,8 @@ class Sight {
   const ImagePoint& image(VertexId v) const { return image_[v]; }
   /// Zero: every image is exact. Infinite: images decide nothing.
   double image_error() const { return image_error_; }
+  /// 1 or -1: the x of the images is that of the boxes, times this, and moved.
+  double image_mirror() const { return image_mirror_; }
 
   /// The sign of O(t0, t1, t2): zero, the triangle is seen edge-on. The eye lies on the side -facing of its plane.
   Sign facing(TriangleId t) const { return facing_[t]; }
@@ -62,7 +64,7 @@ class Sight {
  private:
   void choose_rows(const View& view);
   void compute_images(const std::vector<char>& is_used);
-  double compute_image(VertexId v, double mirror);
+  double compute_image(VertexId v);
   void add_to(ImageBox& box, const Point3& p, double error) const;
   void add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const;
 
@@ -77,7 +79,7 @@ class Sight {
   IndexedVector<VertexId, Sign> near_side_;
   PlaneFilter near_filter_;
   IndexedVector<VertexId, ImagePoint> image_;
-  double image_error_;
+  double image_error_ = 0, image_mirror_ = 1;
   // The image: rows of a fixed map; parallel, u = p[i] - ratio p[k]; perspective, u = row . (p - eye) / (depth . (p - eye)).
   std::array<Point3, 2> row_;
   Point3 depth_;

@@ -1,16 +1,11 @@
 #include <algorithm>
 
 #include "bench/peers/peer.h"
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 
 namespace hsr::bench {
 
 namespace {
-
-/// The one call that is timed.
-VisibleLines visible_lines(const Mesh& mesh, const View& view, const LineOptions& options) {
-  return roberts(mesh, view, options);
-}
 
 Answer answer(const Mesh& mesh, const View& view, const VisibleLines& lines, const Probe& probe) {
   const auto line = std::lower_bound(lines.lines.begin(), lines.lines.end(), probe.edge,

@@ -11,6 +11,7 @@
 #include "hsr/lines/layer_count.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/line_progress.h"
+#include "hsr/lines/methods.h"
 #include "hsr/lines/occluders.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/tiling.h"
@@ -86,15 +87,16 @@ struct Part {
 
 class Appel {
  public:
-  Appel(const Mesh& mesh, const View& view, const LineOptions& options)
+  Appel(const Sight& sight, const RequestedEdges& requested, const Layers& layers, const Occluders& occluders,
+        const LineOptions& options)
       : options_(options),
-        sight_(mesh, view, options.arithmetic),
-        requested_(sight_, options),
-        layers_(sight_),
-        occluders_(sight_),
+        sight_(sight),
+        requested_(requested),
+        layers_(layers),
+        occluders_(occluders),
         order_(z_order(requested_.boxes)),
         parts_((order_.size() + edges_of_block - 1) / edges_of_block),
-        counts_(mesh.points.size()) {}
+        counts_(sight.mesh().points.size()) {}
 
   VisibleLines lines() {
     LineProgress progress(options_.progress, 2 * order_.size());
@@ -113,6 +115,7 @@ class Appel {
       progress.advance(end - begin);
     });
     VisibleLines all = joined(lines, place);
+    all.method = "appel";
     all.decisions += requested_.decisions;
     all.decisions += root_decisions_;
     for (const Part& part : parts_) {
@@ -130,6 +133,7 @@ class Appel {
         visit(part, part * edges_of_block, std::min((part + 1) * edges_of_block, order_.size()));
     });
   }
+  bool is_hidden(std::size_t k) const { return !requested_.hidden.empty() && requested_.hidden[order_[k]] != 0; }
   const Edge& edge(std::size_t k) const { return sight_.mesh().edges[requested_.edges[order_[k]]]; }
 
   void find_courses(Part& part, std::size_t begin, std::size_t end) const;
@@ -141,10 +145,10 @@ class Appel {
   void add_shadows(Shadows& shadows, std::span<const LayerChange> changes, Sides layers, std::vector<Shadow>& hidden) const;
 
   const LineOptions& options_;
-  Sight sight_;
-  RequestedEdges requested_;
-  Layers layers_;
-  Occluders occluders_;
+  const Sight& sight_;
+  const RequestedEdges& requested_;
+  const Layers& layers_;
+  const Occluders& occluders_;
   std::vector<std::uint32_t> order_;
   std::vector<Part> parts_;
   RelativeCounts counts_;
@@ -176,11 +180,15 @@ void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
       crossings.turn_to(boxes);
     }
     const EdgeId id = requested_.edges[order_[k]];
-    const Course course = crossings.find(id, boxes[(k - begin) % group], part.changes);
+    Course course;
+    if (is_hidden(k))
+      course.is_hidden = true;
+    else
+      course = crossings.find(id, boxes[(k - begin) % group], part.changes);
     part.courses.push_back(course);
     part.first_change.push_back(static_cast<std::uint32_t>(part.changes.size()));
     Sides at_start, at_end;
-    if (!course.is_point && !course.is_degenerate) {
+    if (course.is_followed()) {
       const Edge& e = sight_.mesh().edges[id];
       at_start = at_vertex(count, id, e.a, e.b);
       at_end = at_vertex(count, id, e.b, e.a);
@@ -200,7 +208,7 @@ void Appel::carry_on() {
     const Part& part = parts_[p];
     for (std::size_t i = 0; i < part.courses.size(); ++i) {
       const Course& c = part.courses[i];
-      if (c.is_point || c.is_degenerate || !c.start_is_clean || !c.end_is_clean) continue;
+      if (!c.is_followed() || !c.start_is_clean || !c.end_is_clean) continue;
       const Edge& e = edge(p * edges_of_block + i);
       const std::int32_t left = part.at_start[i].left + c.left - part.at_end[i].left;
       const bool agrees = counts_.join(e.a.value, e.b.value, left);
@@ -227,7 +235,7 @@ void Appel::count_roots() {
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     for (std::size_t i = 0; i < parts_[p].courses.size(); ++i) {
       const Course& c = parts_[p].courses[i];
-      if (c.is_point || c.is_degenerate) continue;
+      if (!c.is_followed()) continue;
       const Edge& e = edge(p * edges_of_block + i);
       const bool from_start = c.start_is_clean;
       if (!from_start && !c.end_is_clean) continue;
@@ -317,6 +325,10 @@ VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) 
     const EdgeClass edge_class = requested_.classes[order_[k]];
     const ImageBox& box = requested_.boxes[order_[k]];
     const Course& course = part.courses[i];
+    if (course.is_hidden) {
+      tiling.add_whole(id, edge_class, true);
+      continue;
+    }
     if (course.is_degenerate) {
       tiling.add_by_casting(id, edge_class, box, occluders_);
       continue;
@@ -353,7 +365,14 @@ VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) 
 
 VisibleLines appel(const Mesh& mesh, const View& view, const LineOptions& options) {
   require(!options.why, "appel: layers do not say which faces they are; roberts does");
-  return Appel(mesh, view, options).lines();
+  LineOptions by_appel = options;
+  by_appel.method = LineMethod::appel;
+  return visible_lines(mesh, view, by_appel);
+}
+
+VisibleLines appel(const Sight& sight, const RequestedEdges& requested, const Layers& layers, const Occluders& occluders,
+                   const LineOptions& options) {
+  return Appel(sight, requested, layers, occluders, options).lines();
 }
 
 }  // namespace hsr

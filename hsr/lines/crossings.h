@@ -24,10 +24,13 @@ struct LayerChange {
 /// What happens along one edge.
 struct Course {
   bool is_point = false;             ///< seen as a point
+  bool is_hidden = false;       ///< known to be hidden, and not followed
   bool is_degenerate = false;        ///< it touches something in space, or crosses the near plane: layers do not tell
   bool start_is_clean = true;        ///< no occluding edge that is not at a lies before a or on it, as seen
   bool end_is_clean = true;          ///< the same for b
   std::int32_t left = 0, right = 0;  ///< the sum of the changes
+
+  bool is_followed() const { return !is_point && !is_hidden && !is_degenerate; }
 };
 
 /// Finds where the layers before an edge change. One object per thread.

@@ -41,7 +41,7 @@ Sign parity(const std::array<VertexId, 3>& t, const Edge& e) {
 
 }  // namespace
 
-Layers::Layers(const Sight& sight) : sight_(sight) {
+Layers::Layers(const Sight& sight, const std::vector<std::uint8_t>& left_out) : sight_(sight), left_out_(left_out) {
   choose_counted();
   weigh_edges();
   find_stars();
@@ -59,7 +59,7 @@ void Layers::choose_counted() {
   tbb::parallel_for(Range(0, mesh.triangles.size(), block), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const TriangleId t(i);
-      counts_[t] = sight_.facing(t) != Sign::zero && !near_cuts_face(t) ? 1 : 0;
+      counts_[t] = sight_.facing(t) != Sign::zero && !near_cuts_face(t) && !is_left_out(t) ? 1 : 0;
       if (counts_[t] == 0) continue;
       std::array<VertexId, 3> c = mesh.triangles[t];
       if (ImageLine(sight_, c[0], c[1]).certain_side(c[2]) == Sign::zero) {
@@ -140,14 +140,15 @@ void Layers::weigh_edges() {
     Predicates exact = sight_.predicates();
     for (std::size_t i = from; i < to; ++i) {
       const auto all = mesh.triangles_at(EdgeId(i));
-      if (std::any_of(all.begin(), all.end(), [&](TriangleId t) { return counts(t); })) continue;
+      if (std::any_of(all.begin(), all.end(), [&](TriangleId t) { return counts(t) || (is_left_out(t) && sight_.facing(t) != Sign::zero); }))
+        continue;
       for (const TriangleId t : all)
-        if (sight_.facing(t) == Sign::zero && !near_cuts_face(t) && needs_cast(t, EdgeId(i), exact)) part.push_back(t);
+        if (sight_.facing(t) == Sign::zero && !near_cuts_face(t) && !is_left_out(t) && needs_cast(t, EdgeId(i), exact)) part.push_back(t);
     }
   });
   if (sight_.is_perspective()) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      if (near_cuts_face(TriangleId(i)) && sight_.reaches_beyond_near(TriangleId(i))) cast_.emplace_back(i);
+      if (near_cuts_face(TriangleId(i)) && !is_left_out(TriangleId(i)) && sight_.reaches_beyond_near(TriangleId(i))) cast_.emplace_back(i);
   }
   std::sort(cast_.begin(), cast_.end());
   cast_.erase(std::unique(cast_.begin(), cast_.end()), cast_.end());

@@ -26,7 +26,8 @@ struct OccludingEdge {
 /// parallel, and O(m log m) for m occluding edges.
 class Layers {
  public:
-  explicit Layers(const Sight& sight);
+  /// @param left_out by triangle, because it is hidden itself; whole faces only; empty: none
+  Layers(const Sight& sight, const std::vector<std::uint8_t>& left_out);
 
   bool counts(TriangleId t) const { return counts_[t] != 0; }
   const std::vector<OccludingEdge>& edges() const { return edges_; }
@@ -43,6 +44,7 @@ class Layers {
   }
 
  private:
+  bool is_left_out(TriangleId t) const { return !left_out_.empty() && left_out_[t.value] != 0; }
   void choose_counted();
   void weigh_edges();
   void find_stars();
@@ -50,6 +52,7 @@ class Layers {
   bool needs_cast(TriangleId t, EdgeId e, Predicates& exact) const;
 
   const Sight& sight_;
+  const std::vector<std::uint8_t>& left_out_;
   IndexedVector<TriangleId, std::uint8_t> counts_;
   std::vector<OccludingEdge> edges_;
   BoxTree tree_;

@@ -7,11 +7,24 @@
 
 namespace hsr {
 
+/// How visible lines are found. All give the same intervals and classes.
+enum class LineMethod : unsigned char {
+  automatic,  ///< appel where the mesh gives it an advantage, else roberts
+  appel,
+  roberts,
+};
+
+/// Whether a stage that only saves time is run. None changes the result.
+enum class Stage : unsigned char { automatic, always, never };
+
 struct LineOptions {
+  LineMethod method = LineMethod::automatic;  ///< for visible_lines()
+  Stage hidden_tiles = Stage::automatic;      ///< leave out what is provably hidden behind large faces
+
   /// Which classes to compute; by default all but smooth.
   std::array<bool, 6> classes = {true, true, true, true, true, false};
   double crease = 30;  ///< degrees; edges that deviate more from flat are sharp
-  bool why = false;    ///< name the faces that hide each hidden interval
+  bool why = false;    ///< name the faces that hide each hidden interval; roberts only
   Arithmetic arithmetic = Arithmetic::staged;
   std::function<void(double done)> progress;  ///< called now and then with the share done, 0 ... 1; may throw to cancel
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "geometry/box_tree.h"
@@ -7,13 +8,15 @@
 
 namespace hsr {
 
-/// The triangles that can hide something, in a tree of their image boxes: not those wholly before the near plane.
+/// The triangles that can hide something, in a tree of their image boxes: not those wholly before the near plane, nor those
+/// that are left out because they are hidden themselves.
 /// Cost: O(n log n), parallel.
 struct Occluders {
   std::vector<TriangleId> triangles;
   BoxTree tree;  ///< over `triangles`
 
-  explicit Occluders(const Sight& sight);
+  /// @param boxes of all triangles @param left_out by triangle; empty: none
+  Occluders(const Sight& sight, const std::vector<ImageBox>& boxes, const std::vector<std::uint8_t>& left_out);
 };
 
 }  // namespace hsr

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/box_tree.h"
@@ -18,6 +19,7 @@ struct RequestedEdges {
   std::vector<EdgeId> edges;
   std::vector<EdgeClass> classes;
   std::vector<ImageBox> boxes;
+  std::vector<std::uint8_t> hidden;  ///< provably hidden all along, and no point in the image; empty: not known of any
   DecisionCounts decisions;
 
   RequestedEdges(const Sight& sight, const LineOptions& options);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hsr/lines/line_progress.h"
+#include "hsr/lines/methods.h"
 #include "hsr/lines/occluders.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/tiling.h"
@@ -13,9 +14,12 @@
 namespace hsr {
 
 VisibleLines roberts(const Mesh& mesh, const View& view, const LineOptions& options) {
-  const Sight sight(mesh, view, options.arithmetic);
-  const Occluders occluders(sight);
-  const RequestedEdges requested(sight, options);
+  LineOptions by_roberts = options;
+  by_roberts.method = LineMethod::roberts;
+  return visible_lines(mesh, view, by_roberts);
+}
+
+VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders, const LineOptions& options) {
   // Neighbours in the image meet the same triangles: in this order they are still in the cache.
   const std::vector<std::uint32_t> order = z_order(requested.boxes);
   std::vector<VisibleLines> parts((order.size() + edges_of_block - 1) / edges_of_block);
@@ -29,7 +33,10 @@ VisibleLines roberts(const Mesh& mesh, const View& view, const LineOptions& opti
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t i = order[k];
         place[i] = {static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(k - begin)};
-        tiling.add_by_casting(requested.edges[i], requested.classes[i], requested.boxes[i], occluders);
+        if (!requested.hidden.empty() && requested.hidden[i] != 0)
+          tiling.add_whole(requested.edges[i], requested.classes[i], true);
+        else
+          tiling.add_by_casting(requested.edges[i], requested.classes[i], requested.boxes[i], occluders);
       }
       parts[part] = tiling.take();
       progress.advance(end - begin);
@@ -37,6 +44,7 @@ VisibleLines roberts(const Mesh& mesh, const View& view, const LineOptions& opti
   });
   VisibleLines all = joined(parts, place);
   all.decisions += requested.decisions;
+  all.method = "roberts";
   return all;
 }
 

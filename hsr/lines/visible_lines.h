@@ -3,11 +3,13 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "geometry/mesh.h"
 #include "geometry/number.h"
 #include "geometry/predicates.h"
+#include "hsr/lines/line_options.h"
 #include "hsr/view.h"
 
 namespace hsr {
@@ -53,12 +55,19 @@ struct LineOfEdge {
   std::uint32_t intervals() const { return end_cut > first_cut ? end_cut - first_cut - 1 : 0; }
 };
 
+/// A stage that a result does without, and why; or what a stage saved.
+struct LeftOut {
+  std::string stage, why;
+};
+
 struct VisibleLines {
   std::vector<LineOfEdge> lines;  ///< ascending by edge, hence by (a, b)
   std::vector<Cut> cuts;
   std::vector<Occluder> occluders;
   std::uint64_t pairs = 0;  ///< edge-triangle pairs that were tested
   DecisionCounts decisions;
+  std::string method;              ///< "appel" or "roberts"
+  std::vector<LeftOut> left_out;
 
   std::span<const Cut> cuts_of(const LineOfEdge& line) const {
     return {cuts.data() + line.first_cut, cuts.data() + line.end_cut};
@@ -67,6 +76,15 @@ struct VisibleLines {
     return {occluders.data() + line.first_occluder, occluders.data() + line.end_occluder};
   }
 };
+
+/// The visible and the hidden parts of each edge of the classes asked for, by the method that the scene calls for.
+///
+///   (1) the intervals of one edge tile it beyond the near plane, and none is empty
+///   (2) removing a face never removes a visible point
+///   (3) the result does not depend on the order of the faces, on the number of threads, nor on the method or the stages
+///
+/// Exact: yes. Degenerate: docs/conventions.md. Cost: see roberts.h and appel.h.
+VisibleLines visible_lines(const Mesh& mesh, const View& view, const LineOptions& options = {});
 
 /// The plane that makes a cut. @pre neither start nor end
 Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut);
