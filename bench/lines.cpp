@@ -157,8 +157,10 @@ int main(int argc, char** argv) {
                  "knot, city, rand or terrain and a size, as in knot100k; a city's is in boxes of 12");
   app.add_option("--view", request.views, "oblique, elevation, perspective; default: all three");
   app.add_option("--edges", request.edges, "all, or default: all but smooth ones")->check(CLI::IsMember({"all", "default"}));
-  app.add_option("--method", request.method, "automatic, appel or roberts")->check(CLI::IsMember({"automatic", "appel", "roberts"}));
-  app.add_option("--hidden-tiles", request.hidden_tiles, "automatic, always or never")->check(CLI::IsMember({"automatic", "always", "never"}));
+  app.add_option("--method", request.method, "automatic, appel or roberts")
+      ->check(CLI::IsMember({"automatic", "appel", "roberts"}));
+  app.add_option("--hidden-tiles", request.hidden_tiles, "automatic, always or never")
+      ->check(CLI::IsMember({"automatic", "always", "never"}));
   app.add_option("--threads", request.threads, "number of threads")->check(CLI::PositiveNumber);
   app.add_option("--repeat", request.repeat, "how often each is measured")->check(CLI::PositiveNumber);
   app.add_option("--csv", request.csv, "write the table to this file, too");

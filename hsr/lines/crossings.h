@@ -24,7 +24,7 @@ struct LayerChange {
 /// What happens along one edge.
 struct Course {
   bool is_point = false;             ///< seen as a point
-  bool is_hidden = false;       ///< known to be hidden, and not followed
+  bool is_hidden = false;            ///< known to be hidden, and not followed
   bool is_degenerate = false;        ///< it touches something in space, or crosses the near plane: layers do not tell
   bool start_is_clean = true;        ///< no occluding edge that is not at a lies before a or on it, as seen
   bool end_is_clean = true;          ///< the same for b

@@ -170,7 +170,8 @@ void HiddenTiles::cover_triangles(std::span<const ImageBox> boxes) {
       const bool left = sight_.facing(t) == Sign::positive;
       Region region;
       for (std::size_t k = 0; k < 3; ++k)
-        region.add(sight_.image(c[left ? k : (k + 1) % 3]), sight_.image(c[left ? (k + 1) % 3 : k]), sight_.image_error(), reach);
+        region.add(sight_.image(c[left ? k : (k + 1) % 3]), sight_.image(c[left ? (k + 1) % 3 : k]), sight_.image_error(),
+                   reach);
       cover(region, around, boxes[i].farthest);
     }
   });
@@ -214,7 +215,8 @@ void HiddenTiles::cover_pairs(std::span<const ImageBox> boxes) {
 
 void HiddenTiles::cover(const Region& region, const Rectangle& around, float nearness) {
   Level& level = levels_.front();
-  const std::int32_t first_row = axes_[1].first_border_from(around.low[1]), end_row = axes_[1].last_border_up_to(around.high[1]);
+  const std::int32_t first_row = axes_[1].first_border_from(around.low[1]),
+                     end_row = axes_[1].last_border_up_to(around.high[1]);
   for (std::int32_t j = first_row; j < end_row; ++j) {
     double from = around.low[0], to = around.high[0];
     region.narrow(axes_[1].border(j), axes_[1].border(j + 1), from, to);
@@ -254,8 +256,7 @@ bool HiddenTiles::hides(std::span<const VertexId> vertices, float nearest) const
   }
   // Start where it meets at most two tiles in each direction.
   std::size_t top = 0;
-  while (top + 1 < levels_.size() &&
-         ((range[1] >> top) - (range[0] >> top) > 1 || (range[3] >> top) - (range[2] >> top) > 1))
+  while (top + 1 < levels_.size() && ((range[1] >> top) - (range[0] >> top) > 1 || (range[3] >> top) - (range[2] >> top) > 1))
     ++top;
   for (std::int32_t j = range[2] >> top; j <= range[3] >> top; ++j)
     for (std::int32_t i = range[0] >> top; i <= range[1] >> top; ++i)
@@ -266,7 +267,8 @@ bool HiddenTiles::hides(std::span<const VertexId> vertices, float nearest) const
 bool HiddenTiles::hides(std::size_t k, std::int32_t i, std::int32_t j, const std::array<std::int32_t, 4>& range,
                         float nearest) const {
   const Level& level = levels_[k];
-  if (level.nearness[static_cast<std::size_t>(j) * static_cast<std::size_t>(level.columns) + static_cast<std::size_t>(i)] > nearest)
+  if (level.nearness[static_cast<std::size_t>(j) * static_cast<std::size_t>(level.columns) + static_cast<std::size_t>(i)] >
+      nearest)
     return true;
   if (k == 0) return false;
   for (std::int32_t y = std::max(2 * j, range[2] >> (k - 1)); y <= std::min(2 * j + 1, range[3] >> (k - 1)); ++y)

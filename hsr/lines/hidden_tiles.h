@@ -46,8 +46,8 @@ class HiddenTiles {
     std::int32_t tiles = 0;
 
     double border(std::int32_t i) const { return first + i * width; }
-    std::int32_t last_border_up_to(double x) const;   ///< -1: none
-    std::int32_t first_border_from(double x) const;   ///< tiles + 1: none
+    std::int32_t last_border_up_to(double x) const;  ///< -1: none
+    std::int32_t first_border_from(double x) const;  ///< tiles + 1: none
   };
   struct Level {
     std::int32_t columns = 0, rows = 0;

@@ -140,15 +140,18 @@ void Layers::weigh_edges() {
     Predicates exact = sight_.predicates();
     for (std::size_t i = from; i < to; ++i) {
       const auto all = mesh.triangles_at(EdgeId(i));
-      if (std::any_of(all.begin(), all.end(), [&](TriangleId t) { return counts(t) || (is_left_out(t) && sight_.facing(t) != Sign::zero); }))
+      if (std::any_of(all.begin(), all.end(),
+                      [&](TriangleId t) { return counts(t) || (is_left_out(t) && sight_.facing(t) != Sign::zero); }))
         continue;
       for (const TriangleId t : all)
-        if (sight_.facing(t) == Sign::zero && !near_cuts_face(t) && !is_left_out(t) && needs_cast(t, EdgeId(i), exact)) part.push_back(t);
+        if (sight_.facing(t) == Sign::zero && !near_cuts_face(t) && !is_left_out(t) && needs_cast(t, EdgeId(i), exact))
+          part.push_back(t);
     }
   });
   if (sight_.is_perspective()) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      if (near_cuts_face(TriangleId(i)) && !is_left_out(TriangleId(i)) && sight_.reaches_beyond_near(TriangleId(i))) cast_.emplace_back(i);
+      if (near_cuts_face(TriangleId(i)) && !is_left_out(TriangleId(i)) && sight_.reaches_beyond_near(TriangleId(i)))
+        cast_.emplace_back(i);
   }
   std::sort(cast_.begin(), cast_.end());
   cast_.erase(std::unique(cast_.begin(), cast_.end()), cast_.end());

@@ -12,7 +12,8 @@ namespace hsr {
 
 class Layers;
 
-VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders, const LineOptions& options);
+VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders,
+                     const LineOptions& options);
 VisibleLines appel(const Sight& sight, const RequestedEdges& requested, const Layers& layers, const Occluders& occluders,
                    const LineOptions& options);
 

@@ -50,8 +50,8 @@ class Plan {
 
   const Sight& sight_;
   const LineOptions& options_;
-  std::vector<ImageBox> boxes_;           // of the triangles
-  std::vector<std::uint8_t> hidden_;      // by triangle: left out; empty: none
+  std::vector<ImageBox> boxes_;       // of the triangles
+  std::vector<std::uint8_t> hidden_;  // by triangle: left out; empty: none
   std::vector<LeftOut> left_out_;
 };
 

@@ -19,7 +19,8 @@ VisibleLines roberts(const Mesh& mesh, const View& view, const LineOptions& opti
   return visible_lines(mesh, view, by_roberts);
 }
 
-VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders, const LineOptions& options) {
+VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders,
+                     const LineOptions& options) {
   // Neighbours in the image meet the same triangles: in this order they are still in the cache.
   const std::vector<std::uint32_t> order = z_order(requested.boxes);
   std::vector<VisibleLines> parts((order.size() + edges_of_block - 1) / edges_of_block);

@@ -66,7 +66,7 @@ struct VisibleLines {
   std::vector<Occluder> occluders;
   std::uint64_t pairs = 0;  ///< edge-triangle pairs that were tested
   DecisionCounts decisions;
-  std::string method;              ///< "appel" or "roberts"
+  std::string method;  ///< "appel" or "roberts"
   std::vector<LeftOut> left_out;
 
   std::span<const Cut> cuts_of(const LineOfEdge& line) const {

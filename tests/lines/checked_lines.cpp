@@ -2,7 +2,6 @@
 
 #include <exception>
 
-#include "hsr/lines/appel.h"
 #include "hsr/lines/roberts.h"
 
 namespace hsr {
@@ -20,12 +19,6 @@ std::string joined(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
   return text;
-}
-
-std::string differences_of(const std::string& method, VisibleLines (*lines)(const Mesh&, const View&, const LineOptions&),
-                           const Mesh& mesh, const View& view, const LineOptions& options) {
-  const std::string text = joined(oracle::compare_with_oracle(mesh, view, lines(mesh, view, options), options));
-  return text.empty() ? text : method + ":\n" + text;
 }
 
 std::string one_or_both(const std::string& found, const std::string& expected) {
@@ -60,10 +53,18 @@ std::string CheckedLines::intervals(std::uint32_t a, std::uint32_t b) const {
 std::string wrong_with(const scenes::TestScene& scene, const LineOptions& options) {
   try {
     const Mesh mesh = scene.mesh();
-    std::string wrong = differences_of("roberts", roberts, mesh, scene.view, options);
-    LineOptions without_why = options;
-    without_why.why = false;
-    return wrong + differences_of("appel", appel, mesh, scene.view, without_why);
+    std::string wrong;
+    for (const LineMethod method : {LineMethod::roberts, LineMethod::appel})
+      for (const Stage tiles : {Stage::never, Stage::always}) {
+        LineOptions chosen = options;
+        chosen.method = method;
+        chosen.hidden_tiles = tiles;
+        chosen.why = options.why && method == LineMethod::roberts;
+        const auto lines = visible_lines(mesh, scene.view, chosen);
+        const std::string text = joined(oracle::compare_with_oracle(mesh, scene.view, lines, chosen));
+        if (!text.empty()) wrong += lines.method + (tiles == Stage::always ? ", tiles:\n" : ":\n") + text;
+      }
+    return wrong;
   } catch (const std::exception& e) {
     return std::string("exception: ") + e.what() + "\n";
   }

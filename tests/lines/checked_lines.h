@@ -35,7 +35,8 @@ class CheckedLines {
   std::string differences_;
 };
 
-/// What is wrong with roberts and appel on this scene: their differences to the oracle, or the exception. Empty: nothing.
+/// What is wrong with roberts and appel, with and without hidden tiles, on this scene: their differences to the oracle, or the
+/// exception. Empty: nothing.
 std::string wrong_with(const scenes::TestScene& scene, const LineOptions& options = all_edges());
 
 }  // namespace hsr
