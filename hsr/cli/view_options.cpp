@@ -13,14 +13,17 @@ namespace hsr::cli {
 
 namespace {
 
+[[noreturn]] void refuse_point(const std::string& option, const std::string& text) {
+  throw InputError(option + ": found \"" + text + "\", expected three finite numbers X,Y,Z");
+}
+
 double parse_number(const std::string& option, std::string text, const std::string& whole) {
   text.erase(0, text.find_first_not_of(' '));
   text.erase(text.find_last_not_of(' ') + 1);
   const std::string digits = !text.empty() && text.front() == '+' ? text.substr(1) : text;
   double x = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(x))
-    throw InputError(option + ": found \"" + whole + "\", expected three finite numbers X,Y,Z");
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(x)) refuse_point(option, whole);
   return x + 0.0;
 }
 
@@ -59,7 +62,7 @@ Point3 parse_point(const std::string& option, const std::string& text) {
   std::size_t begin = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
-    if (end == std::string::npos) throw InputError(option + ": found \"" + text + "\", expected three finite numbers X,Y,Z");
+    if (end == std::string::npos) refuse_point(option, text);
     parts[k] = text.substr(begin, end - begin);
     begin = end + 1;
   }

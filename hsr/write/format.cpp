@@ -16,9 +16,8 @@ Format format_of(const std::string& path) {
   if (ending == "svg") return Format::svg;
   if (ending == "png") return Format::png;
   if (ending == "json") return Format::json;
-  for (const char* later : {"pdf", "eps", "dxf", "tex"})
-    if (ending == later)
-      throw InputError(path + ": " + ending + " comes in a later release; this one writes svg, png and json");
+  if (ending == "pdf" || ending == "eps" || ending == "dxf" || ending == "tex")
+    throw InputError(path + ": " + ending + " comes in a later release; this one writes svg, png and json");
   const std::string found = ending.empty() ? "no ending" : std::string("the ending .").append(ending);
   throw InputError(path + ": found " + found + ", expected .svg, .png or .json");
 }

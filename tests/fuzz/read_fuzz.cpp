@@ -1,4 +1,5 @@
 // Any bytes are read, or refused in one line. The first byte of an input chooses the ending, the rest is the file.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -47,7 +48,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     const hsr::test::SmallFile& file = files[seed / 512 % files.size()];
     if (file.bytes.size() + 1 <= most) {
       data[0] = static_cast<std::uint8_t>(seed / 512 / files.size());
-      std::memcpy(data + 1, file.bytes.data(), file.bytes.size());
+      std::copy(file.bytes.begin(), file.bytes.end(), data + 1);
       return file.bytes.size() + 1;
     }
   }

@@ -224,7 +224,10 @@ TEST_CASE("The triangles of any planar face cover each point as often as the pol
   int planar = 0, touching = 0;
   for (int round = 0; round < 1500; ++round) {
     Points points = grid_polygon(random, 16, 4);
-    for (std::size_t k = 0; k < 16; ++k) points[VertexId(k)] = {double(k % 4), double(k / 4), 0};
+    for (std::size_t k = 0; k < 16; ++k) {
+      const std::size_t row = k / 4;
+      points[VertexId(k)] = {static_cast<double>(k % 4), static_cast<double>(row), 0};
+    }
     Ring r;  // may revisit vertices
     std::uniform_int_distribution<std::size_t> vertex(0, 15);
     for (int k = 0; k < 4 + round % 7; ++k) r.emplace_back(vertex(random));

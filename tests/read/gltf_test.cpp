@@ -139,7 +139,7 @@ TEST_CASE("A moved point is the exact one, rounded once", "[read][gltf][property
     if (k % 5 == 0) m[3] = -(m[0] * p.x);  // cancels nearly
     const Point3 q = read::transformed(m, p);
     for (int i = 0; i < 3; ++i) {
-      const auto r = static_cast<std::size_t>(4 * i);
+      const std::size_t r = 4 * static_cast<std::size_t>(i);
       const Rational exact = Rational(m[r]) * Rational(p.x) + Rational(m[r + 1]) * Rational(p.y) +
                              Rational(m[r + 2]) * Rational(p.z) + Rational(m[r + 3]);
       REQUIRE(q[i] == exact.to_double());
