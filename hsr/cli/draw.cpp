@@ -14,7 +14,7 @@
 #include "hsr/cli/report.h"
 #include "hsr/cli/view_options.h"
 #include "hsr/drawing/drawing.h"
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 #include "hsr/read/read.h"
 #include "hsr/write/format.h"
 #include "hsr/write/json.h"
@@ -29,7 +29,7 @@ struct DrawArguments {
   std::string model;
   std::vector<std::string> outputs;
   ViewOptions view;
-  std::string hidden = "none", edges = "outline,sharp,boundary,intersection,wire", method = "roberts";
+  std::string hidden = "none", edges = "outline,sharp,boundary,intersection,wire", method = "auto", hidden_tiles = "auto";
   double crease = 30;
   std::string page = "A4", scale = "fit", unit = "mm", size;
   double margin = 10;
@@ -85,7 +85,9 @@ void describe(Report& report, const Model& model, const Mesh& mesh, const Visibl
   for (const LineOfEdge& line : lines.lines)
     for (std::uint32_t k = 0; k < line.intervals(); ++k) ++(line.hidden(k) ? hidden : visible);
   report["lines"] = {{"edges", lines.lines.size()}, {"visible_intervals", visible}, {"hidden_intervals", hidden}};
+  report["method"] = lines.method;
   report["pairs"] = lines.pairs;
+  for (const LeftOut& stage : lines.left_out) report.leave_out(stage.stage, stage.why);
 }
 
 /// What was asked for and does nothing here.
@@ -123,12 +125,19 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   if (!(a.crease >= 0 && a.crease <= 180))
     throw InputError(fmt::format("--crease: found {}, expected degrees from 0 to 180", a.crease));
   if (!(a.margin >= 0)) throw InputError(fmt::format("--margin: found {}, expected millimetres, 0 or more", a.margin));
-  if (a.method == "appel") throw InputError("--method: appel comes in a later release, expected roberts");
+  if (a.method == "appel" && a.why)
+    throw InputError("--why: appel counts the faces that hide and does not know which they are, expected --method roberts or auto");
   LineOptions line_options;
   line_options.classes = parse_classes(a.edges);
   line_options.crease = a.crease;
   line_options.why = a.why;
   line_options.arithmetic = parse_arithmetic(a.arithmetic);
+  line_options.method = a.method == "appel"     ? LineMethod::appel
+                        : a.method == "roberts" ? LineMethod::roberts
+                                                : LineMethod::automatic;
+  line_options.hidden_tiles = a.hidden_tiles == "always"  ? Stage::always
+                              : a.hidden_tiles == "never" ? Stage::never
+                                                          : Stage::automatic;
   DrawingOptions drawing_options;
   drawing_options.page = parse_page(a.page);
   drawing_options.page.margin = a.margin;
@@ -163,7 +172,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
 
   progress.stage("visible lines");
   line_options.progress = [&](double done) { progress.show(done); };
-  const VisibleLines lines = report.timed("lines", [&] { return roberts(mesh, chosen.view, line_options); });
+  const VisibleLines lines = report.timed("lines", [&] { return visible_lines(mesh, chosen.view, line_options); });
   describe(report, model, mesh, lines);
   DecisionCounts decisions = lines.decisions;
 
@@ -247,10 +256,16 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
       ->capture_default_str()
       ->type_name("DEG")
       ->group(lines);
-  sub->add_option("--method", a->method, "roberts (appel: a later release)")
+  sub->add_option("--method", a->method, "appel, roberts, or auto: whichever suits the model; the result is the same")
       ->capture_default_str()
       ->type_name("NAME")
-      ->check(CLI::IsMember({"roberts", "appel"}))
+      ->check(CLI::IsMember({"auto", "appel", "roberts"}))
+      ->group(lines);
+  sub->add_option("--hidden-tiles", a->hidden_tiles,
+                  "Leave out what lies behind large faces before any exact test: auto, always or never; the result is the same")
+      ->capture_default_str()
+      ->type_name("WHEN")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
       ->group(lines);
   sub->add_flag("--why", a->why, "JSON: which faces hide each hidden interval")->group(lines);
   const std::string page = "Page";

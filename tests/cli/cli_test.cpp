@@ -167,7 +167,7 @@ TEST_CASE("bad usage is one line that says what was expected", "[cli]") {
   check_refused(run("draw " + model + out + " --edges outline,blunt"), {"blunt", "sharp"});
   check_refused(run("draw " + model + out + " --page A9"), {"A9"});
   check_refused(run("draw " + model + out + " --scale big"), {"big"});
-  check_refused(run("draw " + model + out + " --method appel"), {"appel", "later"});
+  check_refused(run("draw " + model + out + " --method appel --why"), {"appel", "roberts"});
   check_refused(run("draw " + model + out + " --threads 0"), {"threads"});
   check_refused(run("draw " + model + out + " --size 0x5"), {"0x5"});
   check_refused(run("draw " + model + " -o " + (d / "no/such/a.svg")), {"no/such"});
