@@ -1,4 +1,5 @@
-// models: visible lines of every model in a folder by each method, one row each; says where two methods disagree (exit status 1).
+// models: visible lines of every model in a folder by each method, one row each; says where two methods disagree (exit status
+// 1).
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -69,9 +70,10 @@ bool row(const std::filesystem::path& file, const std::string& view_name, const 
   }
   std::string wrong = difference(mesh, view, found[1], found[2]);
   if (wrong.empty()) wrong = difference(mesh, view, found[0], found[2]);
-  fmt::print("| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} ({}) | {:.3f} | {:.3f} | {:.2f} | {} |\n", file.filename().string(), view_name,
-             mesh.triangles.size(), reading, meshing, seconds[0], found[0].method, seconds[1], seconds[2],
-             1e6 * seconds[0] / static_cast<double>(std::max<std::size_t>(1, mesh.triangles.size())), wrong.empty() ? "yes" : wrong);
+  fmt::print("| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} ({}) | {:.3f} | {:.3f} | {:.2f} | {} |\n", file.filename().string(),
+             view_name, mesh.triangles.size(), reading, meshing, seconds[0], found[0].method, seconds[1], seconds[2],
+             1e6 * seconds[0] / static_cast<double>(std::max<std::size_t>(1, mesh.triangles.size())),
+             wrong.empty() ? "yes" : wrong);
   std::fflush(stdout);
   return wrong.empty();
 }

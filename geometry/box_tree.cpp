@@ -4,6 +4,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -15,8 +16,14 @@ using Range = tbb::blocked_range<std::size_t>;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// A float below x, one above. A step to the next float always: what the conversion rounded need not be known.
-float down(double x) { return std::nextafterf(static_cast<float>(x), -infinity); }
-float up(double x) { return std::nextafterf(static_cast<float>(x), infinity); }
+float up(double x) {
+  const auto f = static_cast<float>(x);
+  if (f == 0) return std::numeric_limits<float>::denorm_min();
+  if (f == infinity) return f;
+  const auto bits = std::bit_cast<std::int32_t>(f);  // sign and magnitude: the next magnitude is the next number
+  return std::bit_cast<float>(bits > 0 ? bits + 1 : bits - 1);
+}
+float down(double x) { return -up(-x); }
 
 /// The low 21 bits of x, two zeros before each.
 std::uint64_t interleaved(std::uint64_t x) {

@@ -158,8 +158,7 @@ bool BoxTree::leaves(const ImageBox& query, std::size_t limit, std::vector<std::
       if (hit == 0) continue;
       if (found.size() == end) return false;
       found.push_back(place);
-    }
-    else
+    } else
       for (; hit != 0; hit &= hit - 1)
         stack[top++] = {level - 1, place * width + static_cast<std::uint32_t>(__builtin_ctz(hit))};
   }

@@ -78,6 +78,12 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(
   }
   choose_rows(view);
   compute_images(is_used);
+  vertex_boxes_.resize(points_.size(), ImageBox::nothing());
+  tbb::parallel_for(Range(0, points_.size(), 4096), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      if (is_used[i] != 0 && beyond_near(VertexId(i)) != Sign::negative)
+        add_to(vertex_boxes_[VertexId(i)], points_[VertexId(i)], 0);
+  });
   facing_.resize(mesh.triangles.size(), Sign::zero);
   tbb::parallel_for(Range(0, mesh.triangles.size(), 1024), [&](const Range& range) {
     Predicates exact = predicates();
@@ -238,19 +244,20 @@ void Sight::add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const {
 }
 
 ImageBox Sight::box(VertexId a, VertexId b) const {
-  ImageBox box = ImageBox::nothing();
-  for (const VertexId v : {a, b})
-    if (beyond_near(v) != Sign::negative) add_to(box, points_[v], 0);
+  ImageBox box = vertex_boxes_[a];
+  box.add(vertex_boxes_[b]);
   if (beyond_near(a) * beyond_near(b) == Sign::negative) add_near_cut_to(box, a, b);
   return box;
 }
 
 ImageBox Sight::box(TriangleId t) const {
   const auto& c = mesh_->triangles[t];
-  ImageBox box = ImageBox::nothing();
+  ImageBox box = vertex_boxes_[c[0]];
+  box.add(vertex_boxes_[c[1]]);
+  box.add(vertex_boxes_[c[2]]);
+  if (!is_perspective()) return box;
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId a = c[k], b = c[(k + 1) % 3];
-    if (beyond_near(a) != Sign::negative) add_to(box, points_[a], 0);
     if (beyond_near(a) * beyond_near(b) == Sign::negative) add_near_cut_to(box, a, b);
   }
   return box;

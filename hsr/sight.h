@@ -79,6 +79,7 @@ class Sight {
   IndexedVector<VertexId, Sign> near_side_;
   PlaneFilter near_filter_;
   IndexedVector<VertexId, ImagePoint> image_;
+  IndexedVector<VertexId, ImageBox> vertex_boxes_;  // of nothing: before the near plane, or not used
   double image_error_ = 0, image_mirror_ = 1;
   // The image: rows of a fixed map; parallel, u = p[i] - ratio p[k]; perspective, u = row . (p - eye) / (depth . (p - eye)).
   std::array<Point3, 2> row_;

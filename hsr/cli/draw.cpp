@@ -126,7 +126,8 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
     throw InputError(fmt::format("--crease: found {}, expected degrees from 0 to 180", a.crease));
   if (!(a.margin >= 0)) throw InputError(fmt::format("--margin: found {}, expected millimetres, 0 or more", a.margin));
   if (a.method == "appel" && a.why)
-    throw InputError("--why: appel counts the faces that hide and does not know which they are, expected --method roberts or auto");
+    throw InputError(
+        "--why: appel counts the faces that hide and does not know which they are, expected --method roberts or auto");
   LineOptions line_options;
   line_options.classes = parse_classes(a.edges);
   line_options.crease = a.crease;

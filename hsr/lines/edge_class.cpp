@@ -20,6 +20,7 @@ struct HalfPlane {
 };
 
 Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 double largest(const Point3& a) { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
 /// Brought near length 1, so that no product underflows.
@@ -115,10 +116,39 @@ std::optional<EdgeClass> class_by_faces(const Sight& sight, Predicates& exact, E
   return deviation(sight, edge, nearest[0]->apex, nearest[1]->apex) > crease ? EdgeClass::sharp : EdgeClass::smooth;
 }
 
+/// An edge of two faces on opposite sides whose angle is far enough from the crease: sharp or smooth without any exact sign.
+/// Nothing: to be looked at closely. Each normal is good to nine digits, and the cosine is trusted to six.
+std::optional<EdgeClass> class_at_a_glance(const Sight& sight, EdgeId id, double cosine) {
+  const Edge& edge = sight.mesh().edges[id];
+  const auto triangles = sight.mesh().triangles_at(id);
+  if (triangles.size() != 2 || !edge.of_face || edge.wire) return std::nullopt;
+  Point3 n[2];
+  Sign side[2];
+  const Point3& a = sight.point(edge.a);
+  const Point3 along = minus(sight.point(edge.b), a);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const TriangleId t = triangles[k];
+    side[k] = sight.facing(t) * parity(sight.mesh().triangles[t], edge);
+    const Point3 out = minus(sight.point(sight.mesh().apex(t, edge)), a);
+    n[k] = cross(along, out);
+    // The normal errs by some roundings of these products.
+    if (!(largest(n[k]) > largest(along) * largest(out) * 0x1p-20)) return std::nullopt;
+  }
+  if (side[0] * side[1] != Sign::negative) return std::nullopt;
+  const double square = dot(n[0], n[0]) * dot(n[1], n[1]);
+  if (!(square > 0x1p-900 && square < 0x1p900)) return std::nullopt;
+  const double flatness = -dot(n[0], n[1]) / std::sqrt(square);  // the cosine of the deviation from flat
+  if (flatness > cosine + 1e-6) return EdgeClass::smooth;
+  if (flatness < cosine - 1e-6) return EdgeClass::sharp;
+  return std::nullopt;
+}
+
 }  // namespace
 
-std::optional<EdgeClass> edge_class(const Sight& sight, Predicates& exact, EdgeId edge, double crease) {
-  const auto by_faces = class_by_faces(sight, exact, edge, crease);
+std::optional<EdgeClass> edge_class(const Sight& sight, Predicates& exact, EdgeId edge, const Crease& crease) {
+  if (exact.arithmetic() == Arithmetic::staged)
+    if (const auto seen = class_at_a_glance(sight, edge, crease.cosine)) return seen;
+  const auto by_faces = class_by_faces(sight, exact, edge, crease.degrees);
   const bool plain = !by_faces || by_faces == EdgeClass::smooth;
   return sight.mesh().edges[edge].wire && plain ? EdgeClass::wire : by_faces;
 }

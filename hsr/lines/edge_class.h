@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "geometry/predicates.h"
@@ -7,6 +9,13 @@
 #include "hsr/sight.h"
 
 namespace hsr {
+
+/// The angle by which the faces of a sharp edge deviate from flat, at least.
+struct Crease {
+  double degrees, cosine;
+
+  explicit Crease(double deg) : degrees(deg), cosine(std::cos(deg * std::numbers::pi / 180)) {}
+};
 
 /// The class of an edge in a view; nothing for a diagonal that is no outline: it is never drawn.
 ///
@@ -18,6 +27,6 @@ namespace hsr {
 ///   smooth    else; also where two or more half-planes are all seen edge-on
 /// A wire is `wire`, unless its faces alone make it more than smooth.
 /// Exact: yes, but for the angle. Cost: O(m^2) degree-3 signs for m faces at the edge, nearly always m = 2.
-std::optional<EdgeClass> edge_class(const Sight& sight, Predicates& exact, EdgeId edge, double crease);
+std::optional<EdgeClass> edge_class(const Sight& sight, Predicates& exact, EdgeId edge, const Crease& crease);
 
 }  // namespace hsr

@@ -7,6 +7,7 @@
 #include "geometry/error.h"
 #include "hsr/image_line.h"
 #include "hsr/lines/hidden_tiles.h"
+#include "hsr/lines/image_mask.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
 #include "hsr/lines/occluders.h"
@@ -45,6 +46,7 @@ class Plan {
 
  private:
   void leave_out_hidden(RequestedEdges& requested);
+  std::vector<std::uint8_t> far_from(const RequestedEdges& requested);
   void say(const char* stage, std::string why) { left_out_.push_back({stage, std::move(why)}); }
   bool appel_pays(const RequestedEdges& requested, const Layers& layers);
 
@@ -87,6 +89,20 @@ void Plan::leave_out_hidden(RequestedEdges& requested) {
   say("hidden edges", of(count(requested.hidden), requested.hidden.size(), "edges lie behind such triangles"));
 }
 
+/// The triangles that are no candidates for any edge: hidden ones, and where few edges are asked for, those that overlap none
+/// of them in the image. They still count as layers.
+std::vector<std::uint8_t> Plan::far_from(const RequestedEdges& requested) {
+  if (requested.edges.size() * 8 > boxes_.size()) return hidden_;
+  const ImageMask mask(requested.boxes);
+  std::vector<std::uint8_t> far = hidden_;
+  far.resize(boxes_.size(), 0);
+  for_each(boxes_.size(), [&](std::size_t i) {
+    if (!mask.touches(boxes_[i])) far[i] = 1;
+  });
+  say("far faces", of(count(far), far.size(), "triangles are hidden or overlap no edge that is asked for"));
+  return far;
+}
+
 /// Appel looks at occluding edges where roberts looks at faces, and then has the counts to carry on.
 bool Plan::appel_pays(const RequestedEdges& requested, const Layers& layers) {
   static_cast<void>(requested);
@@ -101,7 +117,8 @@ VisibleLines Plan::lines() {
   boxes_.resize(mesh.triangles.size());
   for_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = sight_.box(TriangleId(i)); });
   leave_out_hidden(requested);
-  const Occluders occluders(sight_, boxes_, hidden_);
+  const std::vector<std::uint8_t> far = far_from(requested);
+  const Occluders occluders(sight_, boxes_, far);
   const auto by_roberts = [&](const char* why) {
     say("appel", why);
     return roberts(sight_, requested, occluders, options_);

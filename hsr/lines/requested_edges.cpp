@@ -12,6 +12,7 @@ namespace hsr {
 RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options) {
   using Range = tbb::blocked_range<std::size_t>;
   const Mesh& mesh = sight.mesh();
+  const Crease crease(options.crease);
   constexpr std::uint8_t none = 0xff;
   std::vector<std::uint8_t> edge_classes(mesh.edges.size(), none);
   std::vector<DecisionCounts> counts((mesh.edges.size() + edges_of_block - 1) / edges_of_block);
@@ -20,7 +21,7 @@ RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options) {
       Predicates exact = sight.predicates();
       const std::size_t end = std::min((part + 1) * edges_of_block, mesh.edges.size());
       for (std::size_t e = part * edges_of_block; e < end; ++e) {
-        const auto found = edge_class(sight, exact, EdgeId(e), options.crease);
+        const auto found = edge_class(sight, exact, EdgeId(e), crease);
         if (found && options.classes[static_cast<std::size_t>(*found)]) edge_classes[e] = static_cast<std::uint8_t>(*found);
       }
       counts[part] = exact.counts();

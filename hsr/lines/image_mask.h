@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/box_tree.h"
+
+namespace hsr {
+
+/// A grid of marks over the image: which places some boxes touch. What touches no marked place is far from all of them.
+/// Conservative. Cost: O(n + marks).
+class ImageMask {
+ public:
+  explicit ImageMask(std::span<const ImageBox> boxes);
+
+  /// False: `box` certainly overlaps none of the boxes.
+  bool touches(const ImageBox& box) const;
+
+ private:
+  static constexpr std::int32_t places = 1024;  // along each coordinate
+
+  /// First and last column, first and last row; monotonic, so that overlapping boxes share a place whatever is rounded.
+  std::array<std::int32_t, 4> range(const ImageBox& box) const;
+
+  std::array<float, 2> low_ = {0, 0}, scale_ = {0, 0};
+  std::vector<std::uint8_t> marks_;
+};
+
+}  // namespace hsr
