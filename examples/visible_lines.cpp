@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "geometry/mesh.h"
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 #include "hsr/read/read.h"
 #include "hsr/view.h"
 
@@ -11,7 +11,7 @@ int main(int argc, char** argv) try {
   const hsr::Model model = hsr::read_model(argc > 1 ? argv[1] : "part.obj");
   const hsr::Mesh mesh = hsr::make_mesh(model.points, model.polygons);
   const hsr::View view = hsr::named_view("iso", hsr::centre(mesh));
-  const hsr::VisibleLines result = hsr::roberts(mesh, view);
+  const hsr::VisibleLines result = hsr::visible_lines(mesh, view);
 
   std::size_t visible = 0, hidden = 0;
   for (const hsr::LineOfEdge& line : result.lines)

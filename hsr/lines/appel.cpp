@@ -137,7 +137,7 @@ class Appel {
   const Edge& edge(std::size_t k) const { return sight_.mesh().edges[requested_.edges[order_[k]]]; }
 
   void find_courses(Part& part, std::size_t begin, std::size_t end) const;
-  Sides at_vertex(LayerCount& count, EdgeId e, VertexId v, VertexId to) const;
+  Sides at_vertex(LayerCount& count, VertexId v, VertexId to) const;
   void carry_on();
   void count_roots();
   Sides start(const Part& part, std::size_t i, const Edge& e, LayerCount& count) const;
@@ -157,13 +157,8 @@ class Appel {
   DecisionCounts root_decisions_;
 };
 
-/// Between two counted triangles around a plain vertex no triangle at that vertex hides.
-Sides Appel::at_vertex(LayerCount& count, EdgeId e, VertexId v, VertexId to) const {
-  if (layers_.is_plain(v)) {
-    const auto triangles = sight_.mesh().triangles_at(e);
-    // A plain vertex has only edges without weight: with a counted triangle on one side there is one on the other.
-    if (std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return layers_.counts(t); })) return {};
-  }
+Sides Appel::at_vertex(LayerCount& count, VertexId v, VertexId to) const {
+  if (layers_.is_plain(v)) return {};
   return {count.at_vertex(v, to, Sign::positive), count.at_vertex(v, to, Sign::negative)};
 }
 
@@ -190,8 +185,8 @@ void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
     Sides at_start, at_end;
     if (course.is_followed()) {
       const Edge& e = sight_.mesh().edges[id];
-      at_start = at_vertex(count, id, e.a, e.b);
-      at_end = at_vertex(count, id, e.b, e.a);
+      at_start = at_vertex(count, e.a, e.b);
+      at_end = at_vertex(count, e.b, e.a);
       std::swap(at_end.left, at_end.right);  // seen from b, the other way round
     }
     part.at_start.push_back(at_start);

@@ -115,14 +115,20 @@ bool Layers::near_cuts_face(TriangleId t) const {
 void Layers::weigh_edges() {
   const Mesh& mesh = sight_.mesh();
   edges_ = collected<OccludingEdge>(mesh.edges.size(), [&](std::size_t from, std::size_t to, std::vector<OccludingEdge>& part) {
+    Predicates exact = sight_.predicates();
     for (std::size_t i = from; i < to; ++i) {
       const EdgeId e(i);
       const Edge& edge = mesh.edges[e];
       std::int32_t weight = 0;
-      for (const TriangleId t : mesh.triangles_at(e))
-        if (counts(t)) weight += static_cast<int>(sight_.facing(t) * parity(mesh.triangles[t], edge));
-      if (weight == 0) continue;
-      part.push_back({e, weight});
+      bool is_counted = false;
+      for (const TriangleId t : mesh.triangles_at(e)) {
+        if (!counts(t)) continue;
+        is_counted = true;
+        weight += static_cast<int>(sight_.facing(t) * parity(mesh.triangles[t], edge));
+      }
+      if (weight != 0) part.push_back({e, weight});
+      // An edge between no counted triangles, such as a wire, may lie behind those at its ends.
+      if (weight == 0 && (is_counted || ImageLine(sight_, edge.a, edge.b).is_point(exact))) continue;
       store(is_plain_[edge.a.value], std::uint8_t{0});
       store(is_plain_[edge.b.value], std::uint8_t{0});
     }

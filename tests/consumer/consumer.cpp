@@ -6,7 +6,7 @@
 #include "geometry/plane_filter.h"
 #include "geometry/predicates.h"
 #include "hsr/drawing/drawing.h"
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 #include "hsr/read/read.h"
 #include "hsr/scene_facts.h"
 #include "hsr/view.h"
@@ -27,7 +27,7 @@ int main() {
   }
   const hsr::Mesh mesh = hsr::make_mesh(points, cube);
   const hsr::View view = hsr::named_view("front", hsr::centre(mesh));
-  const hsr::VisibleLines lines = hsr::roberts(mesh, view);
+  const hsr::VisibleLines lines = hsr::visible_lines(mesh, view);
   int visible = 0;
   for (const auto& line : lines.lines)
     for (std::uint32_t k = 0; k < line.intervals(); ++k) visible += line.hidden(k) ? 0 : 1;

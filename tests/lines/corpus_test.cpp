@@ -18,7 +18,7 @@ std::vector<std::filesystem::path> corpus() {
   return files;
 }
 
-TEST_CASE("roberts agrees with the oracle on every scene of the corpus", "[lines][oracle][corpus]") {
+TEST_CASE("both methods agree with the oracle on every scene of the corpus", "[lines][oracle][corpus]") {
   const auto files = corpus();
   CHECK_FALSE(files.empty());
   for (const auto& file : files) {

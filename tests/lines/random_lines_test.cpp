@@ -38,28 +38,28 @@ void agrees_on(const std::string& name, std::uint64_t first_seed, int count) {
   CHECK(failures == 0);
 }
 
-TEST_CASE("roberts agrees with the oracle on soups of integer triangles", "[lines][oracle]") { agrees_on("triangles", 0, 900); }
-TEST_CASE("roberts agrees with the oracle on polygons of every shape", "[lines][oracle]") { agrees_on("polygons", 0, 400); }
-TEST_CASE("roberts agrees with the oracle on faces seen edge-on", "[lines][oracle]") { agrees_on("edge_on", 0, 700); }
-TEST_CASE("roberts agrees with the oracle on aligned boxes", "[lines][oracle]") { agrees_on("boxes", 0, 150); }
-TEST_CASE("roberts agrees with the oracle on stacks one subnormal apart", "[lines][oracle]") { agrees_on("stacks", 0, 500); }
-TEST_CASE("roberts agrees with the oracle on slopes of one ulp", "[lines][oracle]") { agrees_on("slopes", 0, 500); }
+TEST_CASE("both methods agree with the oracle on soups of integer triangles", "[lines][oracle]") { agrees_on("triangles", 0, 900); }
+TEST_CASE("both methods agree with the oracle on polygons of every shape", "[lines][oracle]") { agrees_on("polygons", 0, 400); }
+TEST_CASE("both methods agree with the oracle on faces seen edge-on", "[lines][oracle]") { agrees_on("edge_on", 0, 700); }
+TEST_CASE("both methods agree with the oracle on aligned boxes", "[lines][oracle]") { agrees_on("boxes", 0, 150); }
+TEST_CASE("both methods agree with the oracle on stacks one subnormal apart", "[lines][oracle]") { agrees_on("stacks", 0, 500); }
+TEST_CASE("both methods agree with the oracle on slopes of one ulp", "[lines][oracle]") { agrees_on("slopes", 0, 500); }
 TEST_CASE("roberts agrees with the oracle where the eye is among the faces", "[lines][oracle]") {
   agrees_on("around_the_eye", 0, 900);
 }
-TEST_CASE("roberts agrees with the oracle on faces exactly behind one another", "[lines][oracle]") {
+TEST_CASE("both methods agree with the oracle on faces exactly behind one another", "[lines][oracle]") {
   agrees_on("echoes", 0, 600);
 }
 TEST_CASE("roberts agrees with the oracle far from the origin", "[lines][oracle]") { agrees_on("far_away", 0, 600); }
-TEST_CASE("roberts agrees with the oracle on scenes scaled by powers of two", "[lines][oracle]") {
+TEST_CASE("both methods agree with the oracle on scenes scaled by powers of two", "[lines][oracle]") {
   agrees_on("scaled", 0, 400);
 }
 
-TEST_CASE("roberts agrees with the oracle on numbers from the whole range of doubles", "[lines][oracle]") {
+TEST_CASE("both methods agree with the oracle on numbers from the whole range of doubles", "[lines][oracle]") {
   agrees_on("magnitudes", 0, 400);
 }
 
-TEST_CASE("roberts agrees with the oracle on many more random scenes", "[lines][oracle][long]") {
+TEST_CASE("both methods agree with the oracle on many more random scenes", "[lines][oracle][long]") {
   for (const scenes::Family& family : scenes::families()) {
     DYNAMIC_SECTION(family.name) { agrees_on(family.name, 1'000'000, 28'000); }
   }
