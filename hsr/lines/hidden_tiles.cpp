@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geometry/error_bounded.h"
 
@@ -22,6 +23,18 @@ void raise(float& place, float value) {
   float now = shared.load(std::memory_order_relaxed);
   while (now < value && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
   }
+}
+
+std::optional<Edge> common_side(const std::array<VertexId, 3>& t, const std::array<VertexId, 3>& s) {
+  std::array<VertexId, 2> common;
+  std::size_t count = 0;
+  for (const VertexId v : t)
+    if (v == s[0] || v == s[1] || v == s[2]) {
+      if (count == 2) return std::nullopt;
+      common[count++] = v;
+    }
+  if (count != 2) return std::nullopt;
+  return Edge{std::min(common[0], common[1]), std::max(common[0], common[1])};
 }
 
 bool is_convertible(double x) { return std::fabs(x) < 0x1p30; }
@@ -65,7 +78,8 @@ class HiddenTiles::Region {
     for (std::size_t k = 0; k < count_; ++k) {
       const Line& l = lines_[k];
       if (l.dy == 0) {
-        const bool inside = l.dx > 0 ? low >= l.py + l.margin / l.dx : l.dx < 0 && high <= l.py + l.margin / l.dx;
+        const double shift = l.margin / l.dx, slack = l.margin == 0 ? 0 : 4 * u * (std::fabs(l.py) + std::fabs(shift));
+        const bool inside = l.dx > 0 ? low >= l.py + shift + slack : l.dx < 0 && high <= l.py + shift - slack;
         if (!inside) to = -HUGE_VAL;
         continue;
       }
@@ -179,36 +193,46 @@ void HiddenTiles::cover_triangles(std::span<const ImageBox> boxes) {
 
 /// Two triangles on opposite sides of their common edge hide together what lies within their four other sides: to one side of
 /// the edge it lies within the one, to the other within the other.
+void HiddenTiles::cover_pair(TriangleId t, TriangleId s, const Edge& edge, std::span<const ImageBox> boxes) {
+  const Mesh& mesh = sight_.mesh();
+  const std::array<VertexId, 4> corners = {edge.a, edge.b, mesh.apex(t, edge), mesh.apex(s, edge)};
+  const Rectangle around = rectangle(corners);
+  const double reach = around.high[0] - around.low[0] + around.high[1] - around.low[1];
+  Region region;
+  std::array<bool, 2> is_left = {false, false};
+  for (const std::size_t k : {0U, 1U}) {
+    const TriangleId x = k == 0 ? t : s;
+    if (sight_.facing(x) == Sign::zero || sight_.reaches_before_near(x)) return;
+    const auto& c = mesh.triangles[x];
+    const bool left = sight_.facing(x) == Sign::positive;
+    for (std::size_t m = 0; m < 3; ++m) {
+      const VertexId from = c[left ? m : (m + 1) % 3], to = c[left ? (m + 1) % 3 : m];
+      if (from == edge.a && to == edge.b)
+        is_left[k] = true;
+      else if (!(from == edge.b && to == edge.a))
+        region.add(sight_.image(from), sight_.image(to), sight_.image_error(), reach);
+    }
+  }
+  if (is_left[0] != is_left[1]) cover(region, around, std::min(boxes[t.value].farthest, boxes[s.value].farthest));
+}
+
 void HiddenTiles::cover_pairs(std::span<const ImageBox> boxes) {
   const Mesh& mesh = sight_.mesh();
   tbb::parallel_for(Range(0, mesh.edges.size(), 1024), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const auto triangles = mesh.triangles_at(EdgeId(i));
-      if (triangles.size() != 2) continue;
-      const Edge& e = mesh.edges[EdgeId(i)];
-      Region region;
-      std::array<VertexId, 4> corners = {e.a, e.b, {}, {}};
-      for (std::size_t k = 0; k < 2; ++k) corners[k + 2] = mesh.apex(triangles[k], e);
-      const auto beyond = [&](TriangleId t) { return sight_.facing(t) != Sign::zero && !sight_.reaches_before_near(t); };
-      if (!beyond(triangles[0]) || !beyond(triangles[1])) continue;
-      const Rectangle around = rectangle(corners);
-      const double reach = around.high[0] - around.low[0] + around.high[1] - around.low[1];
-      std::array<bool, 2> is_left;
-      for (std::size_t k = 0; k < 2; ++k) {
-        const auto& c = mesh.triangles[triangles[k]];
-        const bool left = sight_.facing(triangles[k]) == Sign::positive;
-        for (std::size_t m = 0; m < 3; ++m) {
-          const VertexId from = c[left ? m : (m + 1) % 3], to = c[left ? (m + 1) % 3 : m];
-          if (from == e.a && to == e.b)
-            is_left[k] = true;
-          else if (from == e.b && to == e.a)
-            is_left[k] = false;
-          else
-            region.add(sight_.image(from), sight_.image(to), sight_.image_error(), reach);
-        }
-      }
-      if (is_left[0] == is_left[1]) continue;
-      cover(region, around, std::min(boxes[triangles[0].value].farthest, boxes[triangles[1].value].farthest));
+      if (triangles.size() == 2) cover_pair(triangles[0], triangles[1], mesh.edges[EdgeId(i)], boxes);
+    }
+  });
+  // Inside a planar face the mesh has no edges: its triangles are paired here, as long as they are few.
+  tbb::parallel_for(Range(0, mesh.faces.size(), 1024), [&](const Range& range) {
+    for (std::size_t f = range.begin(); f < range.end(); ++f) {
+      const std::uint32_t first = mesh.first_triangle[FaceId(f)], end = mesh.first_triangle[FaceId(f + 1)];
+      if (mesh.faces[FaceId(f)] != FaceUse::planar || end - first > 8) continue;
+      for (std::uint32_t t = first; t < end; ++t)
+        for (std::uint32_t s = t + 1; s < end; ++s)
+          if (const auto edge = common_side(mesh.triangles[TriangleId(t)], mesh.triangles[TriangleId(s)]))
+            cover_pair(TriangleId(t), TriangleId(s), *edge, boxes);
     }
   });
 }

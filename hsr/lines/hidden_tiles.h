@@ -59,6 +59,7 @@ class HiddenTiles {
   void choose_grid(bool always);
   void cover(const Region& region, const Rectangle& around, float nearness);
   void cover_triangles(std::span<const ImageBox> boxes);
+  void cover_pair(TriangleId t, TriangleId s, const Edge& edge, std::span<const ImageBox> boxes);
   void cover_pairs(std::span<const ImageBox> boxes);
   void build_levels();
   bool hides(std::size_t level, std::int32_t i, std::int32_t j, const std::array<std::int32_t, 4>& range, float nearest) const;

@@ -1,11 +1,10 @@
 #include "hsr/lines/image_mask.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace hsr {
 
-ImageMask::ImageMask(std::span<const ImageBox> boxes) : marks_(static_cast<std::size_t>(places) * places, 0) {
+ImageMask::ImageMask(std::span<const ImageBox> boxes) : marked_(side * side, 0) {
   ImageBox all = ImageBox::nothing();
   for (const ImageBox& box : boxes) all.add(box);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -15,29 +14,38 @@ ImageMask::ImageMask(std::span<const ImageBox> boxes) : marks_(static_cast<std::
     scale_[k] = static_cast<float>(places) / extent;
     if (!std::isfinite(scale_[k])) scale_[k] = 0;
   }
+  // How many boxes cover each place, by where they begin and end: a large box costs no more than a small one.
+  std::vector<std::int32_t> cover(side * side, 0);
   for (const ImageBox& box : boxes) {
     const auto r = range(box);
-    for (std::int32_t j = r[2]; j <= r[3]; ++j)
-      std::fill_n(marks_.begin() + static_cast<std::ptrdiff_t>(j) * places + r[0], r[1] - r[0] + 1, std::uint8_t{1});
+    ++cover[at(r[0], r[2])];
+    --cover[at(r[1] + 1, r[2])];
+    --cover[at(r[0], r[3] + 1)];
+    ++cover[at(r[1] + 1, r[3] + 1)];
   }
+  for (std::int32_t j = 0; j < places; ++j)
+    for (std::int32_t i = 0; i < places; ++i) {
+      std::int32_t& here = cover[at(i, j)];
+      if (i > 0) here += cover[at(i - 1, j)];
+      if (j > 0) here += cover[at(i, j - 1)];
+      if (i > 0 && j > 0) here -= cover[at(i - 1, j - 1)];
+      marked_[at(i + 1, j + 1)] = marked_[at(i, j + 1)] + marked_[at(i + 1, j)] - marked_[at(i, j)] + (here > 0 ? 1U : 0U);
+    }
 }
 
 std::array<std::int32_t, 4> ImageMask::range(const ImageBox& box) const {
   const auto place = [&](float x, std::size_t k) {
-    const float at = (x - low_[k]) * scale_[k];
+    const float step = (x - low_[k]) * scale_[k];
     // NaN (an infinite box over an extent of nothing) goes to the first place, where everything is then.
-    return !(at > 0) ? 0 : at < static_cast<float>(places) ? static_cast<std::int32_t>(at) : places - 1;
+    return !(step > 0) ? 0 : step < static_cast<float>(places) ? static_cast<std::int32_t>(step) : places - 1;
   };
   return {place(box.low[0], 0), place(box.high[0], 0), place(box.low[1], 1), place(box.high[1], 1)};
 }
 
 bool ImageMask::touches(const ImageBox& box) const {
   const auto r = range(box);
-  for (std::int32_t j = r[2]; j <= r[3]; ++j) {
-    const auto row = marks_.begin() + static_cast<std::ptrdiff_t>(j) * places;
-    if (std::find(row + r[0], row + r[1] + 1, std::uint8_t{1}) != row + r[1] + 1) return true;
-  }
-  return false;
+  return marked_[at(r[1] + 1, r[3] + 1)] - marked_[at(r[0], r[3] + 1)] - marked_[at(r[1] + 1, r[2])] + marked_[at(r[0], r[2])] >
+         0;
 }
 
 }  // namespace hsr

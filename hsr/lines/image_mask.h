@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,7 +11,7 @@
 namespace hsr {
 
 /// A grid of marks over the image: which places some boxes touch. What touches no marked place is far from all of them.
-/// Conservative. Cost: O(n + marks).
+/// Conservative. Cost: O(n + places), a query O(1).
 class ImageMask {
  public:
   explicit ImageMask(std::span<const ImageBox> boxes);
@@ -20,12 +21,16 @@ class ImageMask {
 
  private:
   static constexpr std::int32_t places = 1024;  // along each coordinate
+  static constexpr std::size_t side = places + 1;
+  static std::size_t at(std::int32_t i, std::int32_t j) {
+    return static_cast<std::size_t>(j) * side + static_cast<std::size_t>(i);
+  }
 
   /// First and last column, first and last row; monotonic, so that overlapping boxes share a place whatever is rounded.
   std::array<std::int32_t, 4> range(const ImageBox& box) const;
 
   std::array<float, 2> low_ = {0, 0}, scale_ = {0, 0};
-  std::vector<std::uint8_t> marks_;
+  std::vector<std::uint32_t> marked_;  // at (i, j): of the places before column i and row j
 };
 
 }  // namespace hsr

@@ -17,7 +17,7 @@ using scenes::TestScene;
 
 std::vector<SeenEdge> seen(const TestScene& scene, const LineOptions& options = all_edges()) {
   const Mesh mesh = scene.mesh();
-  return oracle::seen_edges(mesh, scene.view, roberts(mesh, scene.view, options));
+  return oracle::seen_edges(mesh, scene.view, visible_lines(mesh, scene.view, options));
 }
 
 // A scene without a view of its own can be moved: a view is given by what it was made of.
@@ -179,17 +179,49 @@ TestScene crowd(std::uint64_t seed) {
 TEST_CASE("one thread and two give the same bits", "[lines][metamorphic]") {
   for (const std::uint64_t seed : {600'000U, 600'001U}) {
     const TestScene scene = crowd(seed);
+    for (const LineMethod method : {LineMethod::roberts, LineMethod::appel}) {
+      LineOptions options = all_edges();
+      options.method = method;
+      options.why = method == LineMethod::roberts;
+      options.hidden_tiles = Stage::always;
+      const auto with_threads = [&](std::size_t n) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);
+        const Mesh mesh = scene.mesh();
+        return visible_lines(mesh, scene.view, options);
+      };
+      const VisibleLines one = with_threads(1), two = with_threads(2);
+      CHECK(one.lines.size() > 2000);
+      same_bits(one, two);
+      CHECK(one.decisions == two.decisions);
+      CHECK(one.pairs == two.pairs);
+    }
+  }
+}
+
+TEST_CASE("both methods and every stage give the same lines of thousands of faces", "[lines][metamorphic]") {
+  for (const std::uint64_t seed : {600'002U, 600'003U}) {
+    const TestScene scene = crowd(seed);
+    const Mesh mesh = scene.mesh();
     LineOptions options = all_edges();
-    options.why = true;
-    const auto with_threads = [&](std::size_t n) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);
-      const Mesh mesh = scene.mesh();
-      return roberts(mesh, scene.view, options);
+    options.method = LineMethod::roberts;
+    options.hidden_tiles = Stage::never;
+    const auto text = [&] {
+      return oracle::to_text(oracle::seen_edges(mesh, scene.view, visible_lines(mesh, scene.view, options)));
     };
-    const VisibleLines one = with_threads(1), two = with_threads(2);
-    CHECK(one.lines.size() > 2000);
-    same_bits(one, two);
-    CHECK(one.decisions == two.decisions);
+    const std::string reference = text();
+    for (const LineMethod method : {LineMethod::roberts, LineMethod::appel})
+      for (const Stage tiles : {Stage::never, Stage::always}) {
+        options.method = method;
+        options.hidden_tiles = tiles;
+        CHECK(text() == reference);
+      }
+    // Few edges asked for: most faces are far from them.
+    options.classes = {true, false, true, false, true, false};
+    options.method = LineMethod::roberts;
+    options.hidden_tiles = Stage::never;
+    const std::string few = text();
+    options.method = LineMethod::appel;
+    CHECK(text() == few);
   }
 }
 
@@ -198,6 +230,7 @@ TEST_CASE("every arithmetic that is exact gives the same lines", "[lines][metamo
                    [](const TestScene& scene, auto) {
                      LineOptions options = all_edges();
                      const std::string text = oracle::to_text(seen(scene, options));
+                     options.method = LineMethod::appel;
                      options.arithmetic = Arithmetic::interval;
                      CHECK(oracle::to_text(seen(scene, options)) == text);
                      options.arithmetic = Arithmetic::rational;

@@ -38,11 +38,15 @@ void agrees_on(const std::string& name, std::uint64_t first_seed, int count) {
   CHECK(failures == 0);
 }
 
-TEST_CASE("both methods agree with the oracle on soups of integer triangles", "[lines][oracle]") { agrees_on("triangles", 0, 900); }
+TEST_CASE("both methods agree with the oracle on soups of integer triangles", "[lines][oracle]") {
+  agrees_on("triangles", 0, 900);
+}
 TEST_CASE("both methods agree with the oracle on polygons of every shape", "[lines][oracle]") { agrees_on("polygons", 0, 400); }
 TEST_CASE("both methods agree with the oracle on faces seen edge-on", "[lines][oracle]") { agrees_on("edge_on", 0, 700); }
 TEST_CASE("both methods agree with the oracle on aligned boxes", "[lines][oracle]") { agrees_on("boxes", 0, 150); }
-TEST_CASE("both methods agree with the oracle on stacks one subnormal apart", "[lines][oracle]") { agrees_on("stacks", 0, 500); }
+TEST_CASE("both methods agree with the oracle on stacks one subnormal apart", "[lines][oracle]") {
+  agrees_on("stacks", 0, 500);
+}
 TEST_CASE("both methods agree with the oracle on slopes of one ulp", "[lines][oracle]") { agrees_on("slopes", 0, 500); }
 TEST_CASE("roberts agrees with the oracle where the eye is among the faces", "[lines][oracle]") {
   agrees_on("around_the_eye", 0, 900);
