@@ -1,9 +1,10 @@
 // visible_lines MODEL: how much of a model's lines can be seen from the corner that the view `iso` looks from.
+#include "hsr/lines/visible_lines.h"
+
 #include <exception>
 #include <iostream>
 
 #include "geometry/mesh.h"
-#include "hsr/lines/visible_lines.h"
 #include "hsr/read/read.h"
 #include "hsr/view.h"
 

@@ -30,6 +30,13 @@ void Certificate::add(const Point3& p) {
   add(p.z);
 }
 
+void Certificate::add(const Certificate& c) {
+  if (c.is_zero()) return;
+  const bool first = is_zero();
+  lowest = first ? c.lowest : std::min(lowest, c.lowest);
+  highest = first ? c.highest : std::max(highest, c.highest);
+}
+
 Certificate certificate(std::span<const Point3> points) {
   Certificate c;
   for (const Point3& p : points) c.add(p);

@@ -19,6 +19,7 @@ struct Certificate {
 
   void add(double x);  ///< @pre finite
   void add(const Point3& p);
+  void add(const Certificate& c);  ///< of both sets of numbers
 };
 
 /// The certificate of all coordinates of `points`. @pre finite. Cost: O(n).

@@ -4,6 +4,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -36,13 +37,24 @@ double size(const Point3& a) { return std::fabs(a.x) + std::fabs(a.y) + std::fab
 Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(&mesh), arithmetic_(arithmetic) {
   // Only of the points that are used: a stray one far away must not cost the others the fast arithmetic.
   std::vector<char> is_used(mesh.points.size(), 0);
-  Certificate points, direction;
-  for (const Edge& e : mesh.edges) {
-    for (const VertexId v : {e.a, e.b}) {
-      if (is_used[v.value] == 0) points.add(mesh.points[v]);
-      is_used[v.value] = 1;
+  tbb::parallel_for(Range(0, mesh.edges.size(), 4096), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const Edge& e = mesh.edges[EdgeId(i)];
+      for (const VertexId v : {e.a, e.b}) std::atomic_ref<char>(is_used[v.value]).store(1, std::memory_order_relaxed);
     }
-  }
+  });
+  Certificate direction;
+  Certificate points = tbb::parallel_reduce(
+      Range(0, is_used.size(), 4096), Certificate{},
+      [&](const Range& range, Certificate c) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          if (is_used[i] != 0) c.add(mesh.points[VertexId(i)]);
+        return c;
+      },
+      [](Certificate a, const Certificate& b) {
+        a.add(b);
+        return a;
+      });
   if (view.is_perspective()) {
     points.add(view.viewpoint.at);
     points.add(view.target);

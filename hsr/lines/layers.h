@@ -35,8 +35,8 @@ class Layers {
   const std::vector<TriangleId>& cast() const { return cast_; }
   const BoxTree& cast_tree() const { return cast_tree_; }  ///< over cast()
 
-  /// Exactly one layer of counted triangles lies around the image of v, each next to the one before, and every edge at v that is
-  /// seen as a line is between two of them: no triangle at v hides a part of an edge at v near v.
+  /// Exactly one layer of counted triangles lies around the image of v, each next to the one before, and every edge at v that
+  /// is seen as a line is between two of them: no triangle at v hides a part of an edge at v near v.
   bool is_plain(VertexId v) const { return is_plain_[v.value] != 0; }
   /// The counted triangles at a vertex that is not plain.
   std::span<const TriangleId> star(VertexId v) const {

@@ -1,5 +1,7 @@
 #include "hsr/lines/tiling.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <string>
 
@@ -150,31 +152,40 @@ void Tiling::add_by_casting(EdgeId edge, EdgeClass edge_class, const ImageBox& b
 
 VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<std::array<std::uint32_t, 2>>& place) {
   VisibleLines all;
-  std::size_t cuts = 0, occluders = 0;
   for (const VisibleLines& part : parts) {
-    cuts += part.cuts.size();
-    occluders += part.occluders.size();
     all.pairs += part.pairs;
     all.decisions += part.decisions;
   }
-  if (cuts > 0xffffffffU || occluders > 0xffffffffU)
-    throw InputError("the drawing has " + std::to_string(std::max(cuts, occluders)) +
-                     " interval ends, expected fewer than 2^32");
-  all.lines.reserve(place.size());
-  all.cuts.reserve(cuts);
-  all.occluders.reserve(occluders);
-  for (const auto& [part, at] : place) {
-    LineOfEdge line = parts[part].lines[at];
-    const auto line_cuts = parts[part].cuts_of(line);
-    const auto line_occluders = parts[part].occluders_of(line);
-    line.first_cut = static_cast<std::uint32_t>(all.cuts.size());
-    line.first_occluder = static_cast<std::uint32_t>(all.occluders.size());
-    all.cuts.insert(all.cuts.end(), line_cuts.begin(), line_cuts.end());
-    all.occluders.insert(all.occluders.end(), line_occluders.begin(), line_occluders.end());
-    line.end_cut = static_cast<std::uint32_t>(all.cuts.size());
-    line.end_occluder = static_cast<std::uint32_t>(all.occluders.size());
-    all.lines.push_back(line);
+  // Where the cuts and occluders of each line go.
+  const std::size_t lines = place.size();
+  std::vector<std::size_t> first_cut(lines + 1, 0), first_occluder(lines + 1, 0);
+  for (std::size_t i = 0; i < lines; ++i) {
+    const LineOfEdge& line = parts[place[i][0]].lines[place[i][1]];
+    first_cut[i + 1] = first_cut[i] + (line.end_cut - line.first_cut);
+    first_occluder[i + 1] = first_occluder[i] + (line.end_occluder - line.first_occluder);
   }
+  const std::size_t most = std::max(first_cut.back(), first_occluder.back());
+  if (most > 0xffffffffU)
+    throw InputError("the drawing has " + std::to_string(most) + " interval ends, expected fewer than 2^32");
+  all.lines.resize(lines);
+  all.cuts.resize(first_cut.back());
+  all.occluders.resize(first_occluder.back());
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, lines, 4096), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const VisibleLines& part = parts[place[i][0]];
+      LineOfEdge line = part.lines[place[i][1]];
+      const auto cuts = part.cuts_of(line);
+      const auto occluders = part.occluders_of(line);
+      line.first_cut = static_cast<std::uint32_t>(first_cut[i]);
+      line.first_occluder = static_cast<std::uint32_t>(first_occluder[i]);
+      line.end_cut = static_cast<std::uint32_t>(first_cut[i + 1]);
+      line.end_occluder = static_cast<std::uint32_t>(first_occluder[i + 1]);
+      std::copy(cuts.begin(), cuts.end(), all.cuts.begin() + line.first_cut);
+      std::copy(occluders.begin(), occluders.end(), all.occluders.begin() + line.first_occluder);
+      all.lines[i] = line;
+    }
+  });
   return all;
 }
 
