@@ -19,11 +19,15 @@ struct OccludingEdge {
 ///
 /// Counted is a triangle that is not seen edge-on, of a face that lies wholly on or beyond the near plane. The layers over two
 /// image points differ by the weights of the edges crossed on the way (Appel 1967): outlines and boundaries, and edges of many
-/// faces. A triangle seen edge-on hides nothing that the counted ones do not, unless it is `cast`: on the way toward the eye
-/// the line of sight leaves the edge-on triangles of its plane through a side of one of them; where a counted triangle has that
-/// side, too, it hides as much. Cast, one by one as `roberts` does, are the others: with a side that no counted triangle has,
-/// and where no triangle of the same plane goes on; and those of faces that the near plane cuts. Exact: yes. Cost: O(n),
-/// parallel, and O(m log m) for m occluding edges.
+/// faces.
+///
+/// A triangle seen edge-on hides nothing that the counted ones do not, unless it is `cast`: on the way toward the eye the line
+/// of sight leaves the edge-on triangles of its plane through a side of one of them; where a counted triangle has that side,
+/// too, it hides as much. Cast, one by one as `roberts` does, are the others: with a side that no counted triangle has, and
+/// where no triangle of the same plane goes on; and those of faces that the near plane cuts. Where such a side, or such a
+/// triangle, is left out because it is hidden, so is what it would hide.
+///
+/// Exact: yes. Cost: O(n), parallel, and O(m log m) for m occluding edges.
 class Layers {
  public:
   /// @param left_out by triangle, because it is hidden itself; whole faces only; empty: none

@@ -48,7 +48,7 @@ class Plan {
   void leave_out_hidden(RequestedEdges& requested);
   std::vector<std::uint8_t> far_from(const RequestedEdges& requested);
   void say(const char* stage, std::string why) { left_out_.push_back({stage, std::move(why)}); }
-  bool appel_pays(const RequestedEdges& requested, const Layers& layers);
+  bool appel_pays(const Layers& layers) const;
 
   const Sight& sight_;
   const LineOptions& options_;
@@ -62,6 +62,10 @@ void Plan::leave_out_hidden(RequestedEdges& requested) {
   const Mesh& mesh = sight_.mesh();
   if (options_.why || options_.hidden_tiles == Stage::never) {
     say("hidden tiles", options_.why ? "hidden faces are to be named, too" : "not asked for");
+    return;
+  }
+  if (options_.hidden_tiles == Stage::automatic && requested.edges.size() * 8 < mesh.triangles.size()) {
+    say("hidden tiles", "few edges are asked for");
     return;
   }
   const HiddenTiles tiles(sight_, boxes_, options_.hidden_tiles == Stage::always);
@@ -104,8 +108,7 @@ std::vector<std::uint8_t> Plan::far_from(const RequestedEdges& requested) {
 }
 
 /// Appel looks at occluding edges where roberts looks at faces, and then has the counts to carry on.
-bool Plan::appel_pays(const RequestedEdges& requested, const Layers& layers) {
-  static_cast<void>(requested);
+bool Plan::appel_pays(const Layers& layers) const {
   std::size_t faces = 0;
   for (std::size_t t = 0; t < sight_.mesh().triangles.size(); ++t) faces += layers.counts(TriangleId(t)) ? 1U : 0U;
   return layers.edges().size() < faces;
@@ -128,8 +131,11 @@ VisibleLines Plan::lines() {
     if (options_.why) return by_roberts("the faces that hide are to be named");
     if (options_.method == LineMethod::automatic && options_.arithmetic != Arithmetic::staged)
       return by_roberts("arithmetic is compared by roberts");
+    // To count the layers takes a look at every edge of the mesh.
+    if (options_.method == LineMethod::automatic && requested.edges.size() * 32 < mesh.triangles.size())
+      return by_roberts("few edges are asked for");
     const Layers layers(sight_, hidden_);
-    if (options_.method == LineMethod::automatic && !appel_pays(requested, layers))
+    if (options_.method == LineMethod::automatic && !appel_pays(layers))
       return by_roberts("nearly every edge is an outline or a boundary");
     return appel(sight_, requested, layers, occluders, options_);
   };
