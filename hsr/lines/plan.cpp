@@ -94,7 +94,7 @@ void Plan::leave_out_hidden(RequestedEdges& requested) {
 }
 
 /// The triangles that are no candidates for any edge: hidden ones, and where few edges are asked for, those that overlap none
-/// of them in the image. They still count as layers.
+/// of them in the image. The far ones still count as layers, the hidden ones do not.
 std::vector<std::uint8_t> Plan::far_from(const RequestedEdges& requested) {
   if (requested.edges.size() * 8 > boxes_.size()) return hidden_;
   const ImageMask mask(requested.boxes);
