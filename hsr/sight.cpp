@@ -199,6 +199,13 @@ double Sight::compute_image(VertexId v) {
   return error;
 }
 
+Sign Sight::side(const Plane& plane, VertexId p, Predicates& exact) const {
+  const ErrorBounded x = filter(plane)(points_[p]);
+  if (!x.is_certain()) return exact.side_beyond_filter(plane, points_[p]);
+  ++exact.counts().filter;
+  return sign_of(x.value);
+}
+
 bool Sight::reaches_before_near(TriangleId t) const {
   const auto& c = mesh_->triangles[t];
   return std::any_of(c.begin(), c.end(), [&](VertexId v) { return beyond_near(v) == Sign::negative; });

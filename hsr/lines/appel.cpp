@@ -299,10 +299,8 @@ void Appel::add_shadows(Shadows& shadows, std::span<const LayerChange> changes, 
     const Bound& to = k < places.size() ? places[k].at : shadows.last();
     const bool is_hidden = layers.left > 0 || layers.right > 0;
     // Places that coincide have no length between them.
-    if (k > 0 && k < places.size() && shadows.order(from, to) == Sign::zero) {
-    } else if (is_hidden) {
-      hidden.push_back({from, to, {}});
-    }
+    const bool has_length = k == 0 || k == places.size() || shadows.order(from, to) != Sign::zero;
+    if (is_hidden && has_length) hidden.push_back({from, to, {}});
     if (k == places.size()) break;
     layers.left += places[k].left;
     layers.right += places[k].right;

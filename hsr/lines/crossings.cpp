@@ -4,13 +4,6 @@
 
 namespace hsr {
 
-Sign Crossings::side(const Plane& plane, VertexId p) {
-  const ErrorBounded x = sight_.filter(plane)(sight_.point(p));
-  if (!x.is_certain()) return exact_.side_beyond_filter(plane, sight_.point(p));
-  ++exact_.counts().filter;
-  return sign_of(x.value);
-}
-
 void Crossings::add(LayerChange change, std::vector<LayerChange>& changes) {
   course_.left += change.left;
   course_.right += change.right;
@@ -101,7 +94,7 @@ void Crossings::cross(const Edge& edge, const OccludingEdge& occluding, std::vec
   const bool by_first = s0 != Sign::zero;
   const VertexId c = by_first ? f.a : f.b, d = by_first ? f.b : f.a;
   const Plane plane = Plane::of_face(sight_.point(edge.a), sight_.point(edge.b), sight_.point(c));
-  const Sign behind = side(plane, d) * (by_first ? s0 : s1);
+  const Sign behind = sight_.side(plane, d, exact_) * (by_first ? s0 : s1);
   if (behind == Sign::positive) return;
   if (sa == Sign::zero) course_.start_is_clean = false;
   if (sb == Sign::zero) course_.end_is_clean = false;
@@ -125,7 +118,7 @@ void Crossings::pierce(const Edge& edge, TriangleId t, std::vector<LayerChange>&
   const Sign first = line_->certain_side(c[0]);
   if (first != Sign::zero && line_->certain_side(c[1]) == first && line_->certain_side(c[2]) == first) return;
   const Plane plane = sight_.face_plane(t);
-  const Sign at_a = side(plane, edge.a), at_b = side(plane, edge.b);
+  const Sign at_a = sight_.side(plane, edge.a, exact_), at_b = sight_.side(plane, edge.b, exact_);
   if (at_a == at_b) return;  // wholly on one side, or in the plane, where nothing hides
   const Sign facing = sight_.facing(t);
   if (at_a == Sign::zero || at_b == Sign::zero) {
@@ -138,7 +131,8 @@ void Crossings::pierce(const Edge& edge, TriangleId t, std::vector<LayerChange>&
   // The line of the edge passes the three sides of the triangle in one sense iff it goes through the inside.
   bool positive = false, negative = false, zero = false;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Sign s = side(Plane::of_face(sight_.point(edge.a), sight_.point(edge.b), sight_.point(c[k])), c[(k + 1) % 3]);
+    const Sign s =
+        sight_.side(Plane::of_face(sight_.point(edge.a), sight_.point(edge.b), sight_.point(c[k])), c[(k + 1) % 3], exact_);
     (s == Sign::zero ? zero : s == Sign::positive ? positive : negative) = true;
   }
   if (positive && negative) return;

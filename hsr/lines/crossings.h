@@ -56,7 +56,6 @@ class Crossings {
   void cross(const Edge& edge, const OccludingEdge& occluding, std::vector<LayerChange>& changes);
   void pierce(const Edge& edge, TriangleId t, std::vector<LayerChange>& changes);
   void add(LayerChange change, std::vector<LayerChange>& changes);
-  Sign side(const Plane& plane, VertexId p);
 
   const Sight& sight_;
   const Layers& layers_;

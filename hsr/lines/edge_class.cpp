@@ -46,21 +46,12 @@ double deviation(const Sight& sight, const Edge& e, VertexId apex0, VertexId ape
   return std::atan2(std::sqrt(dot(n, n)), -dot(n0, n1)) * 180 / std::numbers::pi;
 }
 
-/// The sign of the permutation that takes the triangle's corners to (edge.a, edge.b, apex).
-Sign parity(const std::array<VertexId, 3>& t, const Edge& e) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (t[k] == e.a) return t[(k + 1) % 3] == e.b ? Sign::positive : Sign::negative;
-  return Sign::zero;
-}
-
 /// Two half-planes at one edge, told apart exactly.
 class HalfPlanes {
  public:
   HalfPlanes(const Sight& sight, Predicates& exact, const Edge& edge) : sight_(sight), exact_(exact), edge_(edge) {}
 
-  HalfPlane of(TriangleId t) const {
-    return {t, sight_.mesh().apex(t, edge_), sight_.facing(t) * parity(sight_.mesh().triangles[t], edge_)};
-  }
+  HalfPlane of(TriangleId t) const { return {t, sight_.mesh().apex(t, edge_), sight_.side_of_edge(t, edge_)}; }
 
   Sign side(const HalfPlane& plane, const HalfPlane& other) const {
     return exact_.side(sight_.face_plane(plane.triangle), sight_.point(other.apex));
@@ -128,7 +119,7 @@ std::optional<EdgeClass> class_at_a_glance(const Sight& sight, EdgeId id, double
   const Point3 along = minus(sight.point(edge.b), a);
   for (std::size_t k = 0; k < 2; ++k) {
     const TriangleId t = triangles[k];
-    side[k] = sight.facing(t) * parity(sight.mesh().triangles[t], edge);
+    side[k] = sight.side_of_edge(t, edge);
     const Point3 out = minus(sight.point(sight.mesh().apex(t, edge)), a);
     n[k] = cross(along, out);
     // The normal errs by some roundings of these products.

@@ -5,13 +5,7 @@
 namespace hsr {
 
 /// p lies strictly beyond the plane of t: the eye is on the side -facing.
-bool LayerCount::hides(TriangleId t, VertexId p) {
-  const Plane plane = sight_.face_plane(t);
-  const ErrorBounded x = sight_.filter(plane)(sight_.point(p));
-  if (x.is_certain()) ++exact_.counts().filter;
-  const Sign s = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(plane, sight_.point(p));
-  return s == sight_.facing(t);
-}
+bool LayerCount::hides(TriangleId t, VertexId p) { return sight_.side(sight_.face_plane(t), p, exact_) == sight_.facing(t); }
 
 std::int32_t LayerCount::at_vertex(VertexId v, VertexId to, Sign side) {
   const ImageLine line(sight_, v, to);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <tuple>
 
 #include "hsr/image_line.h"
 
@@ -30,13 +29,6 @@ std::vector<T> collected(std::size_t n, const F& visit) {
 template <class T>
 void store(T& place, T value) {
   std::atomic_ref<T>(place).store(value, std::memory_order_relaxed);
-}
-
-/// The sign of the permutation that takes the triangle's corners to (edge.a, edge.b, apex).
-Sign parity(const std::array<VertexId, 3>& t, const Edge& e) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (t[k] == e.a) return t[(k + 1) % 3] == e.b ? Sign::positive : Sign::negative;
-  return Sign::zero;
 }
 
 }  // namespace
@@ -124,7 +116,7 @@ void Layers::weigh_edges() {
       for (const TriangleId t : mesh.triangles_at(e)) {
         if (!counts(t)) continue;
         is_counted = true;
-        weight += static_cast<int>(sight_.facing(t) * parity(mesh.triangles[t], edge));
+        weight += static_cast<int>(sight_.side_of_edge(t, edge));
       }
       if (weight != 0) part.push_back({e, weight});
       // An edge between no counted triangles, such as a wire, may lie behind those at its ends.

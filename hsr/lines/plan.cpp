@@ -4,7 +4,6 @@
 #include <array>
 #include <string>
 
-#include "geometry/error.h"
 #include "hsr/image_line.h"
 #include "hsr/lines/hidden_tiles.h"
 #include "hsr/lines/image_mask.h"
