@@ -28,14 +28,13 @@ namespace {
 
 struct Request {
   std::vector<std::string> scenes, views;
-  std::string edges = "all", csv, method = "automatic", hidden_tiles = "automatic";
+  std::string edges = "all", csv, method = "automatic", stages = "automatic";
   int threads = 1, repeat = 3;
 };
 
 const std::map<std::string, LineMethod> methods = {
     {"automatic", LineMethod::automatic}, {"appel", LineMethod::appel}, {"roberts", LineMethod::roberts}};
-const std::map<std::string, Stage> stages = {
-    {"automatic", Stage::automatic}, {"always", Stage::always}, {"never", Stage::never}};
+const std::map<std::string, When> stages = {{"automatic", When::automatic}, {"always", When::always}, {"never", When::never}};
 
 struct Row {
   std::string scene, view;
@@ -54,7 +53,7 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
   LineOptions options;
   if (request.edges == "all") options.classes.fill(true);
   options.method = methods.at(request.method);
-  options.hidden_tiles = stages.at(request.hidden_tiles);
+  options.stages.fill(stages.at(request.stages));
   Times mesh_times, line_times;
   reset_peak_memory();
   for (int k = 0; k < request.repeat; ++k) {
@@ -159,7 +158,7 @@ int main(int argc, char** argv) {
   app.add_option("--edges", request.edges, "all, or default: all but smooth ones")->check(CLI::IsMember({"all", "default"}));
   app.add_option("--method", request.method, "automatic, appel or roberts")
       ->check(CLI::IsMember({"automatic", "appel", "roberts"}));
-  app.add_option("--hidden-tiles", request.hidden_tiles, "automatic, always or never")
+  app.add_option("--stages", request.stages, "what the plan leaves out: automatic, always or never")
       ->check(CLI::IsMember({"automatic", "always", "never"}));
   app.add_option("--threads", request.threads, "number of threads")->check(CLI::PositiveNumber);
   app.add_option("--repeat", request.repeat, "how often each is measured")->check(CLI::PositiveNumber);

@@ -65,13 +65,13 @@ bool row(const std::filesystem::path& file, const std::string& view_name, const 
     LineOptions options;
     if (request.edges == "all") options.classes.fill(true);
     options.method = k == 0 ? LineMethod::automatic : k == 1 ? LineMethod::appel : LineMethod::roberts;
-    if (k == 2) options.hidden_tiles = Stage::never;
+    if (k == 2) options.stages.fill(When::never);
     seconds[k] = elapsed([&] { found[k] = visible_lines(mesh, view, options); }).clock;
   }
   std::string wrong = difference(mesh, view, found[1], found[2]);
   if (wrong.empty()) wrong = difference(mesh, view, found[0], found[2]);
   fmt::print("| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} ({}) | {:.3f} | {:.3f} | {:.2f} | {} |\n", file.filename().string(),
-             view_name, mesh.triangles.size(), reading, meshing, seconds[0], found[0].method, seconds[1], seconds[2],
+             view_name, mesh.triangles.size(), reading, meshing, seconds[0], found[0].plan.method, seconds[1], seconds[2],
              1e6 * seconds[0] / static_cast<double>(std::max<std::size_t>(1, mesh.triangles.size())),
              wrong.empty() ? "yes" : wrong);
   std::fflush(stdout);

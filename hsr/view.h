@@ -17,6 +17,11 @@ struct Frame {
   Point3 origin, right, up;
 };
 
+/// A picture around the middle of the view's frame, in units of the frame.
+struct FrameSize {
+  double half_width, half_height;
+};
+
 /// From where the scene is looked at.
 struct View {
   Viewpoint viewpoint;

@@ -9,6 +9,7 @@
 
 #include "geometry/error.h"
 #include "hsr/cli/commands.h"
+#include "hsr/cli/line_arguments.h"
 #include "hsr/cli/outputs.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
@@ -29,8 +30,8 @@ struct DrawArguments {
   std::string model;
   std::vector<std::string> outputs;
   ViewOptions view;
-  std::string hidden = "none", edges = "outline,sharp,boundary,intersection,wire", method = "auto", hidden_tiles = "auto";
-  double crease = 30;
+  LineArguments lines;
+  std::string hidden = "none";
   std::string page = "A4", scale = "fit", unit = "mm", size;
   double margin = 10;
   bool exact = false, why = false, quiet = false;
@@ -45,26 +46,6 @@ const char* const examples = R"(Examples:
   hsr draw house.glb -o house.svg --eye 20,-30,15 --up-axis y
   hsr draw part.ply -o lines.json --edges all --exact      every edge, parameters as "p/q"
   hsr draw part.ply -o lines.json --hidden dashed --why    and which faces hide what)";
-
-std::array<bool, 6> parse_classes(const std::string& text) {
-  static const std::array<const char*, 6> names = {"outline", "sharp", "boundary", "intersection", "wire", "smooth"};
-  std::array<bool, 6> classes{};
-  if (text == "all") {
-    classes.fill(true);
-    return classes;
-  }
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string name = text.substr(begin, end - begin);
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-      throw InputError("--edges: found \"" + name + "\", expected all, or of outline,sharp,boundary,intersection,wire,smooth");
-    classes[static_cast<std::size_t>(found - names.begin())] = true;
-    begin = end + 1;
-  }
-  return classes;
-}
 
 Arithmetic parse_arithmetic(const std::string& text) {
   static const std::map<std::string, Arithmetic> names = {{"staged", Arithmetic::staged},
@@ -85,9 +66,9 @@ void describe(Report& report, const Model& model, const Mesh& mesh, const Visibl
   for (const LineOfEdge& line : lines.lines)
     for (std::uint32_t k = 0; k < line.intervals(); ++k) ++(line.hidden(k) ? hidden : visible);
   report["lines"] = {{"edges", lines.lines.size()}, {"visible_intervals", visible}, {"hidden_intervals", hidden}};
-  report["method"] = lines.method;
+  report["method"] = lines.plan.method;
   report["pairs"] = lines.pairs;
-  for (const LeftOut& stage : lines.left_out) report.leave_out(stage.stage, stage.why);
+  for (const LeftOut& stage : lines.plan.left_out) report.leave_out(stage.stage, stage.why);
 }
 
 /// What was asked for and does nothing here.
@@ -104,7 +85,7 @@ void note_idle_options(const DrawArguments& a, const std::vector<Format>& format
 /// Why a drawing has no line, for one who wonders.
 std::string empty_drawing(const DrawArguments& a, const VisibleLines& lines, const Drawing& drawing) {
   if (lines.lines.empty())
-    return "no edge of this model is of the classes " + a.edges + " in this view: --edges all draws every edge";
+    return "no edge of this model is of the classes " + a.lines.edges + " in this view: --edges all draws every edge";
   const bool nothing_ahead =
       std::all_of(lines.lines.begin(), lines.lines.end(), [](const LineOfEdge& l) { return l.intervals() == 0; });
   if (nothing_ahead && !a.view.eye.empty())
@@ -122,23 +103,13 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   std::vector<std::string> files = a.outputs;
   files.push_back(a.report);
   check_outputs(a.model, files);
-  if (!(a.crease >= 0 && a.crease <= 180))
-    throw InputError(fmt::format("--crease: found {}, expected degrees from 0 to 180", a.crease));
   if (!(a.margin >= 0)) throw InputError(fmt::format("--margin: found {}, expected millimetres, 0 or more", a.margin));
-  if (a.method == "appel" && a.why)
+  if (a.lines.method == "appel" && a.why)
     throw InputError(
         "--why: appel counts the faces that hide and does not know which they are, expected --method roberts or auto");
-  LineOptions line_options;
-  line_options.classes = parse_classes(a.edges);
-  line_options.crease = a.crease;
+  LineOptions line_options = a.lines.options();
   line_options.why = a.why;
   line_options.arithmetic = parse_arithmetic(a.arithmetic);
-  line_options.method = a.method == "appel"     ? LineMethod::appel
-                        : a.method == "roberts" ? LineMethod::roberts
-                                                : LineMethod::automatic;
-  line_options.hidden_tiles = a.hidden_tiles == "always"  ? Stage::always
-                              : a.hidden_tiles == "never" ? Stage::never
-                                                          : Stage::automatic;
   DrawingOptions drawing_options;
   drawing_options.page = parse_page(a.page);
   drawing_options.page.margin = a.margin;
@@ -163,6 +134,9 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   const Mesh mesh = report.timed("mesh", [&] { return make_mesh(model.points, model.polygons); });
   const ChosenView chosen = choose_view(a.view, mesh);
   drawing_options.field_of_view = chosen.field_of_view;
+  const bool any_json = std::find(formats.begin(), formats.end(), Format::json) != formats.end();
+  // Drawings only: JSON is complete.
+  if (!any_json) line_options.frame = frame_size(chosen.view, drawing_options);
   if (!a.quiet) {
     progress.clear();
     note_idle_options(a, formats);
@@ -201,6 +175,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   report.set_decisions(decisions);
   if (!chosen.view.is_perspective()) report.leave_out("near plane", "a parallel view has none");
   if (!draws) report.leave_out("drawing", "only JSON was asked for");
+  if (any_json && chosen.field_of_view) report.leave_out("frame", "JSON has all edges, in the picture or not");
 
   progress.stage("writing");
   OutputFiles output(unfinished);
@@ -248,26 +223,7 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
       ->type_name("STYLE")
       ->check(CLI::IsMember({"none", "dashed", "solid"}))
       ->group(lines);
-  sub->add_option("--edges", a->edges, "Classes to draw: outline,sharp,boundary,intersection,wire,smooth or all")
-      ->capture_default_str()
-      ->type_name("LIST")
-      ->group(lines);
-  sub->add_option("--crease", a->crease,
-                  "An edge is sharp if its faces deviate from flat by more than this; exactly this angle is smooth")
-      ->capture_default_str()
-      ->type_name("DEG")
-      ->group(lines);
-  sub->add_option("--method", a->method, "appel, roberts, or auto: whichever suits the model; the result is the same")
-      ->capture_default_str()
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "appel", "roberts"}))
-      ->group(lines);
-  sub->add_option("--hidden-tiles", a->hidden_tiles,
-                  "Leave out what lies behind large faces before any exact test: auto, always or never; the result is the same")
-      ->capture_default_str()
-      ->type_name("WHEN")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->group(lines);
+  a->lines.add_to(*sub);
   sub->add_flag("--why", a->why, "JSON: which faces hide each hidden interval")->group(lines);
   const std::string page = "Page";
   sub->add_option("--page", a->page,

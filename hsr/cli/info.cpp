@@ -4,9 +4,12 @@
 #include <memory>
 
 #include "hsr/cli/commands.h"
+#include "hsr/cli/line_arguments.h"
 #include "hsr/cli/outputs.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
+#include "hsr/cli/view_options.h"
+#include "hsr/lines/plan.h"
 #include "hsr/read/read.h"
 #include "hsr/scene_facts.h"
 #include "hsr/write/mesh_json.h"
@@ -17,11 +20,14 @@ namespace {
 
 struct InfoArguments {
   std::string model, mesh, report;
+  ViewOptions view;
+  LineArguments lines;
   bool exact = false;
 };
 
 const char* const examples = R"(Examples:
-  hsr info part.stl                          what the model is, its defects, the bits it needs
+  hsr info part.stl                          what the model is, its defects, what its drawing takes
+  hsr info part.stl --edges all --view top   what a drawing of all edges from above can leave out
   hsr info house.obj --mesh mesh.json        the faces as used: merged, dropped, cut into triangles
   hsr info part.stl --report facts.json      the same facts as JSON)";
 
@@ -71,7 +77,7 @@ void print(const Model& model, const SceneFacts& f) {
              share(f.axis_parallel_faces, f.faces_used()));
   fmt::print("  box         {} {} {} to {} {} {}\n", f.lowest.x, f.lowest.y, f.lowest.z, f.highest.x, f.highest.y, f.highest.z);
   const int bits = f.coordinates.bits();
-  const char* arithmetic = bits <= 37    ? "128-bit integers decide what doubles leave open"
+  const char* arithmetic = bits <= 18    ? "128-bit integers decide what doubles leave open"
                            : bits <= 122 ? "fixed-width integers decide what doubles and intervals leave open"
                                          : "big floats decide what doubles and intervals leave open";
   fmt::print("  bits        {}: multiples of 2^{} below 2^{}; {}\n", bits, f.coordinates.lowest, f.coordinates.highest,
@@ -79,6 +85,13 @@ void print(const Model& model, const SceneFacts& f) {
   const auto list = defects(model, f);
   fmt::print("  defects     {}\n", list.empty() ? "none" : list.front());
   for (std::size_t i = 1; i < list.size(); ++i) fmt::print("              {}\n", list[i]);
+}
+
+/// What visible lines would take, stage by stage.
+void print(const LinePlan& plan, const std::string& view, const std::string& edges) {
+  fmt::print("  plan        view {}, edges {}: {}\n", view, edges,
+             plan.method == "none" ? "no edge needs a test" : "method " + plan.method);
+  for (const LeftOut& stage : plan.left_out) fmt::print("              {}: {}\n", stage.stage, stage.why);
 }
 
 void add_facts(Report& report, const Model& model, const SceneFacts& f) {
@@ -114,16 +127,24 @@ void add_facts(Report& report, const Model& model, const SceneFacts& f) {
 
 void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   check_outputs(a.model, {a.mesh, a.report});
+  const LineOptions line_options = a.lines.options();
   Report report;
   ProgressLine progress(false);
   progress.stage("reading");
   const Model model = report.timed("read", [&] { return read_model(a.model); });
   const Mesh mesh = report.timed("mesh", [&] { return make_mesh(model.points, model.polygons); });
+  const ChosenView view = choose_view(a.view, mesh);
   progress.stage("facts");
   const SceneFacts facts = report.timed("facts", [&] { return scene_facts(mesh, model.polygons); });
+  progress.stage("plan");
+  const LinePlan plan = report.timed("plan", [&] { return plan_lines(mesh, view.view, line_options); });
   progress.clear();
   print(model, facts);
+  print(plan, view.title, a.lines.edges);
   add_facts(report, model, facts);
+  report["view"] = view.title;
+  report["method"] = plan.method;
+  for (const LeftOut& stage : plan.left_out) report.leave_out(stage.stage, stage.why);
   OutputFiles output(unfinished);
   if (!a.mesh.empty()) output.write(a.mesh, mesh_json(mesh, a.exact ? Numbers::exact : Numbers::rounded));
   if (!a.report.empty()) output.write(a.report, report.text());
@@ -134,9 +155,12 @@ void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
 
 void add_info(CLI::App& app, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<InfoArguments>();
-  CLI::App* sub = app.add_subcommand("info", "Say what a model is: size, topology, defects, the bits it needs");
+  CLI::App* sub = app.add_subcommand(
+      "info", "Say what a model is: size, topology, defects, the bits it needs, and what a drawing of it takes");
   sub->footer(examples);
   sub->add_option("MODEL", a->model, "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB")->required();
+  a->view.add_to(*sub);
+  a->lines.add_to(*sub);
   sub->add_option("--mesh", a->mesh, "Write the faces as used as JSON")->type_name("FILE");
   sub->add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
   sub->add_option("--report", a->report, "The facts and times as JSON")->type_name("FILE");

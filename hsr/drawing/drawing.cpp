@@ -15,6 +15,7 @@
 #include "hsr/drawing/near_lines.h"
 #include "hsr/drawing/overlay.h"
 #include "hsr/drawing/placement.h"
+#include "hsr/outside_frame.h"
 
 namespace hsr {
 
@@ -221,6 +222,11 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   std::vector<std::uint32_t> seen;  // lines that are not a point, nor before the near plane
   for (std::uint32_t i = 0; i < lines.lines.size(); ++i)
     if (lines.lines[i].intervals() > 0) seen.push_back(i);
+  if (const auto frame = frame_size(view, options)) {
+    // Whether `lines` was told of the frame or not, the drawing is the same.
+    const OutsideFrame outside(mesh, view, *frame);
+    std::erase_if(seen, [&](std::uint32_t i) { return outside.contains(mesh.edges[lines.lines[i].edge]); });
+  }
 
   const Placement place = placement(mesh, view, lines, seen, options);
   Drawing drawing;

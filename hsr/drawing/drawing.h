@@ -64,12 +64,17 @@ struct Drawing {
   }
 };
 
+/// The picture that the field of view cuts out, for LineOptions::frame; nothing where there is none.
+/// @throws InputError as draw() does
+std::optional<FrameSize> frame_size(const View& view, const DrawingOptions& options);
+
 /// The lines on paper: no image point twice, collinear parts merged, parts of one style joined into long polylines.
 ///
 ///   (1) what is drawn visible is the union of the visible parts; what is drawn hidden, of the hidden parts less that union
 ///   (2) where visible parts of several classes coincide, the first of outline, boundary, sharp, intersection, wire, smooth is
-///   drawn (3) a coordinate is the exact one rounded to 0.001 mm, halves away from zero; except where the field of view cuts a
-///   line (4) the same for any number of threads
+///       drawn
+///   (3) a coordinate is the exact one rounded to 0.001 mm, halves away from zero; except where the field of view cuts a line
+///   (4) the same for any number of threads
 ///
 /// With leave_out_near, less what it leaves out.
 /// Fit: the box around all lines, drawn hidden ones or not, fills the page less its margins; so --hidden changes no place.

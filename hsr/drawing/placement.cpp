@@ -105,6 +105,29 @@ Wide half_of_frame(const View& view, double degrees) {
   return distance * std::tan(static_cast<Wide>(degrees) * (std::numbers::pi_v<Wide> / 360));
 }
 
+/// Half the picture, in units of the frame; it has the proportions of the drawing area, its shorter side the field of view.
+struct HalfPicture {
+  Wide width, height;
+};
+
+HalfPicture half_picture(const View& view, const Page& page, double degrees) {
+  const Wide half = half_of_frame(view, degrees);
+  const Wide area_width = page.width - 2 * page.margin, area_height = page.height - 2 * page.margin;
+  const Wide shorter = std::min(area_width, area_height);
+  return {half * (area_width / shorter), half * (area_height / shorter)};
+}
+
+/// The page, turned as the picture wants it.
+Page framed_page(Page page) {
+  if (page.fits || (page.turns && page.height > page.width)) std::swap(page.width, page.height);
+  return page;
+}
+
+void check_margin(const Page& page) {
+  if (!(page.width > 2 * page.margin) || !(page.height > 2 * page.margin) || !(page.margin >= 0))
+    throw InputError("margin: found " + std::to_string(page.margin) + " mm, expected 0 or more, and less than half the page");
+}
+
 /// The lesser of the two ratios of area to size; where there is no size, 1.
 Wide fitting(Wide width, Wide height, Wide area_width, Wide area_height) {
   const Wide x = width > 0 ? area_width / width : HUGE_VALL, y = height > 0 ? area_height / height : HUGE_VALL;
@@ -114,24 +137,27 @@ Wide fitting(Wide width, Wide height, Wide area_width, Wide area_height) {
 
 }  // namespace
 
+std::optional<FrameSize> frame_size(const View& view, const DrawingOptions& options) {
+  if (!options.field_of_view || !view.is_perspective()) return {};
+  check_margin(options.page);
+  const HalfPicture half = half_picture(view, framed_page(options.page), *options.field_of_view);
+  return FrameSize{static_cast<double>(half.width), static_cast<double>(half.height)};
+}
+
 Placement placement(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn,
                     const DrawingOptions& options) {
   Placement result{Projection(mesh, view, anchor_of(mesh, view, lines, drawn)), 0, 0, 1, true, {}};
   const bool framed = options.field_of_view && view.is_perspective();
   Page page = options.page;
-  if (!(page.width > 2 * page.margin) || !(page.height > 2 * page.margin) || !(page.margin >= 0))
-    throw InputError("margin: found " + std::to_string(page.margin) + " mm, expected 0 or more, and less than half the page");
+  check_margin(page);
 
   Wide width = 0, height = 0;
   std::array<Rational, 2> centre;
   if (framed) {
-    // The picture has the proportions of the drawing area, its shorter side the field of view.
-    const Wide half = half_of_frame(view, *options.field_of_view);
-    if (page.fits || (page.turns && page.height > page.width)) std::swap(page.width, page.height);
-    const Wide area_width = page.width - 2 * page.margin, area_height = page.height - 2 * page.margin;
-    const Wide shorter = std::min(area_width, area_height);
-    width = 2 * half * (area_width / shorter);
-    height = 2 * half * (area_height / shorter);
+    page = framed_page(page);
+    const HalfPicture half = half_picture(view, page, *options.field_of_view);
+    width = 2 * half.width;
+    height = 2 * half.height;
     centre = result.projection.relative(view.frame.origin);
   } else {
     const Box box = box_of(result.projection, lines, drawn);

@@ -115,7 +115,6 @@ class Appel {
       progress.advance(end - begin);
     });
     VisibleLines all = joined(lines, place);
-    all.method = "appel";
     all.decisions += requested_.decisions;
     all.decisions += root_decisions_;
     for (const Part& part : parts_) {

@@ -16,5 +16,7 @@ VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const 
                      const LineOptions& options);
 VisibleLines appel(const Sight& sight, const RequestedEdges& requested, const Layers& layers, const Occluders& occluders,
                    const LineOptions& options);
+/// @pre the scene is one convex body, and requested.hidden says which edges have no face turned to the eye
+VisibleLines lines_of_convex_body(const Sight& sight, const RequestedEdges& requested, const LineOptions& options);
 
 }  // namespace hsr

@@ -1,16 +1,21 @@
+#include "hsr/lines/plan.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "hsr/image_line.h"
+#include "hsr/lines/bodies.h"
 #include "hsr/lines/hidden_tiles.h"
 #include "hsr/lines/image_mask.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
 #include "hsr/lines/occluders.h"
 #include "hsr/lines/requested_edges.h"
+#include "hsr/outside_frame.h"
 #include "hsr/sight.h"
 
 // What a scene does not need is left out here, before the methods, and the method is chosen.
@@ -39,115 +44,188 @@ std::string of(std::size_t part, std::size_t all, const char* what) {
 
 class Plan {
  public:
-  Plan(const Sight& sight, const LineOptions& options) : sight_(sight), options_(options) {}
+  Plan(const Mesh& mesh, const View& view, const LineOptions& options);
 
-  VisibleLines lines();
+  VisibleLines run() const;
+  const LinePlan& outcome() const { return outcome_; }
 
  private:
-  void leave_out_hidden(RequestedEdges& requested);
-  std::vector<std::uint8_t> far_from(const RequestedEdges& requested);
-  void say(const char* stage, std::string why) { left_out_.push_back({stage, std::move(why)}); }
-  bool appel_pays(const Layers& layers) const;
+  void leave_out_far_sides();
+  void leave_out_hidden();
+  void choose_method();
+  bool few_edges(std::size_t share) const { return requested_.edges.size() * share < sight_.mesh().triangles.size(); }
+  std::vector<std::uint8_t> far_from_requested();
+  /// Whether to run a stage that a request for few edges does not pay for; else says why not.
+  bool wants(LineStage stage, const char* name);
+  void say(const char* stage, std::string why) { outcome_.left_out.push_back({stage, std::move(why)}); }
+  bool appel_pays() const;
 
-  const Sight& sight_;
   const LineOptions& options_;
-  std::vector<ImageBox> boxes_;       // of the triangles
-  std::vector<std::uint8_t> hidden_;  // by triangle: left out; empty: none
-  std::vector<LeftOut> left_out_;
+  Sight sight_;
+  std::optional<OutsideFrame> outside_;
+  RequestedEdges requested_;
+  std::vector<ImageBox> boxes_;         // of the triangles
+  std::vector<std::uint8_t> left_out_;  // by triangle: whole faces; empty: none
+  std::optional<Occluders> occluders_;
+  std::optional<Layers> layers_;
+  LinePlan outcome_;
 };
 
-/// Faces that are hidden hide nothing that what hides them does not, and edges that are hidden need no test.
-void Plan::leave_out_hidden(RequestedEdges& requested) {
+std::optional<OutsideFrame> outside_frame(const Mesh& mesh, const View& view, const LineOptions& options) {
+  if (!options.frame || !view.is_perspective() || options.when(LineStage::frame) == When::never) return {};
+  return OutsideFrame(mesh, view, *options.frame);
+}
+
+Plan::Plan(const Mesh& mesh, const View& view, const LineOptions& options)
+    : options_(options),
+      sight_(mesh, view, options.arithmetic),
+      outside_(outside_frame(mesh, view, options)),
+      requested_(sight_, options, outside_ ? &*outside_ : nullptr) {
+  if (requested_.edges.size() < mesh.edges.size())
+    say("edges", of(mesh.edges.size() - requested_.edges.size(), mesh.edges.size(),
+                    outside_ ? "edges are outside the picture, or of classes that are not asked for"
+                             : "edges are of classes that are not asked for"));
+  leave_out_far_sides();
+  if (outcome_.method == "none") return;
+  boxes_.resize(mesh.triangles.size());
+  for_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = sight_.box(TriangleId(i)); });
+  leave_out_hidden();
+  occluders_.emplace(sight_, boxes_, far_from_requested());
+  choose_method();
+}
+
+bool Plan::wants(LineStage stage, const char* name) {
+  const When when = options_.when(stage);
+  const char* why_not = options_.why                                ? "hidden faces are to be named, too"
+                        : options_.arithmetic != Arithmetic::staged ? "arithmetic is compared without it"
+                        : when == When::never                       ? "not asked for"
+                        : when == When::automatic && few_edges(8)   ? "few edges are asked for"
+                                                                    : nullptr;
+  if (why_not != nullptr) say(name, why_not);
+  return why_not == nullptr;
+}
+
+/// The far sides of bodies hide nothing that their near sides do not, and one convex body hides nothing else.
+void Plan::leave_out_far_sides() {
+  const bool wants_back_faces = wants(LineStage::back_faces, "back faces");
+  const bool wants_convex_body = wants(LineStage::convex_body, "convex body");
+  if (!wants_back_faces && !wants_convex_body) return;
   const Mesh& mesh = sight_.mesh();
-  if (options_.why || options_.hidden_tiles == Stage::never) {
-    say("hidden tiles", options_.why ? "hidden faces are to be named, too" : "not asked for");
+  const Bodies bodies(sight_);
+  const auto hide = [&](const auto& is_hidden) {
+    requested_.hidden.assign(requested_.edges.size(), 0);
+    for_each(requested_.edges.size(), [&](std::size_t i) { requested_.hidden[i] = is_hidden(requested_.edges[i]) ? 1 : 0; });
+  };
+  if (wants_convex_body && bodies.is_one_convex_body()) {
+    outcome_.method = "none";
+    hide([&](EdgeId e) {
+      const auto all = mesh.triangles_at(e);
+      return std::none_of(all.begin(), all.end(), [&](TriangleId t) { return bodies.is_on_near_side(t); });
+    });
+    say("convex body", "all of it: of one convex body, what is turned to the eye is visible");
     return;
   }
-  if (options_.hidden_tiles == Stage::automatic && requested.edges.size() * 8 < mesh.triangles.size()) {
-    say("hidden tiles", "few edges are asked for");
+  if (wants_convex_body) say("convex body", "the scene is more than one convex body");
+  if (!wants_back_faces) return;
+  if (bodies.count() == 0) {
+    say("back faces", "no component is seen at a glance to be a closed body beyond the near plane");
     return;
   }
-  const HiddenTiles tiles(sight_, boxes_, options_.hidden_tiles == Stage::always);
+  left_out_ = bodies.far_sides();
+  hide([&](EdgeId e) { return bodies.is_on_far_side(e); });
+  say("back faces", of(count(left_out_), left_out_.size(), "triangles and ") +
+                        of(count(requested_.hidden), requested_.hidden.size(), "edges are far sides of ") +
+                        std::to_string(bodies.count()) + (bodies.count() == 1 ? " closed body" : " closed bodies"));
+}
+
+/// Faces that are hidden hide nothing that what hides them does not, and edges that are hidden need no test.
+void Plan::leave_out_hidden() {
+  if (!wants(LineStage::hidden_tiles, "hidden tiles")) return;
+  const Mesh& mesh = sight_.mesh();
+  const HiddenTiles tiles(sight_, boxes_, options_.when(LineStage::hidden_tiles) == When::always);
   if (tiles.is_empty()) {
     say("hidden tiles", "no face is large and near enough to hide much");
     return;
   }
+  const std::size_t faces_before = count(left_out_), edges_before = count(requested_.hidden);
   // Whole faces: where the triangles of a planar face meet, the mesh has no edge.
-  hidden_.assign(mesh.triangles.size(), 0);
+  left_out_.resize(mesh.triangles.size(), 0);
   for_each(mesh.faces.size(), [&](std::size_t f) {
     const std::uint32_t first = mesh.first_triangle[FaceId(f)], end = mesh.first_triangle[FaceId(f + 1)];
     for (std::uint32_t t = first; t < end; ++t)
       if (sight_.reaches_before_near(TriangleId(t)) || !tiles.hides(mesh.triangles[TriangleId(t)], boxes_[t].nearest)) return;
-    std::fill(hidden_.begin() + first, hidden_.begin() + end, std::uint8_t{1});
+    std::fill(left_out_.begin() + first, left_out_.begin() + end, std::uint8_t{1});
   });
-  requested.hidden.assign(requested.edges.size(), 0);
-  for_each(requested.edges.size(), [&](std::size_t i) {
-    const Edge& e = mesh.edges[requested.edges[i]];
+  requested_.hidden.resize(requested_.edges.size(), 0);
+  for_each(requested_.edges.size(), [&](std::size_t i) {
+    const Edge& e = mesh.edges[requested_.edges[i]];
     if (sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return;
-    if (!tiles.hides(std::array{e.a, e.b}, requested.boxes[i].nearest)) return;
+    if (!tiles.hides(std::array{e.a, e.b}, requested_.boxes[i].nearest)) return;
     Predicates exact = sight_.predicates();
-    if (!ImageLine(sight_, e.a, e.b).is_point(exact)) requested.hidden[i] = 1;
+    if (!ImageLine(sight_, e.a, e.b).is_point(exact)) requested_.hidden[i] = 1;
   });
-  say("hidden faces", of(count(hidden_), hidden_.size(), "triangles lie behind others that cover their part of the image"));
-  say("hidden edges", of(count(requested.hidden), requested.hidden.size(), "edges lie behind such triangles"));
+  say("hidden tiles", of(count(left_out_) - faces_before, left_out_.size(), "triangles and ") +
+                          of(count(requested_.hidden) - edges_before, requested_.hidden.size(),
+                             "edges lie behind others that cover their part of the image"));
 }
 
-/// The triangles that are no candidates for any edge: hidden ones, and where few edges are asked for, those that overlap none
-/// of them in the image. The far ones still count as layers, the hidden ones do not.
-std::vector<std::uint8_t> Plan::far_from(const RequestedEdges& requested) {
-  if (requested.edges.size() * 8 > boxes_.size()) return hidden_;
-  const ImageMask mask(requested.boxes);
-  std::vector<std::uint8_t> far = hidden_;
+/// The triangles that are no candidates for any edge: those left out, and where few edges are asked for, those that overlap
+/// none of them in the image. The far ones still count as layers, the others do not.
+std::vector<std::uint8_t> Plan::far_from_requested() {
+  const When when = options_.when(LineStage::far_faces);
+  if (when == When::never || (when == When::automatic && !few_edges(8))) {
+    say("far faces", when == When::never ? "not asked for" : "too many edges are asked for");
+    return left_out_;
+  }
+  const ImageMask mask(requested_.boxes);
+  std::vector<std::uint8_t> far = left_out_;
   far.resize(boxes_.size(), 0);
   for_each(boxes_.size(), [&](std::size_t i) {
     if (!mask.touches(boxes_[i])) far[i] = 1;
   });
-  say("far faces", of(count(far), far.size(), "triangles are hidden or overlap no edge that is asked for"));
+  say("far faces", of(count(far) - count(left_out_), far.size(), "triangles overlap no edge that is asked for, as seen"));
   return far;
 }
 
 /// Appel looks at occluding edges where roberts looks at faces, and then has the counts to carry on.
-bool Plan::appel_pays(const Layers& layers) const {
+bool Plan::appel_pays() const {
   std::size_t faces = 0;
-  for (std::size_t t = 0; t < sight_.mesh().triangles.size(); ++t) faces += layers.counts(TriangleId(t)) ? 1U : 0U;
-  return layers.edges().size() < faces;
+  for (std::size_t t = 0; t < sight_.mesh().triangles.size(); ++t) faces += layers_->counts(TriangleId(t)) ? 1U : 0U;
+  return layers_->edges().size() < faces;
 }
 
-VisibleLines Plan::lines() {
-  RequestedEdges requested(sight_, options_);
-  const Mesh& mesh = sight_.mesh();
-  boxes_.resize(mesh.triangles.size());
-  for_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = sight_.box(TriangleId(i)); });
-  leave_out_hidden(requested);
-  const std::vector<std::uint8_t> far = far_from(requested);
-  const Occluders occluders(sight_, boxes_, far);
-  const auto by_roberts = [&](const char* why) {
+void Plan::choose_method() {
+  const auto roberts_because = [&](const char* why) {
     say("appel", why);
-    return roberts(sight_, requested, occluders, options_);
+    outcome_.method = "roberts";
   };
-  const auto found = [&] {
-    if (options_.method == LineMethod::roberts) return by_roberts("roberts is asked for");
-    if (options_.why) return by_roberts("the faces that hide are to be named");
-    if (options_.method == LineMethod::automatic && options_.arithmetic != Arithmetic::staged)
-      return by_roberts("arithmetic is compared by roberts");
-    // To count the layers takes a look at every edge of the mesh.
-    if (options_.method == LineMethod::automatic && requested.edges.size() * 32 < mesh.triangles.size())
-      return by_roberts("few edges are asked for");
-    const Layers layers(sight_, hidden_);
-    if (options_.method == LineMethod::automatic && !appel_pays(layers))
-      return by_roberts("nearly every edge is an outline or a boundary");
-    return appel(sight_, requested, layers, occluders, options_);
-  };
-  VisibleLines all = found();
-  all.left_out = std::move(left_out_);
+  const bool is_automatic = options_.method == LineMethod::automatic;
+  if (options_.method == LineMethod::roberts) return roberts_because("roberts is asked for");
+  if (options_.why) return roberts_because("the faces that hide are to be named");
+  if (is_automatic && options_.arithmetic != Arithmetic::staged) return roberts_because("arithmetic is compared by roberts");
+  // To count the layers takes a look at every edge of the mesh.
+  if (is_automatic && few_edges(32)) return roberts_because("few edges are asked for");
+  layers_.emplace(sight_, left_out_);
+  if (is_automatic && !appel_pays()) return roberts_because("nearly every edge is an outline or a boundary");
+  outcome_.method = "appel";
+}
+
+VisibleLines Plan::run() const {
+  VisibleLines all = outcome_.method == "none"    ? lines_of_convex_body(sight_, requested_, options_)
+                     : outcome_.method == "appel" ? appel(sight_, requested_, *layers_, *occluders_, options_)
+                                                  : roberts(sight_, requested_, *occluders_, options_);
+  all.plan = outcome_;
   return all;
 }
 
 }  // namespace
 
+LinePlan plan_lines(const Mesh& mesh, const View& view, const LineOptions& options) {
+  return Plan(mesh, view, options).outcome();
+}
+
 VisibleLines visible_lines(const Mesh& mesh, const View& view, const LineOptions& options) {
-  const Sight sight(mesh, view, options.arithmetic);
-  return Plan(sight, options).lines();
+  return Plan(mesh, view, options).run();
 }
 
 }  // namespace hsr

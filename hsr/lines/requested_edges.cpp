@@ -6,10 +6,11 @@
 #include <cstdint>
 
 #include "hsr/lines/edge_class.h"
+#include "hsr/outside_frame.h"
 
 namespace hsr {
 
-RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options) {
+RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options, const OutsideFrame* outside) {
   using Range = tbb::blocked_range<std::size_t>;
   const Mesh& mesh = sight.mesh();
   const Crease crease(options.crease);
@@ -21,6 +22,7 @@ RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options) {
       Predicates exact = sight.predicates();
       const std::size_t end = std::min((part + 1) * edges_of_block, mesh.edges.size());
       for (std::size_t e = part * edges_of_block; e < end; ++e) {
+        if (outside != nullptr && outside->contains(mesh.edges[EdgeId(e)])) continue;
         const auto found = edge_class(sight, exact, EdgeId(e), crease);
         if (found && options.classes[static_cast<std::size_t>(*found)]) edge_classes[e] = static_cast<std::uint8_t>(*found);
       }

@@ -11,6 +11,8 @@
 
 namespace hsr {
 
+class OutsideFrame;
+
 /// How many edges are handled together: fixed, so that counts are the same for any number of threads.
 constexpr std::size_t edges_of_block = 512;
 
@@ -22,7 +24,8 @@ struct RequestedEdges {
   std::vector<std::uint8_t> hidden;  ///< provably hidden all along, and no point in the image; empty: not known of any
   DecisionCounts decisions;
 
-  RequestedEdges(const Sight& sight, const LineOptions& options);
+  /// @param outside the edges to leave out, or nullptr
+  RequestedEdges(const Sight& sight, const LineOptions& options, const OutsideFrame* outside);
 };
 
 }  // namespace hsr

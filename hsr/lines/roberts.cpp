@@ -45,7 +45,6 @@ VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const 
   });
   VisibleLines all = joined(parts, place);
   all.decisions += requested.decisions;
-  all.method = "roberts";
   return all;
 }
 

@@ -3,13 +3,13 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "geometry/mesh.h"
 #include "geometry/number.h"
 #include "geometry/predicates.h"
 #include "hsr/lines/line_options.h"
+#include "hsr/lines/plan.h"
 #include "hsr/view.h"
 
 namespace hsr {
@@ -55,19 +55,13 @@ struct LineOfEdge {
   std::uint32_t intervals() const { return end_cut > first_cut ? end_cut - first_cut - 1 : 0; }
 };
 
-/// A stage that a result does without, and why; or what a stage saved.
-struct LeftOut {
-  std::string stage, why;
-};
-
 struct VisibleLines {
   std::vector<LineOfEdge> lines;  ///< ascending by edge, hence by (a, b)
   std::vector<Cut> cuts;
   std::vector<Occluder> occluders;
   std::uint64_t pairs = 0;  ///< edge-triangle pairs that were tested
   DecisionCounts decisions;
-  std::string method;  ///< "appel" or "roberts"
-  std::vector<LeftOut> left_out;
+  LinePlan plan;
 
   std::span<const Cut> cuts_of(const LineOfEdge& line) const {
     return {cuts.data() + line.first_cut, cuts.data() + line.end_cut};

@@ -253,6 +253,83 @@ TEST_CASE("info says what a model is", "[cli]") {
   CHECK(json::parse(contents(d / "r.json"))["bits"] == 1);
 }
 
+namespace {
+
+/// n x n towers of different heights.
+std::string towers(int n) {
+  std::string text;
+  for (int i = 0; i < n * n; ++i) {
+    const int x = i % n * 3, y = i / n * 3, height = 1 + i * 7 % 5;
+    for (int k = 0; k < 8; ++k)
+      text +=
+          "v " + std::to_string(x + k % 2) + " " + std::to_string(y + k / 2 % 2) + " " + std::to_string(k / 4 * height) + "\n";
+    const auto corner = [&](int k) { return " " + std::to_string(8 * i + k); };
+    for (const std::array<int, 4>& f :
+         std::vector<std::array<int, 4>>{{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5}, {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}})
+      text += "f" + corner(f[0]) + corner(f[1]) + corner(f[2]) + corner(f[3]) + "\n";
+  }
+  return text;
+}
+
+std::string why_left_out(const std::string& report, const std::string& stage) {
+  const json all = json::parse(contents(report));
+  for (const json& entry : all["left_out"])
+    if (entry["stage"] == stage) return entry["why"];
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a drawing is the same with and without each stage", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "towers.obj", towers(6));
+  const std::string views[] = {"", " --view front", " --eye 9.5,9.25,1.5 --target 14,15,1", " --eye 9.5,9.25,1.5 --fov 20",
+                               " --eye 30,-20,15 --fov 12 --page fit --scale 1:1"};
+  for (const std::string& view : views) {
+    const auto drawn = [&](const std::string& stages) {
+      const Outcome o = run("draw " + model + view + " -q --hidden dashed --edges all -o " + (d / "a.svg") + " --report " +
+                            (d / "r.json") + " --stages " + stages);
+      INFO(o.text);
+      CHECK(o.status == 0);
+      return contents(d / "a.svg");
+    };
+    const std::string without = drawn("all=never");
+    CHECK(count(without, "<path") > 5);
+    for (const char* stages : {"all=auto", "all=always", "all=never,frame=always", "all=never,back-faces=always",
+                               "all=never,hidden-tiles=always", "all=never,far-faces=always", "all=never,convex-body=always"})
+      CHECK(drawn(stages) == without);
+    drawn("all=always");
+    const bool has_frame = view.find("--eye") != std::string::npos;
+    CHECK((why_left_out(d / "r.json", "edges").find("outside the picture") != std::string::npos) == has_frame);
+    CHECK(why_left_out(d / "r.json", "back faces").find("closed bodies") != std::string::npos);
+  }
+}
+
+TEST_CASE("JSON has the edges outside the frame, too", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "towers.obj", towers(4));
+  const std::string view = " --eye 30,-20,15 --edges all -q -o " + (d / "a.json") + " -o " + (d / "a.svg");
+  REQUIRE(run("draw " + model + view).status == 0);
+  const std::string all = contents(d / "a.json");
+  CHECK(json::parse(all)["lines"].size() == 16 * 12);
+  REQUIRE(run("draw " + model + view + " --fov 5").status == 0);
+  CHECK(contents(d / "a.json") == all);
+}
+
+TEST_CASE("info says what a drawing can do without", "[cli]") {
+  const Directory d;
+  const Outcome one = run("info " + write(d / "cube.obj", cube));
+  CHECK(one.text.find("no edge needs a test") != std::string::npos);
+  CHECK(one.text.find("convex body: all of it") != std::string::npos);
+  const std::string model = write(d / "towers.obj", towers(6));
+  const Outcome many = run("info " + model + " --edges all --view top --report " + (d / "r.json"));
+  CHECK(many.status == 0);
+  CHECK(many.text.find("view top, edges all: method ") != std::string::npos);
+  CHECK(why_left_out(d / "r.json", "back faces") == "72 of 432 triangles and 0 of 432 edges are far sides of 36 closed bodies");
+  check_refused(run("info " + model + " --stages back-faces"), {"--stages", "back-faces", "always"});
+  check_refused(run("info " + model + " --stages fog=never"), {"--stages", "fog", "far-faces"});
+}
+
 TEST_CASE("an interrupt leaves no half file", "[cli]") {
   const Directory d;
   std::string scene;

@@ -54,16 +54,19 @@ std::string wrong_with(const scenes::TestScene& scene, const LineOptions& option
   try {
     const Mesh mesh = scene.mesh();
     std::string wrong;
+    const auto ask = [&](LineMethod method, When stages, When convex_body) {
+      LineOptions chosen = options;
+      chosen.method = method;
+      chosen.stages.fill(stages);
+      chosen.when(LineStage::convex_body) = convex_body;
+      chosen.why = options.why && method == LineMethod::roberts;
+      const auto lines = visible_lines(mesh, scene.view, chosen);
+      const std::string text = joined(oracle::compare_with_oracle(mesh, scene.view, lines, chosen));
+      if (!text.empty()) wrong += lines.plan.method + (stages == When::always ? ", stages:\n" : ":\n") + text;
+    };
     for (const LineMethod method : {LineMethod::roberts, LineMethod::appel})
-      for (const Stage tiles : {Stage::never, Stage::always}) {
-        LineOptions chosen = options;
-        chosen.method = method;
-        chosen.hidden_tiles = tiles;
-        chosen.why = options.why && method == LineMethod::roberts;
-        const auto lines = visible_lines(mesh, scene.view, chosen);
-        const std::string text = joined(oracle::compare_with_oracle(mesh, scene.view, lines, chosen));
-        if (!text.empty()) wrong += lines.method + (tiles == Stage::always ? ", tiles:\n" : ":\n") + text;
-      }
+      for (const When stages : {When::never, When::always}) ask(method, stages, When::never);
+    ask(LineMethod::automatic, When::automatic, When::always);
     return wrong;
   } catch (const std::exception& e) {
     return std::string("exception: ") + e.what() + "\n";

@@ -183,7 +183,7 @@ TEST_CASE("one thread and two give the same bits", "[lines][metamorphic]") {
       LineOptions options = all_edges();
       options.method = method;
       options.why = method == LineMethod::roberts;
-      options.hidden_tiles = Stage::always;
+      options.stages.fill(When::always);
       const auto with_threads = [&](std::size_t n) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);
         const Mesh mesh = scene.mesh();
@@ -204,21 +204,21 @@ TEST_CASE("both methods and every stage give the same lines of thousands of face
     const Mesh mesh = scene.mesh();
     LineOptions options = all_edges();
     options.method = LineMethod::roberts;
-    options.hidden_tiles = Stage::never;
+    options.stages.fill(When::never);
     const auto text = [&] {
       return oracle::to_text(oracle::seen_edges(mesh, scene.view, visible_lines(mesh, scene.view, options)));
     };
     const std::string reference = text();
     for (const LineMethod method : {LineMethod::roberts, LineMethod::appel})
-      for (const Stage tiles : {Stage::never, Stage::always}) {
+      for (const When stages : {When::never, When::always}) {
         options.method = method;
-        options.hidden_tiles = tiles;
+        options.stages.fill(stages);
         CHECK(text() == reference);
       }
     // Few edges asked for: most faces are far from them.
     options.classes = {true, false, true, false, true, false};
     options.method = LineMethod::roberts;
-    options.hidden_tiles = Stage::never;
+    options.stages.fill(When::never);
     const std::string few = text();
     options.method = LineMethod::appel;
     CHECK(text() == few);

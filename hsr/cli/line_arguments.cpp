@@ -1,0 +1,109 @@
+#include "hsr/cli/line_arguments.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <vector>
+
+#include "geometry/error.h"
+
+namespace hsr::cli {
+
+namespace {
+
+constexpr std::array<const char*, 6> class_names = {"outline", "sharp", "boundary", "intersection", "wire", "smooth"};
+constexpr std::array<const char*, line_stages> stage_names = {"frame", "convex-body", "back-faces", "hidden-tiles",
+                                                              "far-faces"};
+constexpr std::array<const char*, 3> run_names = {"auto", "always", "never"};
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// Its place among the names, or their number.
+template <std::size_t n>
+std::size_t place(const std::array<const char*, n>& names, const std::string& name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+std::array<bool, 6> parse_classes(const std::string& text) {
+  std::array<bool, 6> classes{};
+  if (text == "all") {
+    classes.fill(true);
+    return classes;
+  }
+  for (const std::string& name : split(text, ',')) {
+    const std::size_t k = place(class_names, name);
+    if (k == class_names.size())
+      throw InputError("--edges: found \"" + name + "\", expected all, or of outline,sharp,boundary,intersection,wire,smooth");
+    classes[k] = true;
+  }
+  return classes;
+}
+
+std::array<When, line_stages> parse_stages(const std::string& text) {
+  std::array<When, line_stages> stages{};
+  if (text.empty()) return stages;
+  for (const std::string& part : split(text, ',')) {
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::string name = part.substr(0, equals);
+    const std::size_t run = place(run_names, equals < part.size() ? part.substr(equals + 1) : "");
+    const std::size_t stage = place(stage_names, name);
+    if (run == run_names.size() || (stage == stage_names.size() && name != "all"))
+      throw InputError("--stages: found \"" + part +
+                       "\", expected STAGE=auto, STAGE=always or STAGE=never, where STAGE is all, " +
+                       fmt::format("{}", fmt::join(stage_names, ", ")));
+    if (name == "all")
+      stages.fill(static_cast<When>(run));
+    else
+      stages[stage] = static_cast<When>(run);
+  }
+  return stages;
+}
+
+}  // namespace
+
+void LineArguments::add_to(CLI::App& app) {
+  const std::string group = "Lines";
+  app.add_option("--edges", edges, "Classes to draw: outline,sharp,boundary,intersection,wire,smooth or all")
+      ->capture_default_str()
+      ->type_name("LIST")
+      ->group(group);
+  app.add_option("--crease", crease,
+                 "An edge is sharp if its faces deviate from flat by more than this; exactly this angle is smooth")
+      ->capture_default_str()
+      ->type_name("DEG")
+      ->group(group);
+  app.add_option("--method", method, "appel, roberts, or auto: whichever suits the model; the result is the same")
+      ->capture_default_str()
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"auto", "appel", "roberts"}))
+      ->group(group);
+  app.add_option(
+         "--stages", stages,
+         "What is left out before any exact test, to compare times; the result is the same. Of frame, convex-body, "
+         "back-faces, hidden-tiles, far-faces or all, each with =auto, =always or =never: back-faces=never,far-faces=always")
+      ->type_name("LIST")
+      ->group(group);
+}
+
+LineOptions LineArguments::options() const {
+  if (!(crease >= 0 && crease <= 180))
+    throw InputError(fmt::format("--crease: found {}, expected degrees from 0 to 180", crease));
+  LineOptions options;
+  options.classes = parse_classes(edges);
+  options.crease = crease;
+  options.method = method == "appel" ? LineMethod::appel : method == "roberts" ? LineMethod::roberts : LineMethod::automatic;
+  options.stages = parse_stages(stages);
+  return options;
+}
+
+}  // namespace hsr::cli

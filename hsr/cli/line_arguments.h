@@ -1,0 +1,20 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "hsr/lines/line_options.h"
+
+namespace hsr::cli {
+
+/// The options that say which lines are looked for, and how.
+struct LineArguments {
+  std::string edges = "outline,sharp,boundary,intersection,wire", method = "auto", stages;
+  double crease = 30;
+
+  void add_to(CLI::App& app);
+  /// @throws InputError naming the option
+  LineOptions options() const;
+};
+
+}  // namespace hsr::cli

@@ -1,0 +1,36 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "hsr/image_line.h"
+#include "hsr/lines/methods.h"
+#include "hsr/lines/tiling.h"
+
+namespace hsr {
+
+VisibleLines lines_of_convex_body(const Sight& sight, const RequestedEdges& requested, const LineOptions& options) {
+  const std::size_t n = requested.edges.size();
+  std::vector<VisibleLines> parts((n + edges_of_block - 1) / edges_of_block);
+  std::vector<std::array<std::uint32_t, 2>> place(n);
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
+    for (std::size_t part = range.begin(); part < range.end(); ++part) {
+      Tiling tiling(sight, options);
+      const std::size_t begin = part * edges_of_block, end = std::min(begin + edges_of_block, n);
+      for (std::size_t i = begin; i < end; ++i) {
+        place[i] = {static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(i - begin)};
+        const Edge& e = sight.mesh().edges[requested.edges[i]];
+        if (ImageLine(sight, e.a, e.b).is_point(tiling.exact()))
+          tiling.add_nothing(requested.edges[i], requested.classes[i]);
+        else
+          tiling.add_whole(requested.edges[i], requested.classes[i], requested.hidden[i] != 0);
+      }
+      parts[part] = tiling.take();
+    }
+  });
+  VisibleLines all = joined(parts, place);
+  all.decisions += requested.decisions;
+  return all;
+}
+
+}  // namespace hsr
