@@ -31,7 +31,7 @@ HLRAlgo_Projector projector(const View& view) {
 Result occt_exact(const Task& task) try {
   Result result;
   std::unique_ptr<OcctShape> scene;
-  result.prepare = elapsed([&] { scene = std::make_unique<OcctShape>(task.mesh, task.mesh.points); });
+  result.prepare = elapsed([&] { scene = std::make_unique<OcctShape>(task.mesh, task.mesh.points, OcctFaces::in_shells); });
   Handle(HLRBRep_Algo) algorithm;
   result.compute = elapsed([&] {
     algorithm = new HLRBRep_Algo;

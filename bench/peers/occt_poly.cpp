@@ -23,11 +23,9 @@ struct Part {
   gp_XY from, to;
 };
 
-}  // namespace
-
 // It ignores a perspective (7.6 projects nothing, and so would draw a parallel view from the side of the eye). So it is handed
 // the scene as seen, (x, y, nearness), and looks along nearness: what is straight in the scene is straight there.
-Result occt_poly(const Task& task) try {
+Result run_poly(const Task& task, OcctFaces faces) try {
   Result result;
   const Image image(task.view);
   std::vector<Point3> seen;
@@ -37,7 +35,7 @@ Result occt_poly(const Task& task) try {
       const ImagePoint at = image(p);
       seen.push_back({at.x, at.y, at.nearness});
     }
-    scene = std::make_unique<OcctShape>(task.mesh, seen);
+    scene = std::make_unique<OcctShape>(task.mesh, seen, faces);
   });
 
   std::vector<Part> parts;
@@ -80,5 +78,11 @@ Result occt_poly(const Task& task) try {
 } catch (const Standard_Failure& failure) {
   throw std::runtime_error(failure.GetMessageString());
 }
+
+}  // namespace
+
+Result occt_poly(const Task& task) { return run_poly(task, OcctFaces::in_shells); }
+
+Result occt_poly_compound(const Task& task) { return run_poly(task, OcctFaces::in_compound); }
 
 }  // namespace hsr::bench

@@ -91,13 +91,18 @@ TopoDS_Face face_of(const Mesh& mesh, TriangleId t, const std::vector<Point3>& p
   return face;
 }
 
-}  // namespace
+TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shape& shape : shapes) builder.Add(all, shape);
+  return all;
+}
 
-OcctShape::OcctShape(const Mesh& mesh, const std::vector<Point3>& points) {
-  const std::vector<TopoDS_Edge> of_edges = edges_of(mesh, points);
-  for (const TopoDS_Edge& e : of_edges) edges.Add(e);
-  const std::vector<Sides> sides = sides_of(mesh);
-
+/// A shell for each connected component, turned outward if it is closed. A triangle alone stays a face: OCCT goes through all
+/// faces of the shape once for each shell.
+std::vector<TopoDS_Shape> shells_of(const Mesh& mesh, const std::vector<Point3>& points,
+                                    const std::vector<TopoDS_Shape>& faces) {
   DisjointSets components(mesh.triangles.size());
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const auto triangles = mesh.triangles_at(EdgeId(e));
@@ -105,8 +110,10 @@ OcctShape::OcctShape(const Mesh& mesh, const std::vector<Point3>& points) {
   }
   // Six times the volume, negative if a closed component looks inward; from a point of its own, so that little cancels.
   std::vector<double> volume(mesh.triangles.size(), 0);
+  std::vector<std::size_t> size(mesh.triangles.size(), 0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint32_t component = components.find(t);
+    ++size[component];
     const auto& corners = mesh.triangles[TriangleId(t)];
     const gp_Pnt origin = point(points[mesh.triangles[TriangleId(component)][0].value]);
     const auto from_origin = [&](std::size_t k) { return gp_Vec(origin, point(points[corners[k].value])); };
@@ -114,19 +121,35 @@ OcctShape::OcctShape(const Mesh& mesh, const std::vector<Point3>& points) {
   }
 
   const BRep_Builder builder;
-  std::vector<TopoDS_Shell> shells(mesh.triangles.size());
+  std::vector<TopoDS_Shape> shells;
+  std::vector<std::size_t> place(mesh.triangles.size());  // in `shells`, of each component
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint32_t component = components.find(t);
-    TopoDS_Face face = face_of(mesh, TriangleId(t), points, sides[t], of_edges);
-    if (volume[component] < 0) face.Reverse();
-    if (shells[component].IsNull()) builder.MakeShell(shells[component]);
-    builder.Add(shells[component], face);
+    if (size[component] == 1) {
+      shells.push_back(faces[t]);
+      continue;
+    }
+    if (component == t) {  // the least triangle stands for its component
+      TopoDS_Shell shell;
+      builder.MakeShell(shell);
+      place[t] = shells.size();
+      shells.push_back(shell);
+    }
+    builder.Add(shells[place[component]], volume[component] < 0 ? faces[t].Reversed() : faces[t]);
   }
-  TopoDS_Compound all;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shell& shell : shells)
-    if (!shell.IsNull()) builder.Add(all, shell);
-  shape = all;
+  return shells;
+}
+
+}  // namespace
+
+OcctShape::OcctShape(const Mesh& mesh, const std::vector<Point3>& points, OcctFaces put_together) {
+  const std::vector<TopoDS_Edge> of_edges = edges_of(mesh, points);
+  for (const TopoDS_Edge& e : of_edges) edges.Add(e);
+  const std::vector<Sides> sides = sides_of(mesh);
+  std::vector<TopoDS_Shape> faces;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    faces.push_back(face_of(mesh, TriangleId(t), points, sides[t], of_edges));
+  shape = compound_of(put_together == OcctFaces::in_shells ? shells_of(mesh, points, faces) : faces);
 }
 
 }  // namespace hsr::bench

@@ -47,6 +47,7 @@ std::vector<Answer> answers_of(const std::vector<VisiblePart>& parts, const Task
 Result z_buffer_1024(const Task& task);
 Result z_buffer_4096(const Task& task);
 Result occt_poly(const Task& task);
+Result occt_poly_compound(const Task& task);
 Result occt_exact(const Task& task);
 Result hsr_all_edges(const Task& task);
 Result hsr_outlines(const Task& task);

@@ -34,11 +34,9 @@ struct Peer {
 };
 
 constexpr Peer peers[] = {
-    {"z-buffer-1024", z_buffer_1024},
-    {"z-buffer-4096", z_buffer_4096},
+    {"z-buffer-1024", z_buffer_1024}, {"z-buffer-4096", z_buffer_4096},
 #ifdef HSR_BENCH_OCCT
-    {"occt-poly", occt_poly},
-    {"occt-exact", occt_exact},
+    {"occt-poly", occt_poly},         {"occt-poly-compound", occt_poly_compound}, {"occt-exact", occt_exact},
 #endif
 };
 constexpr Peer all_edges = {"hsr all edges", hsr_all_edges}, outlines = {"hsr outlines", hsr_outlines};
