@@ -3,7 +3,10 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
+
+#include "geometry/error.h"
 
 namespace hsr {
 
@@ -22,6 +25,12 @@ using VertexId = Index<struct VertexTag>;      ///< a point of the model, in fil
 using FaceId = Index<struct FaceTag>;          ///< a face of the model, in file order
 using TriangleId = Index<struct TriangleTag>;  ///< a triangle of the faces as used
 using EdgeId = Index<struct EdgeTag>;          ///< an edge of the mesh, sorted by its vertices
+
+/// @throws InputError if `n` things are too many for an index, one value of which stands for none
+inline void check_countable(std::size_t n, const char* things) {
+  if (n >= 0xffffffffU)
+    throw InputError("fewer than 2^32 - 1 " + std::string(things) + " expected, found " + std::to_string(n));
+}
 
 /// A vector that one kind of index addresses.
 template <class Id, class T>

@@ -81,8 +81,8 @@ void make_faces(Mesh& mesh, const Polygons& polygons, std::size_t from, std::siz
 }  // namespace
 
 Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons) {
-  if (points.size() >= 0xffffffffU)
-    throw InputError("fewer than 2^32 - 1 points expected, found " + std::to_string(points.size()));
+  check_countable(points.size(), "points");
+  check_countable(polygons.size(), "faces");
   check(polygons, points.size());
   normalise(points);
   Mesh mesh;

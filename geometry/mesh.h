@@ -66,7 +66,8 @@ struct Mesh {
   }
 };
 
-/// @throws InputError if a coordinate is not finite or an index is out of range (readers report these with their line).
+/// @throws InputError if a coordinate is not finite or an index is out of range (readers report these with their line), or if
+/// there is too much to count: 2^32 - 1 points, faces, or sides of triangles and segments, or 2^30 - 1 triangles.
 /// Exact: yes. Cost: O(n log n) in corners; a polygon of m corners that is no triangle costs up to O(m^2) exact signs.
 Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons);
 

@@ -76,12 +76,13 @@ void sort_entries(std::uint64_t* first, std::uint64_t* last) {
 void connect_edges(Mesh& mesh, const std::vector<std::uint8_t>& ring_sides,
                    std::span<const std::array<std::uint32_t, 2>> segments) {
   if (mesh.triangles.size() >= no_triangle)
-    throw InputError("fewer than 2^30 triangles expected, found " + std::to_string(mesh.triangles.size()));
+    throw InputError("fewer than 2^30 - 1 triangles expected, found " + std::to_string(mesh.triangles.size()));
   const std::size_t vertices = mesh.points.size();
   // first[v + 1] counts, then is where the next entry of v goes, then the end of v's entries.
   std::vector<std::size_t> first(vertices + 2, 0);
   for_each_entry(mesh, ring_sides, segments, [&](VertexId a, std::uint64_t) { ++first[a.value + 2U]; });
   for (std::size_t v = 2; v < first.size(); ++v) first[v] += first[v - 1];
+  check_countable(first.back(), "sides of triangles and segments");
   std::vector<std::uint64_t> entries(first.back());
   for_each_entry(mesh, ring_sides, segments, [&](VertexId a, std::uint64_t e) { entries[first[a.value + 1U]++] = e; });
 

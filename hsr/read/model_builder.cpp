@@ -34,6 +34,7 @@ void ModelBuilder::too_many(const char* what) const {
 Model ModelBuilder::finish() {
   if (model_.points.size() > most) too_many("points");
   if (model_.polygons.segments.size() > most) too_many("lines");
+  if (faces() > most) too_many("faces");
   if (faces() == 0 && model_.polygons.segments.empty())
     source_.refuse("", model_.points.empty() ? "found no points, faces or lines, expected a model"
                                              : "has points but no faces or lines: nothing to draw");

@@ -15,7 +15,7 @@ namespace hsr::read {
 class ModelBuilder {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
-  static constexpr std::size_t most = 0xfffffffeU;  ///< points, corners and segments are counted in 32 bits
+  static constexpr std::size_t most = 0xfffffffeU;  ///< points, faces, corners and segments are counted in 32 bits
 
   ModelBuilder(const Source& source, std::string format) : source_(source) {
     model_.name = source.path;

@@ -176,6 +176,12 @@ TEST_CASE("What is no number and what is no point is refused with its place", "[
   CHECK_THROWS_AS(make_mesh(square, broken), PreconditionError);
 }
 
+TEST_CASE("More things than an index can tell apart are refused with the bound", "[geometry][mesh]") {
+  CHECK_NOTHROW(check_countable(0xfffffffe, "faces"));
+  CHECK_THROWS_WITH(check_countable(0xffffffff, "faces"), "fewer than 2^32 - 1 faces expected, found 4294967295");
+  CHECK_THROWS_AS(check_countable(std::size_t{1} << 40, "points"), InputError);
+}
+
 TEST_CASE("A triangle has an area down to the smallest double and up to the largest", "[geometry][mesh]") {
   const double tiny = 5e-324, huge = std::numeric_limits<double>::max();
   const auto use = [](const Point3& a, const Point3& b, const Point3& c) {
