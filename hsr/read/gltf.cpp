@@ -15,7 +15,8 @@ namespace hsr::read {
 
 namespace {
 
-/// A small file can place one mesh many times; this many points are more than any model, and fit into memory.
+/// A small file can place one mesh many times; this many points, or faces and lines, are more than any model, and fit into
+/// memory.
 constexpr std::size_t most_placed = std::size_t{1} << 28;
 
 /// Reads the nodes of the default scene, parents before children, in the order of the file.
@@ -191,8 +192,8 @@ class GltfReader {
     }
     model_.set_colour(base_colour(primitive, where));
     add_corners(corners, primitive.mode, where);
-    if (3 * model_.faces() > 3 * most_placed)
-      refuse(where, "more than " + std::to_string(most_placed) + " faces in all", "fewer");
+    if (model_.faces() + model_.segments() > most_placed)
+      refuse(where, "more than " + std::to_string(most_placed) + " faces and lines in all", "fewer");
   }
 
   std::optional<Colour> base_colour(const tinygltf::Primitive& primitive, const std::string& where) const {

@@ -44,6 +44,7 @@ class ModelBuilder {
   }
   void add_segment(std::uint32_t a, std::uint32_t b) { model_.polygons.segments.push_back({a, b}); }
   std::size_t faces() const { return model_.polygons.size(); }
+  std::size_t segments() const { return model_.polygons.segments.size(); }
 
   /// The colour of the faces that follow.
   void set_colour(std::optional<Colour> colour) {
