@@ -9,6 +9,7 @@
 
 #include "geometry/error.h"
 #include "hsr/cli/commands.h"
+#include "hsr/cli/memory_limit.h"
 
 namespace {
 
@@ -46,6 +47,7 @@ std::string with_dashes(const std::string& message) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  hsr::cli::limit_memory_to_what_there_is();
   clears_line = isatty(STDERR_FILENO) != 0;
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
@@ -80,10 +82,12 @@ int main(int argc, char** argv) {
   } catch (const hsr::InputError& e) {
     return fail(with_dashes(e.what()));
   } catch (const std::bad_alloc&) {
-    return fail("out of memory: the scene does not fit");
+    return fail(hsr::cli::out_of_memory());
   } catch (const std::system_error& e) {
     return fail(std::string("standard output: ") + e.what());
   } catch (const std::exception& e) {
+    // How oneTBB says that there is no memory for another thread.
+    if (std::string(e.what()).find("pthread_create") != std::string::npos) return fail(hsr::cli::out_of_memory());
     return fail(std::string("a defect of hsr, please report it: ") + e.what());
   }
 }

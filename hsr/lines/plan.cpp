@@ -191,7 +191,7 @@ std::vector<std::uint8_t> Plan::far_from_requested() {
 bool Plan::appel_pays() const {
   std::size_t faces = 0;
   for (std::size_t t = 0; t < sight_.mesh().triangles.size(); ++t) faces += layers_->counts(TriangleId(t)) ? 1U : 0U;
-  return layers_->edges().size() < faces;
+  return layers_->edges().size() <= faces;
 }
 
 void Plan::choose_method() {

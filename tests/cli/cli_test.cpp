@@ -22,8 +22,8 @@ struct Outcome {
   std::string text;  // standard output and standard error
 };
 
-Outcome run(const std::string& arguments) {
-  FILE* pipe = popen((std::string(HSR_COMMAND) + " " + arguments + " 2>&1").c_str(), "r");
+Outcome run(const std::string& arguments, const std::string& before = "") {
+  FILE* pipe = popen((before + HSR_COMMAND + " " + arguments + " 2>&1").c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::string text;
   std::array<char, 4096> buffer;
@@ -329,6 +329,21 @@ TEST_CASE("info says what a drawing can do without", "[cli]") {
   check_refused(run("info " + model + " --stages back-faces"), {"--stages", "back-faces", "always"});
   check_refused(run("info " + model + " --stages fog=never"), {"--stages", "fog", "far-faces"});
 }
+
+#ifndef __SANITIZE_ADDRESS__  // which needs more memory than any limit
+TEST_CASE("what does not fit into memory is refused with the bound", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "towers.obj", towers(150));
+  // The shell sets a limit for what it runs.
+  const auto limited = [&](int megabytes) {
+    return run("draw " + model + " -q --edges all -o " + (d / "a.svg") + " -o " + (d / "a.json") + " < /dev/null",
+               "ulimit -d " + std::to_string(megabytes * 1024) + "; ");
+  };
+  check_refused(limited(60), {"out of memory", "limit 0.1 GB", "expected fewer faces"});
+  CHECK(d.files() == 1);
+  CHECK(limited(4000).status == 0);
+}
+#endif
 
 TEST_CASE("an interrupt leaves no half file", "[cli]") {
   const Directory d;

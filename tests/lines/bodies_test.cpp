@@ -1,5 +1,6 @@
 #include "hsr/lines/bodies.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -106,6 +107,9 @@ TEST_CASE("a body that the near plane cuts, or that is around the eye, is none",
   CHECK(found(scene) == Found{0, 0, false});
   scene.view = scenes::from_eye({1, 1, 2}, {1, 3, 2});
   CHECK(found(scene) == Found{0, 0, false});
+  // One beyond and one before: convex, but not alone.
+  add_box(scene, {0, 10, 0}, {2, 13, 4});
+  CHECK(found(scene) == Found{1, 10, false});
 }
 
 TEST_CASE("bodies may be star-shaped; one convex body is not dented and stands alone", "[lines][bodies]") {
@@ -125,6 +129,36 @@ TEST_CASE("bodies may be star-shaped; one convex body is not dented and stands a
   TestScene sharing = box({0, 0, 0}, {1, 1, 1});
   add_box(sharing, {1, 1, 0}, {2, 2, 1});
   CHECK(found(sharing) == Found{2, 12, false});
+}
+
+TEST_CASE("a closed surface whose middle does not see all of it is no body", "[lines][bodies]") {
+  // A channel, U in section; each of its faces first, so that the ray goes through each.
+  const std::vector<std::array<double, 2>> section = {{0, 0}, {6, 0}, {6, 6}, {4, 6}, {4, 1}, {2, 1}, {2, 6}, {0, 6}};
+  const auto n = static_cast<std::uint32_t>(section.size());
+  for (std::uint32_t first = 0; first < n; ++first) {
+    TestScene channel;
+    for (const double y : {0.0, 9.0})
+      for (const auto& p : section) channel.points.push_back({p[0], y, p[1]});
+    std::vector<std::uint32_t> front, back;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t a = (first + k) % n, b = (a + 1) % n;
+      channel.add_face({a, n + a, n + b, b});
+      front.push_back(k);
+      back.push_back(2 * n - 1 - k);
+    }
+    channel.add_face(front);
+    channel.add_face(back);
+    channel.view = scenes::from_direction({1, -2, 3});
+    CHECK(found(channel) == Found{0, 0, false});
+  }
+  // A box with a corner pulled through the opposite side.
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    TestScene pulled = box();
+    Point3& p = pulled.points[corner];
+    p = {p.x == 0 ? 4.0 : -2.0, p.y == 0 ? 5.0 : -2.0, p.z == 0 ? 7.0 : -3.0};
+    CHECK(found(pulled) == Found{0, 0, false});
+    CHECK(wrong_with(pulled) == "");
+  }
 }
 
 TEST_CASE("a surface that winds around its middle twice is no body", "[lines][bodies]") {
