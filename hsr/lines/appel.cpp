@@ -3,7 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <numeric>
+#include <atomic>
 #include <span>
 
 #include "geometry/error.h"
@@ -13,6 +13,7 @@
 #include "hsr/lines/line_progress.h"
 #include "hsr/lines/methods.h"
 #include "hsr/lines/occluders.h"
+#include "hsr/lines/relative_counts.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/tiling.h"
 #include "hsr/sight.h"
@@ -22,53 +23,6 @@ namespace hsr {
 namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
-
-/// Counts that are known only relative to one another: disjoint sets in which each member knows how far it lies above the one
-/// that stands for its set (weighted union, Tarjan 1975).
-class RelativeCounts {
- public:
-  explicit RelativeCounts(std::size_t n) : parent_(n), above_(n, 0) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t root(std::uint32_t k) { return find(k); }
-  std::int32_t above_root(std::uint32_t k) { return find(k) == k ? 0 : above_[k]; }
-  /// Says count(b) - count(a) = difference. False: it is known to be another.
-  bool join(std::uint32_t a, std::uint32_t b, std::int32_t difference) {
-    const std::uint32_t p = find(a), q = find(b);
-    const std::int32_t of_roots = above_root(a) + difference - above_root(b);  // count(q) - count(p)
-    if (p == q) return of_roots == 0;
-    if (p < q) {
-      parent_[q] = p;
-      above_[q] = of_roots;
-    } else {
-      parent_[p] = q;
-      above_[p] = -of_roots;
-    }
-    return true;
-  }
-
- private:
-  /// Afterwards k hangs on its root.
-  std::uint32_t find(std::uint32_t k) {
-    std::uint32_t top = k;
-    std::int32_t above = 0;
-    while (parent_[top] != top) {
-      above += above_[top];
-      top = parent_[top];
-    }
-    while (parent_[k] != top && k != top) {
-      const std::uint32_t next = parent_[k];
-      const std::int32_t own = above_[k];
-      parent_[k] = top;
-      above_[k] = above;
-      above -= own;
-      k = next;
-    }
-    return top;
-  }
-
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::int32_t> above_;
-};
 
 /// How many layers lie before an edge just inside one of its ends, to the left and to the right of the edge.
 struct Sides {
@@ -151,8 +105,7 @@ class Appel {
   std::vector<std::uint32_t> order_;
   std::vector<Part> parts_;
   RelativeCounts counts_;
-  std::vector<std::int32_t> root_count_;  // by the vertex that stands for a connected part
-  std::vector<std::int32_t> before_;      // by vertex: the layers before it, without the triangles at it, where it is clean
+  std::vector<std::int32_t> before_;  // by vertex: the layers before it, without the triangles at it, where it is clean
   DecisionCounts root_decisions_;
 };
 
@@ -198,12 +151,13 @@ void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
 
 /// What lies before a vertex, without the triangles at it, is the same for all of its edges where the vertex is clean.
 void Appel::carry_on() {
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
+  const auto carry = [&](std::size_t p, std::size_t begin, std::size_t end) {
     const Part& part = parts_[p];
-    for (std::size_t i = 0; i < part.courses.size(); ++i) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t i = k - begin;
       const Course& c = part.courses[i];
       if (!c.is_followed() || !c.start_is_clean || !c.end_is_clean) continue;
-      const Edge& e = edge(p * edges_of_block + i);
+      const Edge& e = edge(k);
       const std::int32_t left = part.at_start[i].left + c.left - part.at_end[i].left;
       const bool agrees = counts_.join(e.a.value, e.b.value, left);
 #ifdef HSR_CHECKS
@@ -214,51 +168,60 @@ void Appel::carry_on() {
       static_cast<void>(agrees);
 #endif
     }
+  };
+  if (options_.arithmetic != Arithmetic::double_only) {
+    for_each_part(carry);
+    return;
   }
+  // Doubles may contradict each other, and then the first word counts.
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    carry(p, p * edges_of_block, std::min((p + 1) * edges_of_block, order_.size()));
 }
 
-/// One query for each connected part.
+/// One query for each connected part: at the clean end of its first edge in order.
 void Appel::count_roots() {
-  constexpr std::int32_t unknown = -1;
-  root_count_.assign(sight_.mesh().points.size(), unknown);
-  struct Query {
-    std::uint32_t root;
-    VertexId from, to;
+  constexpr std::uint32_t none = 0xffffffffU;
+  std::vector<std::uint32_t> first_edge(sight_.mesh().points.size(), none);  // by root
+  const auto clean_end = [&](std::size_t k) {
+    const Edge& e = edge(k);
+    const bool from_start = parts_[k / edges_of_block].courses[k % edges_of_block].start_is_clean;
+    return from_start ? std::pair(e.a, e.b) : std::pair(e.b, e.a);
   };
-  std::vector<Query> queries;
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    for (std::size_t i = 0; i < parts_[p].courses.size(); ++i) {
-      const Course& c = parts_[p].courses[i];
-      if (!c.is_followed()) continue;
-      const Edge& e = edge(p * edges_of_block + i);
-      const bool from_start = c.start_is_clean;
-      if (!from_start && !c.end_is_clean) continue;
-      const VertexId from = from_start ? e.a : e.b, to = from_start ? e.b : e.a;
-      const std::uint32_t root = counts_.root(from.value);
-      if (root_count_[root] != unknown) continue;
-      root_count_[root] = 0;
-      queries.push_back({root, from, to});
+  for_each_part([&](std::size_t part, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Course& c = parts_[part].courses[k - begin];
+      if (!c.is_followed() || (!c.start_is_clean && !c.end_is_clean)) continue;
+      const std::atomic_ref first(first_edge[counts_.find(clean_end(k).first.value).root]);
+      const auto own = static_cast<std::uint32_t>(k);
+      std::uint32_t seen = first.load(std::memory_order_relaxed);
+      while (own < seen && !first.compare_exchange_weak(seen, own, std::memory_order_relaxed)) {
+      }
     }
-  }
+  });
+  std::vector<std::uint32_t> roots;
+  for (std::size_t v = 0; v < first_edge.size(); ++v)
+    if (first_edge[v] != none) roots.push_back(static_cast<std::uint32_t>(v));
+  std::vector<std::int32_t> root_count(first_edge.size(), 0);
   constexpr std::size_t block = 64;
-  std::vector<DecisionCounts> decisions((queries.size() + block - 1) / block);
+  std::vector<DecisionCounts> decisions((roots.size() + block - 1) / block);
   tbb::parallel_for(Range(0, decisions.size(), 1), [&](const Range& range) {
     for (std::size_t k = range.begin(); k < range.end(); ++k) {
       LayerCount count(sight_, layers_);
-      for (std::size_t q = k * block; q < std::min(queries.size(), (k + 1) * block); ++q) {
-        const auto& [root, from, to] = queries[q];
-        root_count_[root] = count.before(from, to, Sign::positive, occluders_);
+      for (std::size_t r = k * block; r < std::min(roots.size(), (k + 1) * block); ++r) {
+        const auto [from, to] = clean_end(first_edge[roots[r]]);
+        root_count[roots[r]] = count.before(from, to, Sign::positive, occluders_) - counts_.find(from.value).above;
       }
       decisions[k] = count.decisions();
     }
   });
-  for (const Query& q : queries) root_count_[q.root] -= counts_.above_root(q.from.value);
   for (const DecisionCounts& d : decisions) root_decisions_ += d;
-  before_.resize(root_count_.size());
-  for (std::size_t v = 0; v < before_.size(); ++v) {
-    const auto k = static_cast<std::uint32_t>(v);
-    before_[v] = root_count_[counts_.root(k)] + counts_.above_root(k);
-  }
+  before_.resize(root_count.size());
+  tbb::parallel_for(Range(0, before_.size(), 4096), [&](const Range& range) {
+    for (std::size_t v = range.begin(); v < range.end(); ++v) {
+      const auto [root, above] = counts_.find(static_cast<std::uint32_t>(v));
+      before_[v] = root_count[root] + above;
+    }
+  });
 }
 
 /// From a clean end, or else by a query of its own.

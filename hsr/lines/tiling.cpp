@@ -1,9 +1,11 @@
 #include "hsr/lines/tiling.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "geometry/error.h"
 
@@ -156,34 +158,55 @@ VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<st
     all.pairs += part.pairs;
     all.decisions += part.decisions;
   }
-  // Where the cuts and occluders of each line go.
-  const std::size_t lines = place.size();
-  std::vector<std::size_t> first_cut(lines + 1, 0), first_occluder(lines + 1, 0);
-  for (std::size_t i = 0; i < lines; ++i) {
-    const LineOfEdge& line = parts[place[i][0]].lines[place[i][1]];
-    first_cut[i + 1] = first_cut[i] + (line.end_cut - line.first_cut);
-    first_occluder[i + 1] = first_occluder[i] + (line.end_occluder - line.first_occluder);
+  std::size_t cuts = 0, occluders = 0;
+  for (const VisibleLines& part : parts) {
+    cuts += part.cuts.size();
+    occluders += part.occluders.size();
   }
-  const std::size_t most = std::max(first_cut.back(), first_occluder.back());
+  const std::size_t most = std::max(cuts, occluders);
   if (most > 0xffffffffU)
     throw InputError("the drawing has " + std::to_string(most) + " interval ends, expected fewer than 2^32");
-  all.lines.resize(lines);
-  all.cuts.resize(first_cut.back());
-  all.occluders.resize(first_occluder.back());
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, lines, 4096), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+  // To touch new memory for the first time takes longer than to fill it.
+  tbb::parallel_invoke([&] { all.lines.resize(place.size()); }, [&] { all.cuts.resize(cuts); },
+                       [&] { all.occluders.resize(occluders); });
+  // Where the cuts and occluders of each block of lines go.
+  struct Start {
+    std::size_t cut, occluder;
+  };
+  constexpr std::size_t block = 4096;
+  std::vector<Start> starts((place.size() + block - 1) / block);
+  const auto for_each_block = [&](const auto& visit) {
+    tbb::parallel_for(std::size_t{0}, starts.size(),
+                      [&](std::size_t k) { visit(k, k * block, std::min(place.size(), (k + 1) * block)); });
+  };
+  for_each_block([&](std::size_t k, std::size_t begin, std::size_t end) {
+    Start sum = {0, 0};
+    for (std::size_t i = begin; i < end; ++i) {
+      const LineOfEdge& line = all.lines[i] = parts[place[i][0]].lines[place[i][1]];
+      sum.cut += line.end_cut - line.first_cut;
+      sum.occluder += line.end_occluder - line.first_occluder;
+    }
+    starts[k] = sum;
+  });
+  Start next = {0, 0};
+  for (Start& start : starts) {
+    const Start sum = std::exchange(start, next);
+    next = {next.cut + sum.cut, next.occluder + sum.occluder};
+  }
+  for_each_block([&](std::size_t k, std::size_t begin, std::size_t end) {
+    auto cut = all.cuts.begin() + static_cast<std::ptrdiff_t>(starts[k].cut);
+    auto occluder = all.occluders.begin() + static_cast<std::ptrdiff_t>(starts[k].occluder);
+    for (std::size_t i = begin; i < end; ++i) {
+      LineOfEdge& line = all.lines[i];
       const VisibleLines& part = parts[place[i][0]];
-      LineOfEdge line = part.lines[place[i][1]];
-      const auto cuts = part.cuts_of(line);
-      const auto occluders = part.occluders_of(line);
-      line.first_cut = static_cast<std::uint32_t>(first_cut[i]);
-      line.first_occluder = static_cast<std::uint32_t>(first_occluder[i]);
-      line.end_cut = static_cast<std::uint32_t>(first_cut[i + 1]);
-      line.end_occluder = static_cast<std::uint32_t>(first_occluder[i + 1]);
-      std::copy(cuts.begin(), cuts.end(), all.cuts.begin() + line.first_cut);
-      std::copy(occluders.begin(), occluders.end(), all.occluders.begin() + line.first_occluder);
-      all.lines[i] = line;
+      const auto its_cuts = part.cuts_of(line);
+      const auto its_occluders = part.occluders_of(line);
+      line.first_cut = static_cast<std::uint32_t>(cut - all.cuts.begin());
+      line.first_occluder = static_cast<std::uint32_t>(occluder - all.occluders.begin());
+      cut = std::copy(its_cuts.begin(), its_cuts.end(), cut);
+      occluder = std::copy(its_occluders.begin(), its_occluders.end(), occluder);
+      line.end_cut = static_cast<std::uint32_t>(cut - all.cuts.begin());
+      line.end_occluder = static_cast<std::uint32_t>(occluder - all.occluders.begin());
     }
   });
   return all;
