@@ -199,6 +199,7 @@ class Collector {
     sort_unique(faces_);
     p.first_face = static_cast<std::uint32_t>(drawing_.faces.size());
     drawing_.faces.insert(drawing_.faces.end(), faces_.begin(), faces_.end());
+    check_countable(std::max({drawing_.points.size(), drawing_.edges.size(), drawing_.faces.size()}), "entries of a drawing");
     p.end_face = static_cast<std::uint32_t>(drawing_.faces.size());
   }
 
@@ -241,16 +242,19 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
     std::erase_if(seen, [&](std::uint32_t i) { return lines.lines[i].starts_hidden && lines.lines[i].intervals() == 1; });
 
   const Projection& projection = place.projection;
-  const auto at = images(projection, lines, seen);
+  auto at = images(projection, lines, seen);
   tbb::enumerable_thread_specific<Predicates> predicates(predicates_for(mesh, view, options.arithmetic));
-  const ImageLines groups = image_lines(projection, at, lines, seen, predicates.local());
-  const Overlay overlay = lay_over(groups, projection, lines, with_hidden, predicates);
+  const Overlay overlay =
+      lay_over(image_lines(projection, at, lines, seen, predicates.local()), projection, lines, with_hidden, predicates);
   for (const Predicates& p : predicates) drawing.decisions += p.counts();
   drawing.visible_under_visible = overlay.visible_under_visible;
   drawing.hidden_under_visible = overlay.hidden_under_visible;
   drawing.hidden_under_hidden = overlay.hidden_under_hidden;
   drawing.merged = overlay.merged;
 
+  constexpr std::size_t most_strokes = 0x7fffffff;  // their ends are numbered in 32 bits
+  if (overlay.strokes.size() > most_strokes)
+    throw InputError("the drawing has " + std::to_string(overlay.strokes.size()) + " strokes, expected fewer than 2^31");
   std::vector<std::optional<PaperLine>> placed(overlay.strokes.size());
   const Placer placer(place, at, lines);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, placed.size(), 256), [&](const auto& range) {
@@ -267,6 +271,9 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
     paper.push_back(*placed[k]);
     of_line.push_back(k);
   }
+  // Large, and done with: what follows takes as much again.
+  placed = {};
+  at = {};
 
   Chains chains = join(paper);
   DistinctLines distinct;

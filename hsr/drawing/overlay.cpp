@@ -31,6 +31,7 @@ int precedence(EdgeClass edge_class) {
 }  // namespace
 
 void Overlay::append(const Overlay& other) {
+  check_countable(sources.size() + other.sources.size(), "edges along lines");
   const auto shift = static_cast<std::uint32_t>(sources.size());
   sources.insert(sources.end(), other.sources.begin(), other.sources.end());
   for (Stroke s : other.strokes) {

@@ -133,6 +133,7 @@ void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
     else
       course = crossings.find(id, boxes[(k - begin) % group], part.changes);
     part.courses.push_back(course);
+    check_countable(part.changes.size(), "crossings of neighbouring edges");
     part.first_change.push_back(static_cast<std::uint32_t>(part.changes.size()));
     Sides at_start, at_end;
     if (course.is_followed()) {

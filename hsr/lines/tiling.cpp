@@ -90,6 +90,7 @@ LineOfEdge Tiling::begun(EdgeId edge, EdgeClass edge_class) const {
 }
 
 void Tiling::end(LineOfEdge line) {
+  check_countable(std::max(result_.cuts.size(), result_.occluders.size()), "interval ends of neighbouring edges");
   line.end_cut = static_cast<std::uint32_t>(result_.cuts.size());
   line.end_occluder = static_cast<std::uint32_t>(result_.occluders.size());
   result_.lines.push_back(line);
