@@ -6,7 +6,8 @@
 #include <array>
 #include <atomic>
 
-#include "geometry/disjoint_sets.h"
+#include "hsr/lines/collected.h"
+#include "hsr/lines/relative_counts.h"
 
 namespace hsr {
 
@@ -20,6 +21,8 @@ void for_each(std::size_t n, const F& visit) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) visit(i);
   });
 }
+
+Point3 plus(const Point3& a, const Point3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
 /// What is known of a component of faces.
 struct Component {
@@ -46,22 +49,23 @@ struct Components {
   std::vector<Component> all;
 
   explicit Components(const Mesh& mesh) : of(mesh.triangles.size()) {
-    DisjointSets faces(mesh.faces.size());
-    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    RelativeCounts faces(mesh.faces.size());  // only for its sets
+    for_each(mesh.edges.size(), [&](std::size_t e) {
       const auto sides = mesh.triangles_at(EdgeId(e));
-      if (sides.size() == 2) faces.join(mesh.face_of[sides[0]].value, mesh.face_of[sides[1]].value);
-    }
-    std::vector<std::uint32_t> number(mesh.faces.size(), 0);
-    for (std::size_t f = 0; f < number.size(); ++f) {
-      const std::uint32_t root = faces.find(static_cast<std::uint32_t>(f));
-      if (root == f) {
-        number[f] = static_cast<std::uint32_t>(all.size());
-        all.emplace_back();
-      } else {
-        number[f] = number[root];
-      }
-    }
-    for_each(of.size(), [&](std::size_t t) { of[t] = number[mesh.face_of[TriangleId(t)].value]; });
+      if (sides.size() == 2) faces.join(mesh.face_of[sides[0]].value, mesh.face_of[sides[1]].value, 0);
+    });
+    std::vector<std::uint32_t> number(mesh.faces.size());
+    const auto roots =
+        collected<std::uint32_t>(number.size(), [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& part) {
+          for (std::size_t f = begin; f < end; ++f) {
+            number[f] = faces.find(static_cast<std::uint32_t>(f)).root;
+            if (number[f] == f) part.push_back(number[f]);
+          }
+        });
+    std::vector<std::uint32_t> number_of_root(number.size());
+    for_each(roots.size(), [&](std::size_t k) { number_of_root[roots[k]] = static_cast<std::uint32_t>(k); });
+    for_each(of.size(), [&](std::size_t t) { of[t] = number_of_root[number[mesh.face_of[TriangleId(t)].value]]; });
+    all.resize(roots.size());
   }
   Component& at(TriangleId t) { return all[of[t.value]]; }
 };
@@ -98,17 +102,30 @@ void find_broken(const Sight& sight, Components& components) {
   });
 }
 
+/// Sums of neighbouring triangles first, then of those: the same for any number of threads.
 void find_middles(const Sight& sight, Components& components) {
+  struct Sum {
+    std::uint32_t component;
+    Point3 of_points;
+    std::uint32_t corners;
+    TriangleId first;
+  };
   const Mesh& mesh = sight.mesh();
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    Component& c = components.at(TriangleId(i));
-    if (c.is_broken != 0) continue;
-    if (c.corners == 0) c.first = TriangleId(i);
-    for (const VertexId v : mesh.triangles[TriangleId(i)]) {
-      const Point3& p = sight.point(v);
-      c.middle = {c.middle.x + p.x, c.middle.y + p.y, c.middle.z + p.z};
-      ++c.corners;
+  const auto sums = collected<Sum>(mesh.triangles.size(), [&](std::size_t begin, std::size_t end, std::vector<Sum>& part) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t component = components.of[i];
+      if (components.all[component].is_broken != 0) continue;
+      if (part.empty() || part.back().component != component) part.push_back({component, {}, 0, TriangleId(i)});
+      Sum& sum = part.back();
+      for (const VertexId v : mesh.triangles[TriangleId(i)]) sum.of_points = plus(sum.of_points, sight.point(v));
+      sum.corners += 3;
     }
+  });
+  for (const Sum& sum : sums) {
+    Component& c = components.all[sum.component];
+    if (c.corners == 0) c.first = sum.first;
+    c.middle = plus(c.middle, sum.of_points);
+    c.corners += sum.corners;
   }
   for (Component& c : components.all) {
     if (c.corners == 0) continue;

@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "hsr/image_line.h"
+#include "hsr/lines/collected.h"
 
 namespace hsr {
 
@@ -13,18 +14,6 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t block = 4096;
-
-/// Visits [0, n) in blocks in parallel and joins what each block appends, in order.
-template <class T, class F>
-std::vector<T> collected(std::size_t n, const F& visit) {
-  std::vector<std::vector<T>> parts((n + block - 1) / block);
-  tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
-    for (std::size_t k = range.begin(); k < range.end(); ++k) visit(k * block, std::min(n, (k + 1) * block), parts[k]);
-  });
-  std::vector<T> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
 
 template <class T>
 void store(T& place, T value) {

@@ -1,18 +1,23 @@
 #include "hsr/lines/occluders.h"
 
+#include "hsr/lines/collected.h"
+
 namespace hsr {
 
 Occluders::Occluders(const Sight& sight, const std::vector<ImageBox>& boxes, const std::vector<std::uint8_t>& left_out) {
-  triangles.reserve(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    if (sight.reaches_beyond_near(TriangleId(i)) && (left_out.empty() || left_out[i] == 0)) triangles.emplace_back(i);
+  triangles = collected<TriangleId>(boxes.size(), [&](std::size_t begin, std::size_t end, std::vector<TriangleId>& part) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (sight.reaches_beyond_near(TriangleId(i)) && (left_out.empty() || left_out[i] == 0)) part.emplace_back(i);
+  });
   if (triangles.size() == boxes.size()) {
     tree = BoxTree(boxes);
     return;
   }
-  std::vector<ImageBox> kept;
-  kept.reserve(triangles.size());
-  for (const TriangleId t : triangles) kept.push_back(boxes[t.value]);
+  std::vector<ImageBox> kept(triangles.size());
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, kept.size(), 4096), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) kept[i] = boxes[triangles[i].value];
+  });
   tree = BoxTree(kept);
 }
 

@@ -1,9 +1,11 @@
 #include "hsr/lines/plan.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -189,8 +191,13 @@ std::vector<std::uint8_t> Plan::far_from_requested() {
 
 /// Appel looks at occluding edges where roberts looks at faces, and then has the counts to carry on.
 bool Plan::appel_pays() const {
-  std::size_t faces = 0;
-  for (std::size_t t = 0; t < sight_.mesh().triangles.size(); ++t) faces += layers_->counts(TriangleId(t)) ? 1U : 0U;
+  const std::size_t faces = tbb::parallel_reduce(
+      Range(0, sight_.mesh().triangles.size(), block), std::size_t{0},
+      [&](const Range& range, std::size_t n) {
+        for (std::size_t t = range.begin(); t < range.end(); ++t) n += layers_->counts(TriangleId(t)) ? 1U : 0U;
+        return n;
+      },
+      std::plus<>());
   return layers_->edges().size() <= faces;
 }
 

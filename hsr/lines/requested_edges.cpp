@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "hsr/lines/collected.h"
 #include "hsr/lines/edge_class.h"
 #include "hsr/outside_frame.h"
 
@@ -30,15 +31,17 @@ RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options, c
     }
   });
   for (const DecisionCounts& c : counts) decisions += c;
-  for (std::size_t e = 0; e < edge_classes.size(); ++e) {
-    if (edge_classes[e] == none) continue;
-    edges.emplace_back(e);
-    classes.push_back(static_cast<EdgeClass>(edge_classes[e]));
-  }
+  edges = collected<EdgeId>(edge_classes.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
+    for (std::size_t e = begin; e < end; ++e)
+      if (edge_classes[e] != none) part.emplace_back(e);
+  });
+  classes.resize(edges.size());
   boxes.resize(edges.size());
   tbb::parallel_for(Range(0, edges.size(), 1024), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i)
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]);
       boxes[i] = sight.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b);
+    }
   });
 }
 
