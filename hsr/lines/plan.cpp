@@ -127,10 +127,10 @@ void Plan::leave_out_far_sides() {
     say("convex body", "all of it: of one convex body, what is turned to the eye is visible");
     return;
   }
-  if (wants_convex_body) say("convex body", "the scene is more than one convex body");
+  if (wants_convex_body) say("convex body", "the scene is not one convex body");
   if (!wants_back_faces) return;
   if (bodies.count() == 0) {
-    say("back faces", "no component is seen at a glance to be a closed body beyond the near plane");
+    say("back faces", "no component is proven to be a closed body all of which one point inside sees");
     return;
   }
   left_out_ = bodies.far_sides();
