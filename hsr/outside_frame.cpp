@@ -9,7 +9,6 @@ namespace hsr {
 
 namespace {
 
-/// Much more than what rounding moves the planes and the borders of the picture by.
 constexpr double wider = 1.0 + 1.0 / 64;
 
 /// a + t b
@@ -23,10 +22,11 @@ OutsideFrame::OutsideFrame(const Mesh& mesh, const View& view, const FrameSize& 
   const Frame& frame = view.frame;
   const Point3 f = sum(frame.origin, -1, eye_);
   const double d = std::hypot(f.x, f.y, f.z);
-  // Beyond these the quotients lose their digits; planes without a normal leave nothing out.
+  // Far within these bounds a 64th is more than what rounding moves anything by; planes without a normal leave nothing out.
   if (!(d > 1e-280 && d < 1e280)) return;
   const Point3 ahead = {f.x / d, f.y / d, f.z / d};
   const double x = size.half_width * wider / d, y = size.half_height * wider / d;
+  if (!(std::min(x, y) > 1e-10 && std::max(x, y) < 1e10)) return;
   normals_ = {sum(frame.right, -x, ahead), sum({-frame.right.x, -frame.right.y, -frame.right.z}, -x, ahead),
               sum(frame.up, -y, ahead), sum({-frame.up.x, -frame.up.y, -frame.up.z}, -y, ahead)};
 }

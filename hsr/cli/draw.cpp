@@ -83,7 +83,10 @@ void note_idle_options(const DrawArguments& a, const std::vector<Format>& format
 }
 
 /// Why a drawing has no line, for one who wonders.
-std::string empty_drawing(const DrawArguments& a, const VisibleLines& lines, const Drawing& drawing) {
+std::string empty_drawing(const DrawArguments& a, bool in_frame, const VisibleLines& lines, const Drawing& drawing) {
+  if (lines.lines.empty() && in_frame)
+    return "no edge of the classes " + a.lines.edges +
+           " is in the picture: see --target, --fov and --near; --edges all draws every edge";
   if (lines.lines.empty())
     return "no edge of this model is of the classes " + a.lines.edges + " in this view: --edges all draws every edge";
   const bool nothing_ahead =
@@ -167,7 +170,8 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
                          {"scale_mm_per_unit", drawing->scale}};
     progress.clear();
     if (drawing->polylines.empty() && !a.quiet && !mesh.edges.empty())
-      fmt::print(stderr, "hsr: note: the drawing is empty: {}\n", empty_drawing(a, lines, *drawing));
+      fmt::print(stderr, "hsr: note: the drawing is empty: {}\n",
+                 empty_drawing(a, line_options.frame.has_value(), lines, *drawing));
     if (!drawing->fits && !a.quiet)
       fmt::print(stderr, "hsr: note: at scale {} the drawing is larger than the page {}: --scale fit makes it fit\n", a.scale,
                  a.page);

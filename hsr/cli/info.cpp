@@ -9,6 +9,7 @@
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
 #include "hsr/cli/view_options.h"
+#include "hsr/drawing/drawing.h"
 #include "hsr/lines/plan.h"
 #include "hsr/read/read.h"
 #include "hsr/scene_facts.h"
@@ -127,13 +128,17 @@ void add_facts(Report& report, const Model& model, const SceneFacts& f) {
 
 void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   check_outputs(a.model, {a.mesh, a.report});
-  const LineOptions line_options = a.lines.options();
+  LineOptions line_options = a.lines.options();
   Report report;
   ProgressLine progress(false);
   progress.stage("reading");
   const Model model = report.timed("read", [&] { return read_model(a.model); });
   const Mesh mesh = report.timed("mesh", [&] { return make_mesh(model.points, model.polygons); });
   const ChosenView view = choose_view(a.view, mesh);
+  DrawingOptions drawing_options;  // the page of a drawing, unless it is told otherwise
+  drawing_options.page = parse_page("A4");
+  drawing_options.field_of_view = view.field_of_view;
+  line_options.frame = frame_size(view.view, drawing_options);
   progress.stage("facts");
   const SceneFacts facts = report.timed("facts", [&] { return scene_facts(mesh, model.polygons); });
   progress.stage("plan");

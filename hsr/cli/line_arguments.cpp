@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "geometry/error.h"
@@ -87,10 +88,10 @@ void LineArguments::add_to(CLI::App& app) {
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "appel", "roberts"}))
       ->group(group);
-  app.add_option(
-         "--stages", stages,
-         "What is left out before any exact test, to compare times; the result is the same. Of frame, convex-body, "
-         "back-faces, hidden-tiles, far-faces or all, each with =auto, =always or =never: back-faces=never,far-faces=always")
+  app.add_option("--stages", stages,
+                 "What is left out before any exact test, to compare times; the result is the same. Of frame, convex-body, "
+                 "back-faces, hidden-tiles, far-faces or all, each with =auto, =always or =never, the last counts: "
+                 "all=never,far-faces=always")
       ->type_name("LIST")
       ->group(group);
 }

@@ -6,7 +6,7 @@
 #include <array>
 #include <atomic>
 
-#include "hsr/lines/collected.h"
+#include "hsr/lines/parallel.h"
 #include "hsr/lines/relative_counts.h"
 
 namespace hsr {
@@ -14,13 +14,6 @@ namespace hsr {
 namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
-
-template <class F>
-void for_each(std::size_t n, const F& visit) {
-  tbb::parallel_for(Range(0, n, 1024), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) visit(i);
-  });
-}
 
 Point3 plus(const Point3& a, const Point3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
@@ -43,31 +36,39 @@ struct Component {
   Sign inside() const { return seen == 1 ? Sign::positive : Sign::negative; }
 };
 
-/// Which component each triangle belongs to: its faces are connected by edges of two triangles.
+/// Which component each triangle belongs to: its faces are connected by edges of two triangles. A face that is connected to no
+/// other is in none, so that soups cost little.
 struct Components {
+  static constexpr std::uint32_t none = 0xffffffffU;
+
   std::vector<std::uint32_t> of;  // by triangle
   std::vector<Component> all;
 
   explicit Components(const Mesh& mesh) : of(mesh.triangles.size()) {
     RelativeCounts faces(mesh.faces.size());  // only for its sets
+    std::vector<std::uint8_t> is_joined(mesh.faces.size(), 0);
     for_each(mesh.edges.size(), [&](std::size_t e) {
       const auto sides = mesh.triangles_at(EdgeId(e));
-      if (sides.size() == 2) faces.join(mesh.face_of[sides[0]].value, mesh.face_of[sides[1]].value, 0);
+      if (sides.size() != 2) return;
+      const FaceId f = mesh.face_of[sides[0]], g = mesh.face_of[sides[1]];
+      if (f == g) return;
+      faces.join(f.value, g.value, 0);
+      for (const FaceId h : {f, g}) std::atomic_ref<std::uint8_t>(is_joined[h.value]).store(1, std::memory_order_relaxed);
     });
-    std::vector<std::uint32_t> number(mesh.faces.size());
+    std::vector<std::uint32_t> root(mesh.faces.size());
     const auto roots =
-        collected<std::uint32_t>(number.size(), [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& part) {
+        collected<std::uint32_t>(root.size(), [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& part) {
           for (std::size_t f = begin; f < end; ++f) {
-            number[f] = faces.find(static_cast<std::uint32_t>(f)).root;
-            if (number[f] == f) part.push_back(number[f]);
+            root[f] = faces.find(static_cast<std::uint32_t>(f)).root;
+            if (root[f] == f && is_joined[f] != 0) part.push_back(root[f]);
           }
         });
-    std::vector<std::uint32_t> number_of_root(number.size());
-    for_each(roots.size(), [&](std::size_t k) { number_of_root[roots[k]] = static_cast<std::uint32_t>(k); });
-    for_each(of.size(), [&](std::size_t t) { of[t] = number_of_root[number[mesh.face_of[TriangleId(t)].value]]; });
+    std::vector<std::uint32_t> number(root.size(), none);
+    for_each(roots.size(), [&](std::size_t k) { number[roots[k]] = static_cast<std::uint32_t>(k); });
+    for_each(of.size(), [&](std::size_t t) { of[t] = number[root[mesh.face_of[TriangleId(t)].value]]; });
     all.resize(roots.size());
   }
-  Component& at(TriangleId t) { return all[of[t.value]]; }
+  Component* at(TriangleId t) { return of[t.value] == none ? nullptr : &all[of[t.value]]; }
 };
 
 void set_bits(std::uint8_t& place, std::uint8_t bits) {
@@ -89,16 +90,19 @@ void find_broken(const Sight& sight, Components& components) {
     const EdgeId e(i);
     const auto sides = mesh.triangles_at(e);
     for (const TriangleId t : sides) {
+      Component* const c = components.at(t);
+      if (c == nullptr) continue;
       int balance = 0;
       if (sides.size() <= most_sides)
         for (const TriangleId s : sides)
           if (components.of[s.value] == components.of[t.value]) balance += runs_along(mesh, s, mesh.edges[e]) ? 1 : -1;
-      if (balance != 0 || sides.size() > most_sides) set_bits(components.at(t).is_broken, 1);
+      if (balance != 0 || sides.size() > most_sides) set_bits(c->is_broken, 1);
     }
   });
   if (!sight.is_perspective()) return;
   for_each(mesh.triangles.size(), [&](std::size_t t) {
-    if (sight.reaches_before_near(TriangleId(t))) set_bits(components.at(TriangleId(t)).is_broken, 1);
+    Component* const c = components.at(TriangleId(t));
+    if (c != nullptr && sight.reaches_before_near(TriangleId(t))) set_bits(c->is_broken, 1);
   });
 }
 
@@ -114,7 +118,7 @@ void find_middles(const Sight& sight, Components& components) {
   const auto sums = collected<Sum>(mesh.triangles.size(), [&](std::size_t begin, std::size_t end, std::vector<Sum>& part) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t component = components.of[i];
-      if (components.all[component].is_broken != 0) continue;
+      if (component == Components::none || components.all[component].is_broken != 0) continue;
       if (part.empty() || part.back().component != component) part.push_back({component, {}, 0, TriangleId(i)});
       Sum& sum = part.back();
       for (const VertexId v : mesh.triangles[TriangleId(i)]) sum.of_points = plus(sum.of_points, sight.point(v));
@@ -136,10 +140,10 @@ void find_middles(const Sight& sight, Components& components) {
 
 void look_from_the_middles(const Sight& sight, Components& components) {
   for_each(sight.mesh().triangles.size(), [&](std::size_t i) {
-    Component& c = components.at(TriangleId(i));
-    if (c.is_broken != 0 || std::atomic_ref<std::uint8_t>(c.seen).load(std::memory_order_relaxed) > 2) return;
-    const ErrorBounded side = sight.filter(sight.face_plane(TriangleId(i)))(c.middle);
-    set_bits(c.seen, !side.is_certain() ? 4 : side.value > 0 ? 1 : 2);
+    Component* const c = components.at(TriangleId(i));
+    if (c == nullptr || c->is_broken != 0 || std::atomic_ref<std::uint8_t>(c->seen).load(std::memory_order_relaxed) > 2) return;
+    const ErrorBounded side = sight.filter(sight.face_plane(TriangleId(i)))(c->middle);
+    set_bits(c->seen, !side.is_certain() ? 4 : side.value > 0 ? 1 : 2);
   });
 }
 
@@ -157,7 +161,8 @@ void count_on_rays(const Sight& sight, Components& components) {
     c.along = sight.filter(Plane::of_face(c.middle, c.on_ray, q));
   });
   for_each(mesh.triangles.size(), [&](std::size_t i) {
-    Component& c = components.at(TriangleId(i));
+    if (components.of[i] == Components::none) return;
+    Component& c = components.all[components.of[i]];
     if (!c.turns_one_way()) return;
     const auto& t = mesh.triangles[TriangleId(i)];
     const std::array<Point3, 3> p = {sight.point(t[0]), sight.point(t[1]), sight.point(t[2])};
@@ -188,13 +193,14 @@ Bodies::Bodies(const Sight& sight) : sight_(sight), far_sides_(sight.mesh().tria
   find_middles(sight, components);
   look_from_the_middles(sight, components);
   count_on_rays(sight, components);
-  components_ = components.all.size();
+  is_alone_ = components.all.size() == 1 &&
+              std::none_of(components.of.begin(), components.of.end(), [](std::uint32_t c) { return c == Components::none; });
   for (const Component& c : components.all)
     if (c.is_body() && count_++ == 0) inside_ = c.inside();
   for_each(far_sides_.size(), [&](std::size_t i) {
-    const Component& c = components.at(TriangleId(i));
+    const Component* const c = components.at(TriangleId(i));
     // The eye is on the side -facing: the triangle is on the far side iff the middle is there, too.
-    if (c.is_body() && sight.facing(TriangleId(i)) == -c.inside()) far_sides_[i] = 1;
+    if (c != nullptr && c->is_body() && sight.facing(TriangleId(i)) == -c->inside()) far_sides_[i] = 1;
   });
 }
 
@@ -204,7 +210,7 @@ bool Bodies::is_on_far_side(EdgeId e) const {
 }
 
 bool Bodies::is_one_convex_body() const {
-  if (count_ != 1 || components_ != 1) return false;
+  if (count_ != 1 || !is_alone_) return false;
   const Mesh& mesh = sight_.mesh();
   std::atomic<bool> is_convex = true;
   tbb::parallel_for(Range(0, mesh.edges.size(), 1024), [&](const Range& range) {

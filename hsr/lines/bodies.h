@@ -10,16 +10,16 @@ namespace hsr {
 
 /// The bodies of a scene that certainly hide their own far sides.
 ///
-/// A body is a component of faces, connected by common edges, that is closed and consistently oriented, lies wholly on or
-/// beyond the near plane, and is star-shaped: some point inside sees all of it. So it meets itself nowhere, and a line of sight
-/// that leaves it has entered it before. Which way its faces are turned does not matter. What bounds of rounded values do not
-/// prove is no body.
+/// A body is a component of faces, connected by edges of just two triangles, that is closed and consistently oriented, lies
+/// wholly on or beyond the near plane, and is star-shaped: some point inside sees all of it. So it meets itself nowhere, and a
+/// line of sight that leaves it has entered it before. Which way its faces are turned does not matter. What bounds of rounded
+/// values do not prove is no body.
 ///
 ///   (1) without the far sides nothing else is hidden or visible
 ///   (2) what lies between far sides only is hidden all along
 ///   (3) the same for any number of threads
 ///
-/// Cost: O(n), parallel but for the components.
+/// Cost: O(n), parallel.
 /// Source: Mehlhorn, Näher, Seel et al. 1999, "Checking geometric programs or verification of geometric structures": one ray
 /// from inside that meets one face tells that a surface that turns everywhere the same way goes around once.
 class Bodies {
@@ -37,7 +37,8 @@ class Bodies {
 
  private:
   const Sight& sight_;
-  std::size_t count_ = 0, components_ = 0;
+  std::size_t count_ = 0;
+  bool is_alone_ = false;     // the first body, with all triangles
   Sign inside_ = Sign::zero;  // of the first body: on which side of its faces it lies
   std::vector<std::uint8_t> far_sides_;
 };

@@ -6,7 +6,7 @@
 #include <atomic>
 
 #include "hsr/image_line.h"
-#include "hsr/lines/collected.h"
+#include "hsr/lines/parallel.h"
 
 namespace hsr {
 

@@ -25,12 +25,13 @@ struct OccludingEdge {
 /// of sight leaves the edge-on triangles of its plane through a side of one of them; where a counted triangle has that side,
 /// too, it hides as much. Cast, one by one as `roberts` does, are the others: with a side that no counted triangle has, and
 /// where no triangle of the same plane goes on; and those of faces that the near plane cuts. Where such a side, or such a
-/// triangle, is left out because it is hidden, so is what it would hide.
+/// triangle, is left out because it is hidden, so is what it would hide. Where it is the far side of a body, the line of sight
+/// comes out of the body there and has entered it before, through what is not left out.
 ///
 /// Exact: yes. Cost: O(n), parallel, and O(m log m) for m occluding edges.
 class Layers {
  public:
-  /// @param left_out by triangle, because it is hidden itself; whole faces only; empty: none
+  /// @param left_out by triangle, because it is hidden itself or a far side (Bodies); whole faces only; empty: none
   Layers(const Sight& sight, const std::vector<std::uint8_t>& left_out);
 
   bool counts(TriangleId t) const { return counts_[t] != 0; }

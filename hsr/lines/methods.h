@@ -10,13 +10,15 @@
 
 namespace hsr {
 
+class Bodies;
 class Layers;
 
 VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders,
                      const LineOptions& options);
 VisibleLines appel(const Sight& sight, const RequestedEdges& requested, const Layers& layers, const Occluders& occluders,
                    const LineOptions& options);
-/// @pre the scene is one convex body, and requested.hidden says which edges have no face turned to the eye
-VisibleLines lines_of_convex_body(const Sight& sight, const RequestedEdges& requested, const LineOptions& options);
+/// @pre bodies.is_one_convex_body()
+VisibleLines lines_of_convex_body(const Sight& sight, const RequestedEdges& requested, const Bodies& bodies,
+                                  const LineOptions& options);
 
 }  // namespace hsr

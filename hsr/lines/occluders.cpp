@@ -1,6 +1,6 @@
 #include "hsr/lines/occluders.h"
 
-#include "hsr/lines/collected.h"
+#include "hsr/lines/parallel.h"
 
 namespace hsr {
 

@@ -16,6 +16,7 @@
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
 #include "hsr/lines/occluders.h"
+#include "hsr/lines/parallel.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/outside_frame.h"
 #include "hsr/sight.h"
@@ -28,13 +29,6 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t block = 1024;
-
-template <class F>
-void for_each(std::size_t n, const F& visit) {
-  tbb::parallel_for(Range(0, n, block), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) visit(i);
-  });
-}
 
 std::size_t count(const std::vector<std::uint8_t>& flags) {
   return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), std::uint8_t{1}));
@@ -68,6 +62,7 @@ class Plan {
   RequestedEdges requested_;
   std::vector<ImageBox> boxes_;         // of the triangles
   std::vector<std::uint8_t> left_out_;  // by triangle: whole faces; empty: none
+  std::optional<Bodies> bodies_;
   std::optional<Occluders> occluders_;
   std::optional<Layers> layers_;
   LinePlan outcome_;
@@ -112,18 +107,10 @@ void Plan::leave_out_far_sides() {
   const bool wants_back_faces = wants(LineStage::back_faces, "back faces");
   const bool wants_convex_body = wants(LineStage::convex_body, "convex body");
   if (!wants_back_faces && !wants_convex_body) return;
-  const Mesh& mesh = sight_.mesh();
-  const Bodies bodies(sight_);
-  const auto hide = [&](const auto& is_hidden) {
-    requested_.hidden.assign(requested_.edges.size(), 0);
-    for_each(requested_.edges.size(), [&](std::size_t i) { requested_.hidden[i] = is_hidden(requested_.edges[i]) ? 1 : 0; });
-  };
+  bodies_.emplace(sight_);
+  const Bodies& bodies = *bodies_;
   if (wants_convex_body && bodies.is_one_convex_body()) {
     outcome_.method = "none";
-    hide([&](EdgeId e) {
-      const auto all = mesh.triangles_at(e);
-      return std::none_of(all.begin(), all.end(), [&](TriangleId t) { return bodies.is_on_near_side(t); });
-    });
     say("convex body", "all of it: of one convex body, what is turned to the eye is visible");
     return;
   }
@@ -134,7 +121,9 @@ void Plan::leave_out_far_sides() {
     return;
   }
   left_out_ = bodies.far_sides();
-  hide([&](EdgeId e) { return bodies.is_on_far_side(e); });
+  requested_.hidden.resize(requested_.edges.size());
+  for_each(requested_.edges.size(),
+           [&](std::size_t i) { requested_.hidden[i] = bodies.is_on_far_side(requested_.edges[i]) ? 1 : 0; });
   say("back faces", of(count(left_out_), left_out_.size(), "triangles and ") +
                         of(count(requested_.hidden), requested_.hidden.size(), "edges are far sides of ") +
                         std::to_string(bodies.count()) + (bodies.count() == 1 ? " closed body" : " closed bodies"));
@@ -218,7 +207,7 @@ void Plan::choose_method() {
 }
 
 VisibleLines Plan::run() const {
-  VisibleLines all = outcome_.method == "none"    ? lines_of_convex_body(sight_, requested_, options_)
+  VisibleLines all = outcome_.method == "none"    ? lines_of_convex_body(sight_, requested_, *bodies_, options_)
                      : outcome_.method == "appel" ? appel(sight_, requested_, *layers_, *occluders_, options_)
                                                   : roberts(sight_, requested_, *occluders_, options_);
   all.plan = outcome_;

@@ -16,7 +16,7 @@ struct LeftOut {
 
 /// What visible lines take, and what they do without.
 struct LinePlan {
-  std::string method;  ///< "appel" or "roberts"; "none" where no edge needs a test
+  std::string method;  ///< "appel" or "roberts"; "none" for one convex body
   std::vector<LeftOut> left_out;
 };
 

@@ -10,9 +10,10 @@ namespace hsr {
 /// Counts that are known only relative to one another: disjoint sets in which each member knows how far it lies above the one
 /// that stands for its set, the least of it (weighted union, Tarjan 1975).
 ///
-/// Threads may join and find at the same time (Anderson and Woll 1991): a member and its distance change together, as one word,
-/// only a root is hung on another, on a lesser one, and what is no root only ever moves up. Where no two joins contradict each
-/// other the sets and the distances do not depend on their order.
+/// Threads may join and find at the same time (as Anderson and Woll 1991): a member and its distance change together, as one
+/// word, and only what is a root still is hung on another, lesser one. Whatever is ever stored for a member is some ancestor of
+/// it, with the true distance; so it does no harm that a late thread may store an older one again. Where no two joins
+/// contradict each other the sets and the distances do not depend on their order.
 class RelativeCounts {
  public:
   struct alignas(8) Place {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "hsr/lines/collected.h"
 #include "hsr/lines/edge_class.h"
+#include "hsr/lines/parallel.h"
 #include "hsr/outside_frame.h"
 
 namespace hsr {

@@ -9,6 +9,15 @@
 
 namespace hsr {
 
+/// Calls visit(i) for each i in [0, n), in parallel.
+template <class F>
+void for_each(std::size_t n, const F& visit) {
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, n, 1024), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) visit(i);
+  });
+}
+
 /// Visits [0, n) in blocks in parallel, visit(begin, end, part), and joins what each block appends to its part, in order: the
 /// same for any number of threads.
 template <class T, class F>
