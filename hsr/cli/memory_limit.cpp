@@ -63,15 +63,18 @@ rlim_t allocation_limit() {
 }  // namespace
 
 void limit_memory_to_what_there_is() {
-#ifndef __SANITIZE_ADDRESS__  // its shadow memory is larger than any machine's
+#ifdef __SANITIZE_ADDRESS__
+  constexpr bool limits = false;  // its shadow memory is larger than any machine's
+#else
+  constexpr bool limits = true;
+#endif
   // Stacks are counted whole, though little of them is used.
   constexpr rlim_t stack = 16U << 20U;
   const rlim_t bytes = memory();
   rlimit limit{};
-  if (bytes == unknown || getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  if (!limits || bytes == unknown || getrlimit(RLIMIT_DATA, &limit) != 0) return;
   limit.rlim_cur = std::min(limit.rlim_cur, bytes + stack * std::max(1U, std::thread::hardware_concurrency()));
   setrlimit(RLIMIT_DATA, &limit);
-#endif
 }
 
 std::string out_of_memory() {

@@ -314,6 +314,9 @@ TEST_CASE("JSON has the edges outside the frame, too", "[cli]") {
   CHECK(json::parse(all)["lines"].size() == 16 * 12);
   REQUIRE(run("draw " + model + view + " --fov 5").status == 0);
   CHECK(contents(d / "a.json") == all);
+  const Outcome beside = run("draw " + model + " --eye 30,-20,15 --target 60,-20,15 --fov 5 -o " + (d / "b.svg"));
+  CHECK(beside.status == 0);
+  CHECK(beside.text.find("is in the picture: see --target, --fov") != std::string::npos);
 }
 
 TEST_CASE("info says what a drawing can do without", "[cli]") {
