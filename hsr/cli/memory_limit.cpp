@@ -25,7 +25,7 @@ rlim_t number_in(const std::string& path) {
 rlim_t limit_of_group(const std::string& root, std::string group, const std::string& file) {
   rlim_t least = unknown;
   while (true) {
-    least = std::min(least, number_in(root + group + "/" + file));
+    least = std::min(least, number_in(std::string(root).append(group).append("/").append(file)));
     const std::size_t slash = group.rfind('/');
     if (slash == std::string::npos) return least;
     group.resize(slash);
