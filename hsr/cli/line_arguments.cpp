@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<const char*, 6> class_names = {"outline", "sharp", "boundary", "intersection", "wire", "smooth"};
 constexpr std::array<const char*, line_stages> stage_names = {"frame", "convex-body", "back-faces", "hidden-tiles",
                                                               "far-faces"};
-constexpr std::array<const char*, 3> run_names = {"auto", "always", "never"};
+constexpr std::array<const char*, 3> when_names = {"auto", "always", "never"};
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -56,16 +56,16 @@ std::array<When, line_stages> parse_stages(const std::string& text) {
   for (const std::string& part : split(text, ',')) {
     const std::size_t equals = std::min(part.find('='), part.size());
     const std::string name = part.substr(0, equals);
-    const std::size_t run = place(run_names, equals < part.size() ? part.substr(equals + 1) : "");
+    const std::size_t when = place(when_names, equals < part.size() ? part.substr(equals + 1) : "");
     const std::size_t stage = place(stage_names, name);
-    if (run == run_names.size() || (stage == stage_names.size() && name != "all"))
+    if (when == when_names.size() || (stage == stage_names.size() && name != "all"))
       throw InputError("--stages: found \"" + part +
                        "\", expected STAGE=auto, STAGE=always or STAGE=never, where STAGE is all, " +
                        fmt::format("{}", fmt::join(stage_names, ", ")));
     if (name == "all")
-      stages.fill(static_cast<When>(run));
+      stages.fill(static_cast<When>(when));
     else
-      stages[stage] = static_cast<When>(run);
+      stages[stage] = static_cast<When>(when);
   }
   return stages;
 }

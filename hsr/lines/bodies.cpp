@@ -76,12 +76,6 @@ void set_bits(std::uint8_t& place, std::uint8_t bits) {
   if ((atomic.load(std::memory_order_relaxed) & bits) != bits) atomic.fetch_or(bits, std::memory_order_relaxed);
 }
 
-bool runs_along(const Mesh& mesh, TriangleId t, const Edge& e) {
-  const auto& c = mesh.triangles[t];
-  const std::size_t k = c[0] == e.a ? 0 : c[1] == e.a ? 1 : 2;
-  return c[(k + 1) % 3] == e.b;
-}
-
 /// At each edge, as many triangles of a component run along it as against it: the component is a cycle of triangles.
 void find_broken(const Sight& sight, Components& components) {
   constexpr std::size_t most_sides = 8;
@@ -95,7 +89,7 @@ void find_broken(const Sight& sight, Components& components) {
       int balance = 0;
       if (sides.size() <= most_sides)
         for (const TriangleId s : sides)
-          if (components.of[s.value] == components.of[t.value]) balance += runs_along(mesh, s, mesh.edges[e]) ? 1 : -1;
+          if (components.of[s.value] == components.of[t.value]) balance += sight.runs_along(s, mesh.edges[e]) ? 1 : -1;
       if (balance != 0 || sides.size() > most_sides) set_bits(c->is_broken, 1);
     }
   });

@@ -14,10 +14,7 @@ Occluders::Occluders(const Sight& sight, const std::vector<ImageBox>& boxes, con
     return;
   }
   std::vector<ImageBox> kept(triangles.size());
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, kept.size(), 4096), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) kept[i] = boxes[triangles[i].value];
-  });
+  for_each(kept.size(), [&](std::size_t i) { kept[i] = boxes[triangles[i].value]; });
   tree = BoxTree(kept);
 }
 

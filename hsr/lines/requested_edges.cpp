@@ -37,11 +37,9 @@ RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options, c
   });
   classes.resize(edges.size());
   boxes.resize(edges.size());
-  tbb::parallel_for(Range(0, edges.size(), 1024), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]);
-      boxes[i] = sight.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b);
-    }
+  for_each(edges.size(), [&](std::size_t i) {
+    classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]);
+    boxes[i] = sight.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b);
   });
 }
 

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "hsr/lines/line_progress.h"
+#include "hsr/lines/requested_edges.h"
 
 namespace hsr {
 
@@ -151,6 +153,27 @@ void Tiling::add_by_casting(EdgeId edge, EdgeClass edge_class, const ImageBox& b
   }
   if (options_.why) sort_by_face();
   add(edge, edge_class, cast_);
+}
+
+VisibleLines tiled_in_blocks(const Sight& sight, const LineOptions& options, std::span<const std::uint32_t> order,
+                             const std::function<void(Tiling&, std::uint32_t)>& add) {
+  std::vector<VisibleLines> parts((order.size() + edges_of_block - 1) / edges_of_block);
+  std::vector<std::array<std::uint32_t, 2>> place(order.size());
+  LineProgress progress(options.progress, order.size());
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
+    for (std::size_t part = range.begin(); part < range.end(); ++part) {
+      Tiling tiling(sight, options);
+      const std::size_t begin = part * edges_of_block, end = std::min(begin + edges_of_block, order.size());
+      for (std::size_t k = begin; k < end; ++k) {
+        place[order[k]] = {static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(k - begin)};
+        add(tiling, order[k]);
+      }
+      parts[part] = tiling.take();
+      progress.advance(end - begin);
+    }
+  });
+  return joined(parts, place);
 }
 
 VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<std::array<std::uint32_t, 2>>& place) {

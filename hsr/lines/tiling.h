@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -47,6 +48,11 @@ class Tiling {
   std::vector<Shadow> cast_, by_face_, one_face_;
   VisibleLines result_;
 };
+
+/// The lines of edges that do not depend on one another, in blocks in parallel. @param order the edges to tile, near ones near
+/// @param add tiles one of them
+VisibleLines tiled_in_blocks(const Sight& sight, const LineOptions& options, std::span<const std::uint32_t> order,
+                             const std::function<void(Tiling&, std::uint32_t)>& add);
 
 /// The lines of all parts in the order of their edges. @param place where each edge's line is: part, and line in it
 /// @throws InputError beyond 2^32 - 1 interval ends
