@@ -9,6 +9,7 @@
 #include "geometry/plane_filter.h"
 #include "geometry/polynomials.h"
 #include "geometry/rational_arithmetic.h"
+#include "geometry/view_plane_polynomials.h"
 
 namespace hsr {
 
@@ -59,11 +60,11 @@ Sign Predicates::staged(const Polynomial& polynomial, bool only_spans, int degre
   return beyond_filter(polynomial, only_spans, degree);
 }
 
-/// A polynomial of degree d in numbers of at most w bits (differences and directions) with at most 2^12 terms, as all of ours
-/// have, is smaller than 2^(d w + 12); one bit more for the sign.
+/// A polynomial of degree d in numbers of at most w bits (differences and directions) with at most 2^12 terms, as all of degree
+/// 9 and less have, is smaller than 2^(d w + 12); one bit more for the sign. Those of meets have at most 2^18 terms.
 template <class Polynomial>
 Sign Predicates::beyond_filter(const Polynomial& polynomial, bool only_spans, int degree) {
-  const int bits = only_spans ? degree * width_ + 13 : 1 << 20;
+  const int bits = only_spans ? degree * width_ + (degree <= 9 ? 13 : 19) : 1 << 20;
   Sign s = Sign::zero;
   if (bits <= 127 && is_narrow_ && arithmetic_ == Arithmetic::staged) {
     s = exact_sign(polynomial(NarrowArithmetic{scale_, direction_scale_}));
@@ -127,6 +128,41 @@ Sign Predicates::side(const Plane& x, const Plane& a, const Plane& b, const Plan
   const Sign meet = staged([&](const auto& k) { return polynomials::meet_value(k, a, b, c); }, true, 6);
   require(meet != Sign::zero, "Predicates::side: the three planes meet in no single point");
   return meet * staged([&](const auto& k) { return polynomials::meet_side_value(k, x, a, b, c); }, true, 9);
+}
+
+namespace {
+
+bool only_spans(const ViewPlane& l) {
+  return l.x.kind == Plane::Kind::span && (!l.is_meet || l.y.kind == Plane::Kind::span);
+}
+/// Of the entries of its line.
+int degree(const ViewPlane& l) { return l.is_meet ? 6 : 3; }
+
+}  // namespace
+
+Sign Predicates::side(const Camera& camera, const ViewPlane& l, const Point3& p) {
+  if (!l.is_meet) return side(l.x, p);
+  return staged([&](const auto& a) { return polynomials::view_value(a, camera, l, p); }, only_spans(l), 6);
+}
+
+Sign Predicates::crossing_weight(const Camera& camera, const ViewPlane& l, const ViewPlane& m) {
+  return staged([&](const auto& a) { return polynomials::crossing_weight(a, camera, l, m); }, only_spans(l) && only_spans(m),
+                degree(l) + degree(m));
+}
+
+/// For l through the images of a and b, running from a to b, and m through a: with an eye l x m = -a' m(b), a' the ray of a; with
+/// a direction (l x m)_k = D_k m(b).
+Sign Predicates::turn(const Camera& camera, const ViewPlane& l, const ViewPlane& m) {
+  const Sign w = crossing_weight(camera, l, m);
+  if (!camera.eye.is_direction) return w;
+  return -w * sign_of(camera.eye.at[largest_axis(camera.eye.at)]);
+}
+
+Sign Predicates::side(const Camera& camera, const ViewPlane& n, const ViewPlane& l, const ViewPlane& m) {
+  const Sign w = crossing_weight(camera, l, m);
+  require(w != Sign::zero, "Predicates::side: the lines are parallel in the image");
+  return w * staged([&](const auto& a) { return polynomials::lines_value(a, camera, l, m, n); },
+                    only_spans(l) && only_spans(m) && only_spans(n), degree(l) + degree(m) + degree(n));
 }
 
 PlaneFilter::PlaneFilter(const Plane& plane, Arithmetic arithmetic) {

@@ -6,6 +6,7 @@
 #include "geometry/number.h"
 #include "geometry/plane.h"
 #include "geometry/point.h"
+#include "geometry/view_plane.h"
 
 namespace hsr {
 
@@ -60,6 +61,14 @@ class Predicates {
   /// Degree 9.
   Sign side(const Plane& x, const Plane& a, const Plane& b, const Plane& c);
 
+  /// On which side of the line l of the image the image of p lies. Degree 3; of a meet 6.
+  Sign side(const Camera& camera, const ViewPlane& l, const Point3& p);
+  /// How m turns against l, where each runs with its positive side on its left: positive, to the left, so that the values of m
+  /// fall along l; zero, they are parallel in the image. Degree 4 and up (of the planes' own degrees).
+  Sign turn(const Camera& camera, const ViewPlane& l, const ViewPlane& m);
+  /// On which side of the line n the crossing of l and m lies. @pre turn(l, m) is not zero. Degree 6; of three meets 15.
+  Sign side(const Camera& camera, const ViewPlane& n, const ViewPlane& l, const ViewPlane& m);
+
   Arithmetic arithmetic() const { return arithmetic_; }
   const DecisionCounts& counts() const { return counts_; }
   DecisionCounts& counts() { return counts_; }
@@ -72,6 +81,7 @@ class Predicates {
   Sign staged(const Polynomial& polynomial, bool only_spans, int degree);
   template <class Polynomial>
   Sign beyond_filter(const Polynomial& polynomial, bool only_spans, int degree);
+  Sign crossing_weight(const Camera& camera, const ViewPlane& l, const ViewPlane& m);
 
   Certificate points_, direction_;
   Arithmetic arithmetic_;

@@ -27,6 +27,9 @@ class Sight {
   const Mesh& mesh() const { return *mesh_; }
   const Viewpoint& eye() const { return eye_; }
   bool is_perspective() const { return !eye_.is_direction; }
+  Camera camera() const { return {eye_, target_}; }
+  /// The rows that image coordinates in perspective are taken along.
+  const std::array<Point3, 2>& rows() const { return row_; }
   const Point3& point(VertexId v) const { return points_[v]; }
 
   /// Predicates for these points; one for each thread.

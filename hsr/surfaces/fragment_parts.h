@@ -1,0 +1,65 @@
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "hsr/lines/line_progress.h"
+#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/map_sight.h"
+#include "hsr/surfaces/rings.h"
+
+namespace hsr {
+
+/// The fragments of neighbouring facets, as they come.
+struct FragmentParts {
+  VisibleFragments found;
+
+  void add(TriangleId facet, const Rings& rings) {
+    const auto base_ring = static_cast<std::uint32_t>(found.rings());
+    for (std::size_t r = 0; r + 1 < rings.first_point.size(); ++r) {
+      found.points.insert(found.points.end(), rings.points.begin() + rings.first_point[r],
+                          rings.points.begin() + rings.first_point[r + 1]);
+      found.first_point.push_back(static_cast<std::uint32_t>(found.points.size()));
+    }
+    for (std::size_t k = 0; k + 1 < rings.first_ring.size(); ++k)
+      found.fragments.push_back({facet, base_ring + rings.first_ring[k], base_ring + rings.first_ring[k + 1]});
+  }
+};
+
+/// Calls find(worker, facet, parts) for each facet, in blocks in parallel, each with a worker of its own, and joins what they
+/// find in the order of the facets.
+template <class Make, class Find>
+VisibleFragments fragments_in_blocks(const Mesh& mesh, const FragmentOptions& options, const Make& make, const Find& find) {
+  constexpr std::size_t block = 256;
+  const std::size_t n = mesh.triangles.size();
+  std::vector<FragmentParts> parts((n + block - 1) / block);
+  LineProgress progress(options.progress, n);
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
+    for (std::size_t part = range.begin(); part < range.end(); ++part) {
+      auto worker = make();
+      const std::size_t begin = part * block, end = std::min(begin + block, n);
+      for (std::size_t t = begin; t < end; ++t)
+        if (facet_of(mesh, TriangleId(t)) == TriangleId(t)) find(worker, TriangleId(t), parts[part]);
+      parts[part].found.decisions = worker.map().exact().counts();
+      progress.advance(end - begin);
+    }
+  });
+  VisibleFragments all;
+  for (const FragmentParts& part : parts) {
+    const VisibleFragments& found = part.found;
+    const auto ring = static_cast<std::uint32_t>(all.rings()), point = static_cast<std::uint32_t>(all.points.size());
+    for (const Fragment& f : found.fragments) all.fragments.push_back({f.facet, ring + f.first_ring, ring + f.end_ring});
+    for (std::size_t r = 1; r < found.first_point.size(); ++r) all.first_point.push_back(point + found.first_point[r]);
+    all.points.insert(all.points.end(), found.points.begin(), found.points.end());
+    all.decisions += found.decisions;
+  }
+  check_countable(all.points.size(), "corners of fragments");
+  return all;
+}
+
+}  // namespace hsr

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "geometry/number.h"
+#include "geometry/predicates.h"
+#include "hsr/surfaces/map_point.h"
+#include "hsr/view.h"
+
+namespace hsr {
+
+/// A connected part of a face that is visible, as seen: its rings in the image.
+struct Fragment {
+  TriangleId facet;                            ///< the triangle it lies in; of a planar face, its first
+  std::uint32_t first_ring = 0, end_ring = 0;  ///< the outer ring first, counter-clockwise as seen; holes clockwise
+};
+
+struct VisibleFragments {
+  std::vector<Fragment> fragments;  ///< ascending by facet, hence by face
+  std::vector<std::uint32_t> first_point = {0};  ///< ring r has points[first_point[r]] ... ; one more than rings
+  std::vector<MapPoint> points;
+  DecisionCounts decisions;
+
+  std::size_t rings() const { return first_point.size() - 1; }
+  std::span<const MapPoint> ring(std::uint32_t r) const {
+    return {points.data() + first_point[r], points.data() + first_point[r + 1]};
+  }
+};
+
+struct FragmentOptions {
+  Arithmetic arithmetic = Arithmetic::staged;
+  std::function<void(double done)> progress;  ///< called now and then with the share done, 0 ... 1; may throw to cancel
+};
+
+/// A point of a fragment in space, exactly: the point of the facet's plane that is seen there.
+std::array<Rational, 3> point_of(const Mesh& mesh, const View& view, TriangleId facet, const MapPoint& p);
+
+}  // namespace hsr

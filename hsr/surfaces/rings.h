@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hsr/surfaces/map_sight.h"
+
+namespace hsr {
+
+/// Closed rings of points of the map, and which of them bound one connected region.
+struct Rings {
+  std::vector<MapPoint> points;
+  std::vector<std::uint32_t> first_point = {0};  ///< ring r has points[first_point[r]] ... ; one more than rings
+  std::vector<std::uint32_t> first_ring = {0};   ///< region k has the rings first_ring[k] ... ; one more than regions
+};
+
+/// Links the sides of a part of the plane into the rings that bound it.
+///
+///   (1) the regions are the connected interiors; the first ring of each is its outer one, counter-clockwise as seen, the
+///       others are holes, clockwise
+///   (2) rings are simple: none passes through a point twice; rings of one region may share points, not sides
+///   (3) only true corners: no point of a ring is in line with its neighbours
+///   (4) sides may come in any order and in any pieces; what lies on another side the other way round cancels, and what comes
+///       twice counts once
+///
+/// @pre the sides, cancelled, bound a part of the plane that lies to their left
+/// @throws InvariantError if they do not
+/// Exact: yes. Cost: O(m log m) for m sides in general position; O(m^2) where doubles do not tell points apart.
+Rings link_rings(MapSight& map, std::span<const MapSide> sides);
+
+}  // namespace hsr

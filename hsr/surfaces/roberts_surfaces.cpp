@@ -1,0 +1,195 @@
+#include "hsr/surfaces/roberts_surfaces.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "hsr/lines/occluders.h"
+#include "hsr/lines/parallel.h"
+#include "hsr/sight.h"
+#include "hsr/surfaces/fragment_parts.h"
+#include "hsr/surfaces/map_sight.h"
+#include "hsr/surfaces/rings.h"
+
+namespace hsr {
+
+namespace {
+
+/// A line and the side of it that counts: negative, to its right.
+struct HalfPlane {
+  MapLine line;
+  Sign inner;
+};
+
+/// A convex part of a facet in the image, counter-clockwise: side k runs along its line from point k to point k + 1.
+struct ConvexPiece {
+  std::vector<HalfPlane> lines;  // all inner to the left as the side runs
+  std::vector<MapPoint> points;
+};
+
+class Subtraction {
+ public:
+  Subtraction(const Sight& sight, const Occluders& occluders) : map_(sight), sight_(sight), occluders_(occluders) {}
+
+  /// Appends the sides of the visible pieces of a facet.
+  void visible_sides(TriangleId facet, std::vector<MapSide>& sides);
+
+  MapSight& map() { return map_; }
+
+ private:
+  ConvexPiece triangle(TriangleId t) const;
+  HalfPlane side_of_triangle(TriangleId t, std::size_t k) const;
+  bool shadow(TriangleId t, TriangleId facet, std::vector<HalfPlane>& half_planes);
+  /// Cuts the piece: what is inside the half-plane stays, what is outside is returned.
+  std::optional<ConvexPiece> cut(ConvexPiece& piece, const HalfPlane& h);
+  void subtract(std::vector<ConvexPiece>& pieces, const std::vector<HalfPlane>& shadow);
+
+  MapSight map_;
+  const Sight& sight_;
+  const Occluders& occluders_;
+};
+
+HalfPlane Subtraction::side_of_triangle(TriangleId t, std::size_t k) const {
+  const auto& c = sight_.mesh().triangles[t];
+  const VertexId u = c[k], v = c[(k + 1) % 3];
+  // Counter-clockwise as seen, the inside is to the left of u -> v.
+  const Sign left = -sight_.facing(t);
+  return {MapLine::edge(u, v), u < v ? left : -left};
+}
+
+ConvexPiece Subtraction::triangle(TriangleId t) const {
+  const auto& c = sight_.mesh().triangles[t];
+  ConvexPiece piece;
+  const bool forward = sight_.facing(t) == Sign::negative;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = forward ? k : 2 - k;                 // the side
+    const std::size_t from = forward ? k : (2 - k + 1) % 3;    // its first corner
+    piece.lines.push_back(side_of_triangle(t, i));
+    piece.points.push_back(MapPoint::of_vertex(c[from]));
+  }
+  return piece;
+}
+
+std::optional<ConvexPiece> Subtraction::cut(ConvexPiece& piece, const HalfPlane& h) {
+  const std::size_t n = piece.points.size();
+  std::vector<Sign> at;
+  bool inside = false, outside = false;
+  for (const MapPoint& p : piece.points) {
+    at.push_back(map_.side(h.line, p) * h.inner);
+    inside = inside || at.back() == Sign::positive;
+    outside = outside || at.back() == Sign::negative;
+  }
+  if (!outside) return std::nullopt;
+  if (!inside) {
+    ConvexPiece all = std::move(piece);
+    piece = {};
+    return all;
+  }
+  // The part of the piece on one side of the line: where it leaves, the line takes over until it comes back.
+  const auto part = [&](Sign wanted) {
+    ConvexPiece out;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Sign here = at[k] * wanted, next = at[(k + 1) % n] * wanted;
+      const MapPoint crossing = MapPoint::crossing(piece.lines[k].line, h.line);
+      const HalfPlane border = {h.line, h.inner * wanted};
+      if (here == Sign::positive) {
+        out.points.push_back(piece.points[k]);
+        out.lines.push_back(piece.lines[k]);
+        if (next == Sign::negative) {
+          out.points.push_back(crossing);
+          out.lines.push_back(border);
+        }
+      } else if (here == Sign::zero) {
+        out.points.push_back(piece.points[k]);
+        out.lines.push_back(next == Sign::positive ? piece.lines[k] : border);
+      } else if (next == Sign::positive) {
+        out.points.push_back(crossing);
+        out.lines.push_back(piece.lines[k]);
+      }
+    }
+    return out;
+  };
+  ConvexPiece outer = part(Sign::negative);
+  piece = part(Sign::positive);
+  return outer;
+}
+
+/// Where t hides the facet: within t, where its plane is the nearer one, and beyond the near plane. False: nowhere, since of
+/// two in one plane the lower index is seen.
+bool Subtraction::shadow(TriangleId t, TriangleId facet, std::vector<HalfPlane>& half_planes) {
+  half_planes.clear();
+  const bool coplanar = map_.coplanar(t, facet);
+  if (coplanar && t > facet) return false;
+  for (std::size_t k = 0; k < 3; ++k) half_planes.push_back(side_of_triangle(t, k));
+  if (!coplanar) {
+    const MapLine meet = MapLine::meet(t, facet);
+    const Sign nearer = sight_.facing(t) * sight_.facing(facet);
+    half_planes.push_back({meet, meet.u == t.value ? nearer : -nearer});
+  }
+  if (sight_.reaches_before_near(t)) half_planes.push_back({MapLine::near(t), sight_.facing(t)});
+  return true;
+}
+
+void Subtraction::subtract(std::vector<ConvexPiece>& pieces, const std::vector<HalfPlane>& shadow) {
+  std::vector<ConvexPiece> left;
+  for (ConvexPiece& piece : pieces) {
+    ConvexPiece rest = piece;
+    std::vector<ConvexPiece> outside;
+    for (const HalfPlane& h : shadow) {
+      if (auto part = cut(rest, h)) outside.push_back(std::move(*part));
+      if (rest.points.empty()) break;
+    }
+    if (rest.points.empty())
+      left.push_back(std::move(piece));
+    else
+      std::move(outside.begin(), outside.end(), std::back_inserter(left));
+  }
+  pieces = std::move(left);
+}
+
+void Subtraction::visible_sides(TriangleId facet, std::vector<MapSide>& sides) {
+  const Mesh& mesh = sight_.mesh();
+  if (sight_.facing(facet) == Sign::zero) return;
+  const TriangleId end = facet_end(mesh, facet);
+  std::vector<ConvexPiece> pieces;
+  std::vector<HalfPlane> half_planes;
+  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
+    if (!sight_.reaches_beyond_near(t)) continue;
+    pieces.assign(1, triangle(t));
+    if (sight_.reaches_before_near(t)) cut(pieces[0], {MapLine::near(t), sight_.facing(t)});
+    if (pieces[0].points.empty()) continue;
+    occluders_.tree.visit(sight_.box(t), [&](std::uint32_t i) {
+      const TriangleId other = occluders_.triangles[i];
+      if (other >= facet && other < end) return true;
+      if (!shadow(other, facet, half_planes)) return true;
+      subtract(pieces, half_planes);
+      return !pieces.empty();
+    });
+    for (const ConvexPiece& piece : pieces)
+      for (std::size_t k = 0; k < piece.points.size(); ++k)
+        sides.push_back({piece.lines[k].line, piece.lines[k].inner == Sign::negative, piece.points[k],
+                         piece.points[(k + 1) % piece.points.size()]});
+  }
+}
+
+}  // namespace
+
+VisibleFragments roberts_surfaces(const Mesh& mesh, const View& view, const FragmentOptions& options) {
+  const Sight sight(mesh, view, options.arithmetic);
+  std::vector<ImageBox> boxes(mesh.triangles.size());
+  std::vector<std::uint8_t> edge_on(mesh.triangles.size());
+  for_each(boxes.size(), [&](std::size_t i) {
+    boxes[i] = sight.box(TriangleId(i));
+    edge_on[i] = sight.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
+  });
+  const Occluders occluders(sight, boxes, edge_on);
+  return fragments_in_blocks(mesh, options, [&] { return Subtraction(sight, occluders); },
+                             [](Subtraction& subtraction, TriangleId facet, FragmentParts& parts) {
+                               std::vector<MapSide> sides;
+                               subtraction.visible_sides(facet, sides);
+                               parts.add(facet, link_rings(subtraction.map(), sides));
+                             });
+}
+
+}  // namespace hsr
