@@ -80,6 +80,13 @@ void make_faces(Mesh& mesh, const Polygons& polygons, std::size_t from, std::siz
 
 }  // namespace
 
+EdgeId Mesh::find_edge(VertexId a, VertexId b) const {
+  const auto ends = std::pair(std::min(a, b), std::max(a, b));
+  const auto at = std::lower_bound(edges.begin(), edges.end(), ends,
+                                   [](const Edge& e, const auto& key) { return std::pair(e.a, e.b) < key; });
+  return at != edges.end() && std::pair(at->a, at->b) == ends ? EdgeId(static_cast<std::size_t>(at - edges.begin())) : EdgeId();
+}
+
 Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons) {
   check_countable(points.size(), "points");
   check_countable(polygons.size(), "faces");

@@ -58,6 +58,8 @@ struct Mesh {
   std::span<const TriangleId> triangles_at(EdgeId e) const {
     return {sides.data() + first_side[e], sides.data() + first_side[EdgeId(e.value + 1U)]};
   }
+  /// The edge between two vertices; invalid if there is none. Cost: O(log n).
+  EdgeId find_edge(VertexId a, VertexId b) const;
   /// The corner of `t` that is not on the edge.
   VertexId apex(TriangleId t, const Edge& e) const {
     for (const VertexId v : triangles[t])

@@ -36,11 +36,19 @@ RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options, c
       if (edge_classes[e] != none) part.emplace_back(e);
   });
   classes.resize(edges.size());
+  for_each(edges.size(), [&](std::size_t i) { classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]); });
+  find_boxes(sight);
+}
+
+RequestedEdges::RequestedEdges(const Sight& sight, std::vector<EdgeId> ascending) : edges(std::move(ascending)) {
+  classes.resize(edges.size(), EdgeClass::smooth);
+  find_boxes(sight);
+}
+
+void RequestedEdges::find_boxes(const Sight& sight) {
+  const Mesh& mesh = sight.mesh();
   boxes.resize(edges.size());
-  for_each(edges.size(), [&](std::size_t i) {
-    classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]);
-    boxes[i] = sight.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b);
-  });
+  for_each(edges.size(), [&](std::size_t i) { boxes[i] = sight.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b); });
 }
 
 }  // namespace hsr

@@ -26,6 +26,11 @@ struct RequestedEdges {
 
   /// @param outside the edges to leave out, or nullptr
   RequestedEdges(const Sight& sight, const LineOptions& options, const OutsideFrame* outside);
+  /// Edges for their own sake: their classes are not looked at.
+  RequestedEdges(const Sight& sight, std::vector<EdgeId> ascending);
+
+ private:
+  void find_boxes(const Sight& sight);
 };
 
 }  // namespace hsr

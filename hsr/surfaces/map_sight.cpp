@@ -47,6 +47,29 @@ Sign MapSight::turn(const MapLine& l, const MapLine& m) {
   return -exact_.turn(camera_, plane(l), plane(m));
 }
 
+Sign MapSight::same_way(const MapLine& l, const MapLine& m) {
+  if (l == m) return Sign::positive;
+  // A corner of what makes the line lies off it, but for the corners of edges: then the mesh has another vertex.
+  const auto agree = [&](VertexId v) {
+    const Sign s = side(l, v);
+    return s == Sign::zero ? s : s * side(m, v);
+  };
+  for (const MapLine& line : {l, m}) {
+    if (line.kind == MapLine::Kind::edge) continue;
+    for (const VertexId v : mesh().triangles[TriangleId(line.u)])
+      if (const Sign s = agree(v); s != Sign::zero) return s;
+  }
+  // Two edges: an axis that does not lie in their view plane leads off it, from any vertex that has an image.
+  const ViewPlane a = plane(l), b = plane(m);
+  for (const std::uint32_t v : {l.u, l.v})
+    for (int axis = 0; axis < 3; ++axis) {
+      const ViewPlane off = ViewPlane::of(Plane::of_sight_along_axis(sight_.eye(), sight_.point(VertexId(v)), axis));
+      const Sign s = exact_.turn(camera_, a, off);
+      if (s != Sign::zero) return s * exact_.turn(camera_, b, off);
+    }
+  throw InvariantError("MapSight: a line that nothing is beside");
+}
+
 bool MapSight::equal(const MapPoint& p, const MapPoint& q) {
   if (p == q) return true;
   if (p.is_vertex && q.is_vertex) return ImageLine(sight_, p.vertex, q.vertex).is_point(exact_);

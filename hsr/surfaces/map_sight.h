@@ -41,6 +41,8 @@ class MapSight {
   Sign side(const MapLine& line, VertexId v);
   /// How m turns against l: positive, to the left. Zero: parallel in the image, or one line.
   Sign turn(const MapLine& l, const MapLine& m);
+  /// Of one line under two names: positive, both run the same way.
+  Sign same_way(const MapLine& l, const MapLine& m);
   /// Whether p and q are one point of the image.
   bool equal(const MapPoint& p, const MapPoint& q);
   /// Which of two points of the line comes first: negative, p.

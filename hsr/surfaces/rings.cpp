@@ -59,7 +59,6 @@ class Linker {
   bool may_be_one(const MapPlace& p, const MapPlace& q) const {
     return std::fabs(p.x - q.x) <= p.error_x + q.error_x && std::fabs(p.y - q.y) <= p.error_y + q.error_y;
   }
-  Sign same_direction(const MapLine& l, const MapLine& m);
   Sign turn(const Piece& p, bool back_p, const Piece& q, bool back_q);
   void drop_straight(std::vector<std::uint32_t>& pieces);
   bool turns_left(const std::vector<std::uint32_t>& pieces);
@@ -194,16 +193,6 @@ void Linker::cancel() {
   pieces_ = std::move(kept);
 }
 
-/// Two symbols of one line: whether both run the same way.
-Sign Linker::same_direction(const MapLine& l, const MapLine& m) {
-  if (l == m) return Sign::positive;
-  for (const MapPoint& p : points_) {
-    const Sign s = map_.side(l, p);
-    if (s != Sign::zero) return s * map_.side(m, p);
-  }
-  throw InvariantError("link_rings: all points lie on one line");
-}
-
 /// How the ray along q turns against the ray along p; both may run backwards.
 Sign Linker::turn(const Piece& p, bool back_p, const Piece& q, bool back_q) {
   const Sign s = map_.turn(p.line, q.line);
@@ -231,7 +220,7 @@ void Linker::link_at(std::vector<std::uint32_t>& in, std::vector<std::uint32_t>&
     const Sign s = turn(pieces_[base.piece], base.arrives, pieces_[r.piece], r.arrives);
     if (s != Sign::zero) return s == Sign::positive ? 1 : 3;
     const Piece &p = pieces_[base.piece], &q = pieces_[r.piece];
-    const bool same = (same_direction(p.line, q.line) == Sign::positive) == ((p.reversed != base.arrives) == (q.reversed != r.arrives));
+    const bool same = (map_.same_way(p.line, q.line) == Sign::positive) == ((p.reversed != base.arrives) == (q.reversed != r.arrives));
     return same ? 0 : 2;
   };
   std::vector<int> parts;

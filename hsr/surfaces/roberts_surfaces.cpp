@@ -11,20 +11,15 @@
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/map_sight.h"
 #include "hsr/surfaces/rings.h"
+#include "hsr/surfaces/triangle_sides.h"
 
 namespace hsr {
 
 namespace {
 
-/// A line and the side of it that counts: negative, to its right.
-struct HalfPlane {
-  MapLine line;
-  Sign inner;
-};
-
 /// A convex part of a facet in the image, counter-clockwise: side k runs along its line from point k to point k + 1.
 struct ConvexPiece {
-  std::vector<HalfPlane> lines;  // all inner to the left as the side runs
+  std::vector<MapHalfPlane> lines;  // all inner to the left as the side runs
   std::vector<MapPoint> points;
 };
 
@@ -39,24 +34,15 @@ class Subtraction {
 
  private:
   ConvexPiece triangle(TriangleId t) const;
-  HalfPlane side_of_triangle(TriangleId t, std::size_t k) const;
-  bool shadow(TriangleId t, TriangleId facet, std::vector<HalfPlane>& half_planes);
+  bool shadow(TriangleId t, TriangleId facet, std::vector<MapHalfPlane>& half_planes);
   /// Cuts the piece: what is inside the half-plane stays, what is outside is returned.
-  std::optional<ConvexPiece> cut(ConvexPiece& piece, const HalfPlane& h);
-  void subtract(std::vector<ConvexPiece>& pieces, const std::vector<HalfPlane>& shadow);
+  std::optional<ConvexPiece> cut(ConvexPiece& piece, const MapHalfPlane& h);
+  void subtract(std::vector<ConvexPiece>& pieces, const std::vector<MapHalfPlane>& shadow);
 
   MapSight map_;
   const Sight& sight_;
   const Occluders& occluders_;
 };
-
-HalfPlane Subtraction::side_of_triangle(TriangleId t, std::size_t k) const {
-  const auto& c = sight_.mesh().triangles[t];
-  const VertexId u = c[k], v = c[(k + 1) % 3];
-  // Counter-clockwise as seen, the inside is to the left of u -> v.
-  const Sign left = -sight_.facing(t);
-  return {MapLine::edge(u, v), u < v ? left : -left};
-}
 
 ConvexPiece Subtraction::triangle(TriangleId t) const {
   const auto& c = sight_.mesh().triangles[t];
@@ -65,13 +51,13 @@ ConvexPiece Subtraction::triangle(TriangleId t) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = forward ? k : 2 - k;                 // the side
     const std::size_t from = forward ? k : (2 - k + 1) % 3;    // its first corner
-    piece.lines.push_back(side_of_triangle(t, i));
+    piece.lines.push_back(side_of_triangle(sight_, t, i));
     piece.points.push_back(MapPoint::of_vertex(c[from]));
   }
   return piece;
 }
 
-std::optional<ConvexPiece> Subtraction::cut(ConvexPiece& piece, const HalfPlane& h) {
+std::optional<ConvexPiece> Subtraction::cut(ConvexPiece& piece, const MapHalfPlane& h) {
   const std::size_t n = piece.points.size();
   std::vector<Sign> at;
   bool inside = false, outside = false;
@@ -92,7 +78,7 @@ std::optional<ConvexPiece> Subtraction::cut(ConvexPiece& piece, const HalfPlane&
     for (std::size_t k = 0; k < n; ++k) {
       const Sign here = at[k] * wanted, next = at[(k + 1) % n] * wanted;
       const MapPoint crossing = MapPoint::crossing(piece.lines[k].line, h.line);
-      const HalfPlane border = {h.line, h.inner * wanted};
+      const MapHalfPlane border = {h.line, h.inner * wanted};
       if (here == Sign::positive) {
         out.points.push_back(piece.points[k]);
         out.lines.push_back(piece.lines[k]);
@@ -117,26 +103,26 @@ std::optional<ConvexPiece> Subtraction::cut(ConvexPiece& piece, const HalfPlane&
 
 /// Where t hides the facet: within t, where its plane is the nearer one, and beyond the near plane. False: nowhere, since of
 /// two in one plane the lower index is seen.
-bool Subtraction::shadow(TriangleId t, TriangleId facet, std::vector<HalfPlane>& half_planes) {
+bool Subtraction::shadow(TriangleId t, TriangleId facet, std::vector<MapHalfPlane>& half_planes) {
   half_planes.clear();
   const bool coplanar = map_.coplanar(t, facet);
   if (coplanar && t > facet) return false;
-  for (std::size_t k = 0; k < 3; ++k) half_planes.push_back(side_of_triangle(t, k));
+  for (std::size_t k = 0; k < 3; ++k) half_planes.push_back(side_of_triangle(sight_, t, k));
   if (!coplanar) {
     const MapLine meet = MapLine::meet(t, facet);
     const Sign nearer = sight_.facing(t) * sight_.facing(facet);
     half_planes.push_back({meet, meet.u == t.value ? nearer : -nearer});
   }
-  if (sight_.reaches_before_near(t)) half_planes.push_back({MapLine::near(t), sight_.facing(t)});
+  if (sight_.reaches_before_near(t)) half_planes.push_back(beyond_near(sight_, t));
   return true;
 }
 
-void Subtraction::subtract(std::vector<ConvexPiece>& pieces, const std::vector<HalfPlane>& shadow) {
+void Subtraction::subtract(std::vector<ConvexPiece>& pieces, const std::vector<MapHalfPlane>& shadow) {
   std::vector<ConvexPiece> left;
   for (ConvexPiece& piece : pieces) {
     ConvexPiece rest = piece;
     std::vector<ConvexPiece> outside;
-    for (const HalfPlane& h : shadow) {
+    for (const MapHalfPlane& h : shadow) {
       if (auto part = cut(rest, h)) outside.push_back(std::move(*part));
       if (rest.points.empty()) break;
     }
@@ -153,11 +139,11 @@ void Subtraction::visible_sides(TriangleId facet, std::vector<MapSide>& sides) {
   if (sight_.facing(facet) == Sign::zero) return;
   const TriangleId end = facet_end(mesh, facet);
   std::vector<ConvexPiece> pieces;
-  std::vector<HalfPlane> half_planes;
+  std::vector<MapHalfPlane> half_planes;
   for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
     if (!sight_.reaches_beyond_near(t)) continue;
     pieces.assign(1, triangle(t));
-    if (sight_.reaches_before_near(t)) cut(pieces[0], {MapLine::near(t), sight_.facing(t)});
+    if (sight_.reaches_before_near(t)) cut(pieces[0], beyond_near(sight_, t));
     if (pieces[0].points.empty()) continue;
     occluders_.tree.visit(sight_.box(t), [&](std::uint32_t i) {
       const TriangleId other = occluders_.triangles[i];

@@ -118,7 +118,6 @@ void SurfacesOracle::add_piece(TriangleId t) {
 std::vector<SurfacesOracle::Segment> SurfacesOracle::segments() const {
   std::vector<Segment> out;
   const auto add = [&](Place p, Place q) {
-    if (p[0] == q[0]) return;
     if (p[0] > q[0]) std::swap(p, q);
     out.push_back({p, q});
   };
@@ -171,7 +170,7 @@ TriangleId SurfacesOracle::visible_at(const Place& p) const {
 }
 
 void SurfacesOracle::cut_image() {
-  const std::vector<Segment> all = segments();
+  std::vector<Segment> all = segments();
   std::set<Q> events;
   for (const Piece& piece : pieces_)
     for (const Place& p : piece.corners) events.insert(p[0]);
@@ -179,6 +178,7 @@ void SurfacesOracle::cut_image() {
     events.insert(s.from[0]);
     events.insert(s.to[0]);
   }
+  std::erase_if(all, [](const Segment& s) { return s.from[0] == s.to[0]; });  // upright ones bound slabs by their events
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j) {
       const Q left = std::max(all[i].from[0], all[j].from[0]), right = std::min(all[i].to[0], all[j].to[0]);

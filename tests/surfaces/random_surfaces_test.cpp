@@ -3,6 +3,7 @@
 #include <string>
 
 #include "hsr/surfaces/roberts_surfaces.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "tests/oracle/surfaces_oracle.h"
 #include "tests/scenes/random_scenes.h"
 
@@ -21,6 +22,7 @@ std::string wrong_with(const scenes::TestScene& scene) {
     const oracle::SurfacesOracle truth(mesh, scene.view);
     std::string wrong;
     for (const std::string& line : truth.differences(roberts_surfaces(mesh, scene.view))) wrong += "roberts: " + line + "\n";
+    for (const std::string& line : truth.differences(visible_fragments(mesh, scene.view))) wrong += "fragments: " + line + "\n";
     return wrong;
   } catch (const std::exception& e) {
     return std::string("exception: ") + e.what() + "\n";

@@ -1,0 +1,286 @@
+#include "hsr/surfaces/visible_fragments.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "hsr/lines/layers.h"
+#include "hsr/lines/methods.h"
+#include "hsr/lines/occluders.h"
+#include "hsr/lines/parallel.h"
+#include "hsr/lines/requested_edges.h"
+#include "hsr/surfaces/fragment_parts.h"
+#include "hsr/surfaces/intersections.h"
+#include "hsr/surfaces/seen_beside.h"
+
+namespace hsr {
+
+namespace {
+
+using Range = tbb::blocked_range<std::size_t>;
+
+/// A side of the fragments of a facet.
+struct FacetSide {
+  TriangleId facet;
+  MapSide side;
+};
+
+/// Collects the sides along the lines of the map. One object per block of lines.
+class SideFinder {
+ public:
+  SideFinder(const Sight& sight, const Occluders& occluders, const Intersections& intersections)
+      : sight_(sight),
+        mesh_(sight.mesh()),
+        intersections_(intersections),
+        map_(sight),
+        left_(map_, occluders),
+        right_(map_, occluders) {}
+
+  void add_edge(const VisibleLines& lines, const LineOfEdge& line);
+  void add_intersection(const Intersection& crossing);
+  void add_near_cut(TriangleId t);
+
+  std::vector<FacetSide> take() { return std::move(sides_); }
+  const DecisionCounts& decisions() { return map_.exact().counts(); }
+
+ private:
+  /// The triangle that the edge has on a side, if it is the only one and nothing else touches the edge there; invalid otherwise.
+  TriangleId only_triangle(EdgeId e, Sign side) const;
+  MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
+  void add(const MapLine& line, const MapPoint& from, const MapPoint& to, const ImageBox& box, TriangleId left, TriangleId right);
+  void add_different(const MapLine& line, std::span<const SeenPart> left, std::span<const SeenPart> right);
+
+  const Sight& sight_;
+  const Mesh& mesh_;
+  const Intersections& intersections_;
+  MapSight map_;
+  SeenBeside left_, right_;
+  std::vector<FacetSide> sides_;
+};
+
+TriangleId SideFinder::only_triangle(EdgeId e, Sign side) const {
+  if (intersections_.has_contact[e.value] != 0) return {};
+  const Edge& edge = mesh_.edges[e];
+  // In the near plane: the triangle may be on the side that is cut away.
+  if (sight_.beyond_near(edge.a) == Sign::zero && sight_.beyond_near(edge.b) == Sign::zero) return {};
+  TriangleId only;
+  for (const TriangleId t : mesh_.triangles_at(e)) {
+    if (-sight_.side_of_edge(t, edge) != side) continue;
+    if (only.is_valid()) return {};
+    only = t;
+  }
+  return only;
+}
+
+MapPoint SideFinder::point_at(const Edge& edge, TriangleId beside, const Cut& cut) const {
+  const MapLine line = MapLine::edge(edge.a, edge.b);
+  switch (cut.kind) {
+    case Cut::Kind::start:
+      return MapPoint::of_vertex(edge.a);
+    case Cut::Kind::end:
+      return MapPoint::of_vertex(edge.b);
+    case Cut::Kind::sight:
+      return MapPoint::crossing(line, MapLine::edge(VertexId(cut.u), VertexId(cut.v)));
+    case Cut::Kind::face:
+      return MapPoint::crossing(line, MapLine::meet(TriangleId(cut.u), beside));
+    case Cut::Kind::near:
+      return MapPoint::crossing(line, MapLine::near(beside));
+    case Cut::Kind::near_line:
+      return MapPoint::crossing(line, MapLine::near(TriangleId(cut.u)));
+    case Cut::Kind::line:
+    case Cut::Kind::sight_of_vertex:
+    case Cut::Kind::near_line_end:
+      break;
+  }
+  throw InvariantError("visible_fragments: an edge cut within an edge-on plane, where no edge-on face was looked at");
+}
+
+void SideFinder::add_edge(const VisibleLines& lines, const LineOfEdge& line) {
+  const Edge& edge = mesh_.edges[line.edge];
+  const TriangleId left = only_triangle(line.edge, Sign::positive), right = only_triangle(line.edge, Sign::negative);
+  if (left.is_valid() && right.is_valid() && facet_of(mesh_, left) == facet_of(mesh_, right)) return;
+  TriangleId beside;
+  for (const TriangleId t : mesh_.triangles_at(line.edge))
+    if (!beside.is_valid() && sight_.facing(t) != Sign::zero) beside = t;
+  const auto cuts = lines.cuts_of(line);
+  for (std::uint32_t k = 0; k < line.intervals(); ++k)
+    if (!line.hidden(k))
+      add(MapLine::edge(edge.a, edge.b), point_at(edge, beside, cuts[k]), point_at(edge, beside, cuts[k + 1]),
+          sight_.box(edge.a, edge.b), left, right);
+}
+
+void SideFinder::add_intersection(const Intersection& crossing) {
+  ImageBox box = sight_.box(crossing.s);
+  const ImageBox other = sight_.box(crossing.t);
+  for (std::size_t k = 0; k < 2; ++k) {
+    box.low[k] = std::max(box.low[k], other.low[k]);
+    box.high[k] = std::min(box.high[k], other.high[k]);
+  }
+  add(crossing.line(), crossing.from, crossing.to, box, {}, {});
+}
+
+/// The part of a triangle in the near plane, where it has been cut; or its side there, which may be a diagonal of its face.
+void SideFinder::add_near_cut(TriangleId t) {
+  const auto& c = mesh_.triangles[t];
+  if (std::none_of(c.begin(), c.end(), [&](VertexId v) { return sight_.beyond_near(v) == Sign::positive; })) return;
+  const MapLine line = MapLine::near(t);
+  std::vector<MapPoint> ends;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexId u = c[k], v = c[(k + 1) % 3];
+    if (sight_.beyond_near(u) == Sign::zero) ends.push_back(MapPoint::of_vertex(u));
+    if (sight_.beyond_near(u) * sight_.beyond_near(v) == Sign::negative)
+      ends.push_back(MapPoint::crossing(line, MapLine::edge(u, v)));
+  }
+  if (ends.size() != 2) return;
+  if (map_.order(line, ends[0], ends[1]) == Sign::positive) std::swap(ends[0], ends[1]);
+  add(line, ends[0], ends[1], sight_.box(t), {}, {});
+}
+
+void SideFinder::add(const MapLine& line, const MapPoint& from, const MapPoint& to, const ImageBox& box, TriangleId left,
+                     TriangleId right) {
+  const SeenPart whole_left{from, to, left}, whole_right{from, to, right};
+  const std::span<const SeenPart> l = left.is_valid() ? std::span(&whole_left, 1) : left_.find(line, from, to, box, Sign::positive);
+  const std::span<const SeenPart> r =
+      right.is_valid() ? std::span(&whole_right, 1) : right_.find(line, from, to, box, Sign::negative);
+  add_different(line, l, r);
+}
+
+/// Where what is seen to the left and to the right differs, both end.
+void SideFinder::add_different(const MapLine& line, std::span<const SeenPart> left, std::span<const SeenPart> right) {
+  const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh_, t) : t; };
+  std::size_t i = 0, j = 0;
+  MapPoint from = left.front().from;
+  while (i < left.size() && j < right.size()) {
+    const Sign first = map_.order(line, left[i].to, right[j].to);
+    const MapPoint to = first == Sign::positive ? right[j].to : left[i].to;
+    const TriangleId l = facet(left[i].seen), r = facet(right[j].seen);
+    if (l != r) {
+      if (l.is_valid()) sides_.push_back({l, {line, false, from, to}});
+      if (r.is_valid()) sides_.push_back({r, {line, true, to, from}});
+    }
+    from = to;
+    if (first != Sign::positive) ++i;
+    if (first != Sign::negative) ++j;
+  }
+}
+
+class FragmentFinder {
+ public:
+  FragmentFinder(const Mesh& mesh, const View& view, const FragmentOptions& options)
+      : options_(options), sight_(mesh, view, options.arithmetic), mesh_(mesh) {}
+
+  VisibleFragments fragments();
+
+ private:
+  void find_lines();
+  void find_sides();
+  template <class F>
+  void collect(std::size_t n, const F& visit);
+
+  const FragmentOptions& options_;
+  Sight sight_;
+  const Mesh& mesh_;
+  std::optional<Occluders> occluders_;
+  Intersections intersections_;
+  VisibleLines lines_;
+  std::vector<FacetSide> sides_;  // by facet
+  std::vector<std::size_t> first_side_;  // by TriangleId, one more
+  DecisionCounts decisions_;
+};
+
+/// A face that is seen edge-on has no area in the image: it is left out, and its edges with it.
+void FragmentFinder::find_lines() {
+  std::vector<ImageBox> boxes(mesh_.triangles.size());
+  std::vector<std::uint8_t> left_out(mesh_.triangles.size());
+  for_each(boxes.size(), [&](std::size_t i) {
+    boxes[i] = sight_.box(TriangleId(i));
+    left_out[i] = sight_.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
+  });
+  occluders_.emplace(sight_, boxes, left_out);
+  intersections_ = find_intersections(sight_, *occluders_);
+  auto edges = collected<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const auto triangles = mesh_.triangles_at(EdgeId(e));
+      if (std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return left_out[t.value] == 0; }))
+        part.emplace_back(e);
+    }
+  });
+  const RequestedEdges requested(sight_, std::move(edges));
+  LineOptions line_options;
+  line_options.arithmetic = options_.arithmetic;
+  const Layers layers(sight_, left_out);
+  const bool appel_pays = options_.arithmetic == Arithmetic::staged && layers.edges().size() <= occluders_->triangles.size();
+  lines_ = appel_pays ? appel(sight_, requested, layers, *occluders_, line_options)
+                      : roberts(sight_, requested, *occluders_, line_options);
+}
+
+template <class F>
+void FragmentFinder::collect(std::size_t n, const F& visit) {
+  constexpr std::size_t block = 256;
+  std::vector<std::vector<FacetSide>> parts((n + block - 1) / block);
+  std::vector<DecisionCounts> counts(parts.size());
+  tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
+    for (std::size_t part = range.begin(); part < range.end(); ++part) {
+      SideFinder finder(sight_, *occluders_, intersections_);
+      const std::size_t end = std::min((part + 1) * block, n);
+      for (std::size_t i = part * block; i < end; ++i) visit(finder, i);
+      parts[part] = finder.take();
+      counts[part] = finder.decisions();
+    }
+  });
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    sides_.insert(sides_.end(), parts[part].begin(), parts[part].end());
+    decisions_ += counts[part];
+  }
+}
+
+void FragmentFinder::find_sides() {
+  collect(lines_.lines.size(), [&](SideFinder& finder, std::size_t i) { finder.add_edge(lines_, lines_.lines[i]); });
+  collect(intersections_.segments.size(),
+          [&](SideFinder& finder, std::size_t i) { finder.add_intersection(intersections_.segments[i]); });
+  if (sight_.is_perspective())
+    collect(occluders_->triangles.size(), [&](SideFinder& finder, std::size_t i) {
+      finder.add_near_cut(occluders_->triangles[i]);
+    });
+  // A counting sort by facet.
+  first_side_.assign(mesh_.triangles.size() + 1, 0);
+  for (const FacetSide& s : sides_) ++first_side_[s.facet.value + 1U];
+  for (std::size_t t = 1; t < first_side_.size(); ++t) first_side_[t] += first_side_[t - 1];
+  std::vector<FacetSide> sorted(sides_.size());
+  std::vector<std::size_t> next(first_side_.begin(), first_side_.end() - 1);
+  for (const FacetSide& s : sides_) sorted[next[s.facet.value]++] = s;
+  sides_ = std::move(sorted);
+}
+
+VisibleFragments FragmentFinder::fragments() {
+  if (mesh_.triangles.empty()) return {};
+  find_lines();
+  find_sides();
+  struct Worker {
+    MapSight at;
+    std::vector<MapSide> sides;
+    MapSight& map() { return at; }
+  };
+  VisibleFragments all = fragments_in_blocks(
+      mesh_, options_, [&] { return Worker{MapSight(sight_), {}}; },
+      [&](Worker& worker, TriangleId facet, FragmentParts& parts) {
+        const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
+        if (begin == end) return;
+        worker.sides.clear();
+        for (std::size_t i = begin; i < end; ++i) worker.sides.push_back(sides_[i].side);
+        parts.add(facet, link_rings(worker.at, worker.sides));
+      });
+  all.decisions += decisions_;
+  all.decisions += lines_.decisions;
+  all.decisions += intersections_.decisions;
+  return all;
+}
+
+}  // namespace
+
+VisibleFragments visible_fragments(const Mesh& mesh, const View& view, const FragmentOptions& options) {
+  return FragmentFinder(mesh, view, options).fragments();
+}
+
+}  // namespace hsr

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "hsr/surfaces/fragments.h"
+
+namespace hsr {
+
+/// The visible part of each face: the regularised closure of its points that no other face hides, as connected regions.
+///
+///   (1) fragments of different faces do not overlap, and together they cover the union of all images
+///   (2) of two faces in one plane the one with the lower index is visible; a face seen edge-on has no fragment
+///   (3) a face that is cut into triangles has the fragments of its triangles
+///   (4) the result does not depend on the number of threads; roberts_surfaces() gives the same
+///
+/// Built from the visible lines: each visible part of an edge, of a line where two faces pierce and of a cut by the near plane
+/// bounds what is seen just to its left and just to its right (SeenBeside); where these differ it is a side of both fragments.
+/// Exact: yes. Degenerate: docs/conventions.md, "Visible fragments". Cost: O((n + k) log n) on meshes, n edges, k overlaps of
+/// visible outlines with the faces beside them.
+/// Source: the completion of boundaries of Auzinger, Wimmer & Jeschke 2013, with exact signs.
+VisibleFragments visible_fragments(const Mesh& mesh, const View& view, const FragmentOptions& options = {});
+
+}  // namespace hsr
