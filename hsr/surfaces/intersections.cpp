@@ -27,6 +27,7 @@ class Finder {
   void look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane, TriangleId t, std::vector<Intersection>& found);
   void mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at);
   bool may_lie_in(VertexId u, VertexId v, TriangleId t);
+  bool cross_beyond_common_corner(TriangleId s, TriangleId t);
   std::optional<Intersection> segment(TriangleId s, TriangleId t);
 
   const Sight& sight_;
@@ -76,16 +77,19 @@ void Finder::look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane
   const std::array<Sign, 3> at_s = sides(sight_.filter(other), other, t, s);
   if (zeros(at_t) >= 2) mark_contacts(s, t, at_t);
   if (zeros(at_s) >= 2) mark_contacts(t, s, at_s);
-  if (!straddles(at_t) || !straddles(at_s)) return;
+  if (!straddles(at_t) || !straddles(at_s) || !cross_beyond_common_corner(s, t)) return;
   if (const auto crossing = segment(s, t)) found.push_back(*crossing);
 }
 
 /// Marks the sides of t that lie in the plane of `flat` and may overlap it.
 void Finder::mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at) {
-  const auto& c = mesh_.triangles[t];
+  const auto &c = mesh_.triangles[t], &d = mesh_.triangles[flat];
+  const auto is_corner = [&](VertexId v) { return v == d[0] || v == d[1] || v == d[2]; };
+  const bool is_single = facet_end(mesh_, flat).value - facet_of(mesh_, flat).value == 1;
   for (std::size_t k = 0; k < 3; ++k) {
     if (at[k] != Sign::zero || at[(k + 1) % 3] != Sign::zero) continue;
     const VertexId u = c[k], v = c[(k + 1) % 3];
+    if (is_single && is_corner(u) && is_corner(v)) continue;
     if (!may_lie_in(u, v, flat)) continue;
     // A diagonal inside a planar face is no edge of the mesh; an edge of `flat` is no contact with it.
     const EdgeId e = mesh_.find_edge(u, v);
@@ -115,6 +119,21 @@ bool Finder::may_lie_in(VertexId u, VertexId v, TriangleId t) {
     negative = negative || s == Sign::negative;
   }
   return (positive && negative) || zeros >= 2;
+}
+
+/// Two triangles with a common corner v, each with points on both sides of the other's plane, pq and ab their other corners:
+/// both cross the line of both planes in a segment that starts at v, and they have more in common iff both run the same way.
+/// Where ab crosses the plane of vpq is on q's side of the line vp iff b is on q's side of the plane vpa.
+bool Finder::cross_beyond_common_corner(TriangleId s, TriangleId t) {
+  const auto &c = mesh_.triangles[s], &d = mesh_.triangles[t];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (c[i] != d[k]) continue;
+      const VertexId p = d[(k + 1) % 3], q = d[(k + 2) % 3], a = c[(i + 1) % 3], b = c[(i + 2) % 3];
+      const Plane plane = Plane::of_face(sight_.point(c[i]), sight_.point(p), sight_.point(a));
+      return sight_.side(plane, b, map_.exact()) * sight_.side(plane, q, map_.exact()) == Sign::positive;
+    }
+  return true;
 }
 
 /// Clips the line in which both planes meet to both triangles. @pre each straddles the other's plane
