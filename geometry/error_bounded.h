@@ -34,4 +34,15 @@ inline ErrorBounded operator*(ErrorBounded a, ErrorBounded b) {
               ErrorBounded::lost};
 }
 
+/// |a/b - A/B| <= (e_a + |a/b| e_b) / (|b| - e_b) + u |a/b|; the factor pays for the roundings of the bound. An error that is
+/// not finite where b may be zero.
+inline ErrorBounded quotient(ErrorBounded a, ErrorBounded b) {
+  if (!(std::fabs(b.value) > 2 * b.error)) return {0, HUGE_VAL};
+  const double q = a.value / b.value;
+  const double error =
+      ((a.error + std::fabs(q) * b.error) / (std::fabs(b.value) - b.error) + ErrorBounded::u * std::fabs(q)) * 1.01 + 0x1p-1000;
+  if (!(std::fabs(q) + error < HUGE_VAL)) return {0, HUGE_VAL};
+  return {q, error};
+}
+
 }  // namespace hsr

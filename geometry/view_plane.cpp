@@ -11,16 +11,6 @@ namespace hsr {
 
 namespace {
 
-/// |a/b - A/B| <= (e_a + |a/b| e_b) / (|b| - e_b) + u |a/b|; the factor pays for the roundings of the bound.
-ErrorBounded quotient(const ErrorBounded& a, const ErrorBounded& b) {
-  if (!(std::fabs(b.value) > 2 * b.error)) return {0, HUGE_VAL};
-  const double q = a.value / b.value;
-  const double error =
-      ((a.error + std::fabs(q) * b.error) / (std::fabs(b.value) - b.error) + ErrorBounded::u * std::fabs(q)) * 1.01 + 0x1p-1000;
-  if (!std::isfinite(q) || !std::isfinite(error)) return {0, HUGE_VAL};
-  return {q, error};
-}
-
 using Vector = polynomials::Vector<ErrorBounded>;
 
 ErrorBounded dot(const Point3& row, const Vector& q) {
@@ -108,6 +98,27 @@ std::array<Rational, 3> met(const Camera& camera, const Exact& p, const Plane& x
   return {p.x - s * away.x, p.y - s * away.y, p.z - s * away.z};
 }
 
+/// A point of plane x on the line of sight with the coordinates q. Relative to x.o, so that no digits are lost.
+std::array<ErrorBounded, 3> near_met(const Camera& camera, const Vector& q, const Plane& x) {
+  const FilterArithmetic a;
+  const auto plane = polynomials::plane_at_eye(a, camera, x);
+  const Point3& e = camera.eye.at;
+  const auto sum = [](double base, const ErrorBounded& d) { return ErrorBounded{base, 0} + d; };
+  if (!camera.eye.is_direction) {
+    // e + r q with x(e) + r n . q = 0.
+    const ErrorBounded r = quotient(-plane.at_eye, polynomials::dot(plane.normal, q));
+    return {sum(e.x, r * q.x), sum(e.y, r * q.y), sum(e.z, r * q.z)};
+  }
+  const int k = largest_axis(e);
+  std::array<ErrorBounded, 3> d = {};
+  const auto at = [&](int axis) -> ErrorBounded& { return d[static_cast<std::size_t>(axis % 3)]; };
+  at(k + 1) = quotient(q.x, q.z);
+  at(k + 2) = quotient(q.y, q.z);
+  const ErrorBounded s = quotient(polynomials::dot(plane.normal, Vector{d[0], d[1], d[2]}), plane.at_eye);
+  const auto along = [&](int axis) { return d[static_cast<std::size_t>(axis)] - s * ErrorBounded{e[axis], 0}; };
+  return {sum(x.o.x, along(0)), sum(x.o.y, along(1)), sum(x.o.z, along(2))};
+}
+
 std::array<Rational, 2> exact_image_of_ray(const Camera& camera, const Exact& q, const std::array<Point3, 2>& rows) {
   const RationalArithmetic a;
   if (camera.eye.is_direction) return {q.x / q.z, q.y / q.z};
@@ -124,6 +135,11 @@ std::array<Rational, 3> exact_point(const Camera& camera, const ViewPlane& l, co
 
 std::array<Rational, 3> exact_point(const Camera& camera, const Point3& p, const Plane& x) {
   return met(camera, {p.x, p.y, p.z}, x);
+}
+
+std::array<ErrorBounded, 3> near_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x) {
+  const FilterArithmetic a;
+  return near_met(camera, polynomials::cross(polynomials::line(a, camera, l, x.o), polynomials::line(a, camera, m, x.o)), x);
 }
 
 std::array<Rational, 2> exact_image_of_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m,

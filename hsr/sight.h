@@ -73,6 +73,12 @@ class Sight {
   /// ImageBox::nothing().
   ImageBox box(VertexId a, VertexId b) const;
   ImageBox box(TriangleId t) const;
+  /// Of a point that is within `error` of p, in the sum of its coordinates; beyond the near plane.
+  ImageBox box(const Point3& p, double error) const {
+    ImageBox box = ImageBox::nothing();
+    add_to(box, p, error);
+    return box;
+  }
 
  private:
   void choose_rows(const View& view);

@@ -1,5 +1,6 @@
 #include "hsr/surfaces/map_sight.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/error.h"
@@ -129,6 +130,20 @@ MapPlace MapSight::place(const MapPoint& p) const {
   // The rows and errors hold only where the filter is proven.
   if (!exact_.filter_is_proven() || exact_.arithmetic() != Arithmetic::staged) place.error_x = place.error_y = HUGE_VAL;
   return place;
+}
+
+NearPoint MapSight::point(const MapPoint& p, TriangleId t) const {
+  const Plane x = sight_.face_plane(t);
+  if (!p.is_vertex && exact_.filter_is_proven()) {
+    const auto at = near_point(camera_, plane(p.l), plane(p.m), x);
+    const double error = std::max({at[0].error, at[1].error, at[2].error});
+    const double size = std::max({std::fabs(at[0].value), std::fabs(at[1].value), std::fabs(at[2].value)});
+    if (error < size * 0x1p-20) return {{at[0].value, at[1].value, at[2].value}, error};
+  }
+  const RationalVector at = p.is_vertex ? exact_point(camera_, sight_.point(p.vertex), x)
+                                        : exact_point(camera_, plane(p.l), plane(p.m), x);
+  const Point3 q = {at[0].to_double(), at[1].to_double(), at[2].to_double()};
+  return {q, ErrorBounded::u * std::max({std::fabs(q.x), std::fabs(q.y), std::fabs(q.z)}) + 0x1p-1000};
 }
 
 std::array<Rational, 2> MapSight::exact_place(const MapPoint& p) const {

@@ -25,6 +25,12 @@ struct MapPlace {
   double x = 0, y = 0, error_x = 0, error_y = 0;
 };
 
+/// A point in space on the line of sight of a point of the map, known within `error` in each coordinate.
+struct NearPoint {
+  Point3 p;
+  double error = 0;
+};
+
 /// What is decided in the image: signs of the symbols of map_point.h. Exact. One object per thread.
 class MapSight {
  public:
@@ -54,6 +60,8 @@ class MapSight {
 
   /// Where the point is seen, relative to the first vertex of the mesh.
   MapPlace place(const MapPoint& p) const;
+  /// The point of the triangle's plane that is seen there.
+  NearPoint point(const MapPoint& p, TriangleId t) const;
   std::array<Rational, 2> exact_place(const MapPoint& p) const;
   /// Whether these coordinates are the mirror image of what is seen.
   bool mirrored() const { return mirrored_; }

@@ -1,106 +1,232 @@
 #include "hsr/surfaces/seen_beside.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "geometry/error.h"
 
 namespace hsr {
 
-std::span<const SeenPart> SeenBeside::find(const MapLine& line, const MapPoint& from, const MapPoint& to, const ImageBox& box,
-                                           Sign side) {
-  line_ = line;
+namespace {
+
+constexpr double u = ErrorBounded::u;
+
+double size(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
+
+}  // namespace
+
+std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side) {
+  stretch_ = &stretch;
   side_ = side;
-  parts_.assign(1, {from, to, {}});
+  parts_.assign(1, {{stretch.from, stretch.from_t, stretch.from_error}, {stretch.to, stretch.to_t, stretch.to_error}, {}, {}});
+  ImageBox query = ImageBox::nothing();
+  for (const Place& end : {parts_[0].from, parts_[0].to}) {
+    const NearPoint p = point(end);
+    query.add(sight_.box(p.p, 3 * p.error));
+  }
   // The tree visits what reaches nearer than the farthest of what is seen so far.
-  ImageBox query = box;
   query.farthest = -std::numeric_limits<float>::infinity();
   occluders_.tree.visit(query, [&](std::uint32_t i) {
+    const std::size_t before = parts_.size();
+    const TriangleId first = parts_.front().seen;
     insert(occluders_.triangles[i]);
-    float farthest = std::numeric_limits<float>::infinity();
-    for (const SeenPart& part : parts_)
-      farthest = std::min(farthest, part.seen.is_valid() ? map_.sight().box(part.seen).farthest : query.farthest);
-    query.farthest = std::max(query.farthest, farthest);
+    if (parts_.size() == before && parts_.front().seen == first) return true;
+    float lowest = std::numeric_limits<float>::infinity();
+    for (const Part& part : parts_) lowest = std::min(lowest, farthest(part));
+    query.farthest = std::max(query.farthest, lowest);
     return true;
   });
-  return parts_;
+  result_.clear();
+  for (const Part& part : parts_) result_.push_back({part.from.p, part.to.p, part.seen});
+  return result_;
 }
 
-void SeenBeside::add(const MapPoint& from, const MapPoint& to, TriangleId t) {
+NearPoint SeenBeside::point(const Place& place) const {
+  const NearPoint &a = stretch_->a, &b = stretch_->b;
+  const Point3 d = {b.p.x - a.p.x, b.p.y - a.p.y, b.p.z - a.p.z};
+  const double t = place.t, length = size(d), reach = 1 + std::fabs(t);
+  return {{a.p.x + t * d.x, a.p.y + t * d.y, a.p.z + t * d.z},
+          (length * (place.error + 4 * u * reach) + (a.error + b.error) * reach + 4 * u * size(a.p)) * 1.01};
+}
+
+/// How far away what is seen along the part may be, at most.
+float SeenBeside::farthest(const Part& part) const {
+  if (!part.seen.is_valid()) return -std::numeric_limits<float>::infinity();
+  float lowest = std::numeric_limits<float>::infinity();
+  for (const Place& end : {part.from, part.to}) {
+    const NearPoint p = point(end);
+    const ErrorBounded n = at(part.nearness, end);
+    const Point3& e = sight_.eye().at;
+    // The hit is p + n D, or e + (p - e) / (1 + n).
+    Point3 hit;
+    double error = HUGE_VAL;
+    if (sight_.is_perspective()) {
+      const ErrorBounded r = quotient({1, 0}, ErrorBounded{1, 0} + n);
+      const Point3 d = {p.p.x - e.x, p.p.y - e.y, p.p.z - e.z};
+      hit = {e.x + r.value * d.x, e.y + r.value * d.y, e.z + r.value * d.z};
+      error = (size(d) + p.error) * (r.error + 4 * u * std::fabs(r.value)) + std::fabs(r.value) * p.error + 4 * u * size(e);
+    } else {
+      hit = {p.p.x + n.value * e.x, p.p.y + n.value * e.y, p.p.z + n.value * e.z};
+      error = p.error + size(e) * (n.error + 4 * u * std::fabs(n.value)) + 4 * u * size(p.p);
+    }
+    error *= 3.03;  // in the sum of the coordinates
+    if (!(error < HUGE_VAL)) return sight_.box(part.seen).farthest;
+    lowest = std::min(lowest, sight_.box(hit, error).farthest);
+  }
+  return std::max(lowest, sight_.box(part.seen).farthest);
+}
+
+ErrorBounded SeenBeside::at(const Linear& f, const Place& place) const {
+  const ErrorBounded t{place.t, place.error};
+  return f.at_a + t * (f.at_b - f.at_a);
+}
+
+SeenBeside::Linear SeenBeside::along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const {
+  const auto value = [&](const NearPoint& p) {
+    ErrorBounded x = filter(p.p);
+    if (p.error > 0)
+      x.error += (std::fabs(filter.nx) + std::fabs(filter.ny) + std::fabs(filter.nz) + 3 * filter.slope) * p.error * 1.01;
+    return x;
+  };
+  return {zero_at_a ? ErrorBounded{} : value(stretch_->a), zero_at_b ? ErrorBounded{} : value(stretch_->b)};
+}
+
+/// -t(p) / t(E): how far toward the viewer from the stretch the plane is; see point of farthest().
+SeenBeside::Linear SeenBeside::nearness(TriangleId t) const {
+  const auto& c = sight_.mesh().triangles[t];
+  const auto is_corner = [&](VertexId v) { return v.is_valid() && (v == c[0] || v == c[1] || v == c[2]); };
+  const PlaneFilter filter = sight_.filter(sight_.face_plane(t));
+  const Linear value = along(filter, is_corner(stretch_->at_a), is_corner(stretch_->at_b));
+  const Point3& e = sight_.eye().at;
+  // The bound of a PlaneFilter at o + D is that of n . D.
+  const ErrorBounded at_eye =
+      sight_.is_perspective()
+          ? filter(e)
+          : ErrorBounded{filter.nx * e.x + filter.ny * e.y + filter.nz * e.z,
+                         filter.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + filter.least};
+  return {quotient(-value.at_a, at_eye), quotient(-value.at_b, at_eye)};
+}
+
+SeenBeside::Place SeenBeside::crossing(const MapLine& other, const Linear& value) const {
+  const ErrorBounded t = quotient(value.at_a, value.at_a - value.at_b);
+  return {MapPoint::crossing(stretch_->line, other), t.value, t.error};
+}
+
+Sign SeenBeside::order(const Place& x, const Place& y) {
+  const double gap = x.t - y.t;
+  if (std::fabs(gap) > (x.error + y.error) * 1.01) {
+    ++map_.exact().counts().filter;
+    return sign_of(gap);
+  }
+  return map_.order(stretch_->line, x.p, y.p);
+}
+
+void SeenBeside::add(const Place& from, const Place& to, TriangleId t, const Linear& nearness) {
   if (!next_.empty() && next_.back().seen == t)
     next_.back().to = to;
   else
-    next_.push_back({from, to, t});
+    next_.push_back({from, to, t, nearness});
 }
 
 /// Cuts the part of the line to what is within the half-plane just beside it. False: nothing.
-bool SeenBeside::clip(const MapHalfPlane& h, MapPoint& from, MapPoint& to) {
-  const Sign a = map_.side(h.line, from) * h.inner, b = map_.side(h.line, to) * h.inner;
-  if (a == Sign::zero && b == Sign::zero) {
-    if (h.line == line_) return h.inner == side_;
+bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, Place& to) {
+  if (h.line == stretch_->line) return h.inner == side_;
+  const auto sign = [&](const Place& place) {
+    const ErrorBounded x = at(value, place);
+    // Values have the sign of O, which is negative to the left.
+    if (!x.is_certain()) return map_.side(h.line, place.p) * h.inner;
+    ++map_.exact().counts().filter;
+    return -sign_of(x.value) * h.inner;
+  };
+  const Sign a = sign(from);
+  if (a == Sign::negative && sign(to) != Sign::positive) return false;
+  const Sign b = sign(to);
+  if (a == Sign::zero && b == Sign::zero)
     // One line under two names: which way it runs, any point beside it tells.
-    return map_.same_way(line_, h.line) * h.inner == side_;
-  }
+    return map_.same_way(stretch_->line, h.line) * h.inner == side_;
   if (a != Sign::negative && b != Sign::negative) return true;
   if (a != Sign::positive && b != Sign::positive) return false;
-  (a == Sign::negative ? from : to) = MapPoint::crossing(line_, h.line);
+  (a == Sign::negative ? from : to) = crossing(h.line, value);
   return true;
 }
 
-bool SeenBeside::clip(TriangleId t, MapPoint& from, MapPoint& to) {
-  const Sight& sight = map_.sight();
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!clip(side_of_triangle(sight, t, k), from, to)) return false;
-  if (sight.reaches_before_near(t) && !clip(beyond_near(sight, t), from, to)) return false;
-  return true;
+bool SeenBeside::clip(TriangleId t, Place& from, Place& to) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const MapHalfPlane h = side_of_triangle(sight_, t, k);
+    const VertexId v(h.line.u), w(h.line.v);
+    const auto is_end = [&](VertexId x) { return x.is_valid() && (x == v || x == w); };
+    const PlaneFilter filter = sight_.filter(sight_.sight_plane(v, w));
+    if (!clip(h, along(filter, is_end(stretch_->at_a), is_end(stretch_->at_b)), from, to)) return false;
+  }
+  if (!sight_.reaches_before_near(t)) return true;
+  const PlaneFilter filter = sight_.filter(sight_.near_line(sight_.face_plane(t)));
+  return clip(beyond_near(sight_, t), along(filter, false, false), from, to);
+}
+
+/// Whether s is nearer than what is seen along the part, at a place of it.
+Sign SeenBeside::nearer(TriangleId s, const Linear& of_s, const Part& part, const Place& place) {
+  const ErrorBounded gap = at(of_s, place) - at(part.nearness, place);
+  if (!gap.is_certain()) return map_.nearer(s, part.seen, place.p);
+  ++map_.exact().counts().filter;
+  return sign_of(gap.value);
 }
 
 /// Two planes that meet in the line itself: the sign of the meet's value beside it is that at any point off the line.
 Sign SeenBeside::nearer_beside(TriangleId s, TriangleId t) {
   for (const TriangleId corners : {s, t})
     for (const VertexId v : map_.mesh().triangles[corners]) {
-      const Sign at = map_.side(line_, v);
-      if (at != Sign::zero) return map_.nearer(s, t, MapPoint::of_vertex(v)) * at * side_;
+      const Sign at_v = map_.side(stretch_->line, v);
+      if (at_v != Sign::zero) return map_.nearer(s, t, MapPoint::of_vertex(v)) * at_v * side_;
     }
   throw InvariantError("SeenBeside: two triangles on one line");
 }
 
 void SeenBeside::insert(TriangleId t) {
-  MapPoint from = parts_.front().from, to = parts_.back().to;
+  Place from = parts_.front().from, to = parts_.back().to;
   if (!clip(t, from, to)) return;
+  const Linear of_t = nearness(t);
   next_.clear();
   const Mesh& mesh = map_.mesh();
-  for (const SeenPart& part : parts_) {
+  for (const Part& part : parts_) {
+    const auto keep = [&](const Place& x, const Place& y) { add(x, y, part.seen, part.nearness); };
     if (part.seen.is_valid() && facet_of(mesh, part.seen) == facet_of(mesh, t)) {
-      add(part.from, part.to, part.seen);
+      keep(part.from, part.to);
       continue;
     }
     // The part before t, within it, and after it.
-    const bool starts_later = map_.order(line_, part.from, from) == Sign::negative;
-    const bool ends_earlier = map_.order(line_, to, part.to) == Sign::negative;
-    const MapPoint low = starts_later ? from : part.from, high = ends_earlier ? to : part.to;
-    if (map_.order(line_, low, high) != Sign::negative) {
-      add(part.from, part.to, part.seen);
+    const bool starts_later = order(part.from, from) == Sign::negative;
+    const bool ends_earlier = order(to, part.to) == Sign::negative;
+    const Place low = starts_later ? from : part.from, high = ends_earlier ? to : part.to;
+    if (order(low, high) != Sign::negative) {
+      keep(part.from, part.to);
       continue;
     }
-    if (starts_later) add(part.from, low, part.seen);
+    if (starts_later) keep(part.from, low);
+    const auto choose = [&](const Place& x, const Place& y, bool is_t) {
+      if (is_t)
+        add(x, y, t, of_t);
+      else
+        keep(x, y);
+    };
     if (!part.seen.is_valid()) {
-      add(low, high, t);
-    } else if (map_.coplanar(t, part.seen)) {
-      add(low, high, std::min(t, part.seen));
+      choose(low, high, true);
     } else {
-      const Sign at_low = map_.nearer(t, part.seen, low), at_high = map_.nearer(t, part.seen, high);
+      const Sign at_low = nearer(t, of_t, part, low), at_high = nearer(t, of_t, part, high);
       if (at_low * at_high == Sign::negative) {
-        const MapPoint middle = MapPoint::crossing(line_, MapLine::meet(t, part.seen));
-        add(low, middle, at_low == Sign::positive ? t : part.seen);
-        add(middle, high, at_high == Sign::positive ? t : part.seen);
+        const Linear gap = {of_t.at_a - part.nearness.at_a, of_t.at_b - part.nearness.at_b};
+        const Place middle = crossing(MapLine::meet(t, part.seen), gap);
+        choose(low, middle, at_low == Sign::positive);
+        choose(middle, high, at_high == Sign::positive);
+      } else if (at_low != Sign::zero || at_high != Sign::zero) {
+        choose(low, high, (at_low != Sign::zero ? at_low : at_high) == Sign::positive);
+      } else if (map_.coplanar(t, part.seen)) {
+        choose(low, high, t < part.seen);
       } else {
-        Sign nearer = at_low != Sign::zero ? at_low : at_high;
-        if (nearer == Sign::zero) nearer = nearer_beside(t, part.seen);
-        add(low, high, nearer == Sign::positive ? t : part.seen);
+        choose(low, high, nearer_beside(t, part.seen) == Sign::positive);
       }
     }
-    if (ends_earlier) add(high, part.to, part.seen);
+    if (ends_earlier) keep(high, part.to);
   }
   std::swap(parts_, next_);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,16 @@
 #include "hsr/surfaces/triangle_sides.h"
 
 namespace hsr {
+
+/// A part of a line of the map to look along. Its ends are where `from` and `to` are seen; `a` and `b` are points of one line in
+/// space that is seen as it, along which places are reckoned: from a, t = 0, to b, t = 1.
+struct MapStretch {
+  MapLine line;
+  MapPoint from, to;
+  NearPoint a, b;
+  double from_t = 0, from_error = 0, to_t = 1, to_error = 0;
+  VertexId at_a = {}, at_b = {};  ///< the vertices that are a and b, if they are
+};
 
 /// A part of a line of the map, and the triangle that is seen just beside it; none: nothing is.
 struct SeenPart {
@@ -19,28 +30,52 @@ struct SeenPart {
 ///
 /// "Just beside" settles what coincides in the image: a triangle that ends at the line is there on its own side only; of two
 /// that meet in the line the one that is nearer beside it is seen; of two in one plane the lower index.
-/// Exact: yes. Cost: O(k m) signs for the k triangles that overlap the part and m parts. Source: Hart & Sharir 1986 (envelopes of
+/// Doubles with proven bounds tell most places and depths apart; the symbols decide the others.
+/// Exact: yes. Cost: O(k m) for the k triangles that overlap the part and m parts. Source: Hart & Sharir 1986 (envelopes of
 /// segments), here of faces over a line.
 class SeenBeside {
  public:
-  SeenBeside(MapSight& map, const Occluders& occluders) : map_(map), occluders_(occluders) {}
+  SeenBeside(MapSight& map, const Occluders& occluders) : map_(map), sight_(map.sight()), occluders_(occluders) {}
 
-  /// @param box around the part in the image; its depths do not matter
   /// @param side positive, to the left of the line; the answer holds until the next call
-  std::span<const SeenPart> find(const MapLine& line, const MapPoint& from, const MapPoint& to, const ImageBox& box, Sign side);
+  std::span<const SeenPart> find(const MapStretch& stretch, Sign side);
 
  private:
+  struct Place {
+    MapPoint p;
+    double t, error;
+  };
+  /// A function that is linear along the stretch.
+  struct Linear {
+    ErrorBounded at_a, at_b;
+  };
+  struct Part {
+    Place from, to;
+    TriangleId seen;
+    Linear nearness;
+  };
+
   void insert(TriangleId t);
-  bool clip(TriangleId t, MapPoint& from, MapPoint& to);
-  bool clip(const MapHalfPlane& h, MapPoint& from, MapPoint& to);
+  bool clip(TriangleId t, Place& from, Place& to);
+  bool clip(const MapHalfPlane& h, const Linear& value, Place& from, Place& to);
+  Linear along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const;
+  Linear nearness(TriangleId t) const;
+  ErrorBounded at(const Linear& f, const Place& place) const;
+  Place crossing(const MapLine& other, const Linear& value) const;
+  Sign order(const Place& x, const Place& y);
+  Sign nearer(TriangleId s, const Linear& of_s, const Part& part, const Place& place);
   Sign nearer_beside(TriangleId s, TriangleId t);
-  void add(const MapPoint& from, const MapPoint& to, TriangleId t);
+  void add(const Place& from, const Place& to, TriangleId t, const Linear& nearness);
+  NearPoint point(const Place& place) const;
+  float farthest(const Part& part) const;
 
   MapSight& map_;
+  const Sight& sight_;
   const Occluders& occluders_;
-  MapLine line_;
+  const MapStretch* stretch_ = nullptr;
   Sign side_ = Sign::positive;
-  std::vector<SeenPart> parts_, next_;
+  std::vector<Part> parts_, next_;
+  std::vector<SeenPart> result_;
 };
 
 }  // namespace hsr

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "hsr/lines/cut_plane.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
 #include "hsr/lines/occluders.h"
@@ -48,7 +49,8 @@ class SideFinder {
   /// The triangle that the edge has on a side, if it is the only one and nothing else touches the edge there; invalid otherwise.
   TriangleId only_triangle(EdgeId e, Sign side) const;
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
-  void add(const MapLine& line, const MapPoint& from, const MapPoint& to, const ImageBox& box, TriangleId left, TriangleId right);
+  ErrorBounded parameter_at(const Edge& edge, const Cut& cut) const;
+  void add(const MapStretch& stretch, TriangleId left, TriangleId right);
   void add_different(const MapLine& line, std::span<const SeenPart> left, std::span<const SeenPart> right);
 
   const Sight& sight_;
@@ -104,20 +106,30 @@ void SideFinder::add_edge(const VisibleLines& lines, const LineOfEdge& line) {
   for (const TriangleId t : mesh_.triangles_at(line.edge))
     if (!beside.is_valid() && sight_.facing(t) != Sign::zero) beside = t;
   const auto cuts = lines.cuts_of(line);
-  for (std::uint32_t k = 0; k < line.intervals(); ++k)
-    if (!line.hidden(k))
-      add(MapLine::edge(edge.a, edge.b), point_at(edge, beside, cuts[k]), point_at(edge, beside, cuts[k + 1]),
-          sight_.box(edge.a, edge.b), left, right);
+  MapStretch stretch;
+  stretch.line = MapLine::edge(edge.a, edge.b);
+  stretch.a.p = sight_.point(edge.a);
+  stretch.b.p = sight_.point(edge.b);
+  stretch.at_a = edge.a;
+  stretch.at_b = edge.b;
+  for (std::uint32_t k = 0; k < line.intervals(); ++k) {
+    if (line.hidden(k)) continue;
+    stretch.from = point_at(edge, beside, cuts[k]);
+    stretch.to = point_at(edge, beside, cuts[k + 1]);
+    if (!left.is_valid() || !right.is_valid()) {
+      const ErrorBounded from = parameter_at(edge, cuts[k]), to = parameter_at(edge, cuts[k + 1]);
+      stretch.from_t = from.value;
+      stretch.from_error = from.error;
+      stretch.to_t = to.value;
+      stretch.to_error = to.error;
+    }
+    add(stretch, left, right);
+  }
 }
 
 void SideFinder::add_intersection(const Intersection& crossing) {
-  ImageBox box = sight_.box(crossing.s);
-  const ImageBox other = sight_.box(crossing.t);
-  for (std::size_t k = 0; k < 2; ++k) {
-    box.low[k] = std::max(box.low[k], other.low[k]);
-    box.high[k] = std::min(box.high[k], other.high[k]);
-  }
-  add(crossing.line(), crossing.from, crossing.to, box, {}, {});
+  add({crossing.line(), crossing.from, crossing.to, map_.point(crossing.from, crossing.s), map_.point(crossing.to, crossing.s)},
+      {}, {});
 }
 
 /// The part of a triangle in the near plane, where it has been cut; or its side there, which may be a diagonal of its face.
@@ -134,16 +146,23 @@ void SideFinder::add_near_cut(TriangleId t) {
   }
   if (ends.size() != 2) return;
   if (map_.order(line, ends[0], ends[1]) == Sign::positive) std::swap(ends[0], ends[1]);
-  add(line, ends[0], ends[1], sight_.box(t), {}, {});
+  add({line, ends[0], ends[1], map_.point(ends[0], t), map_.point(ends[1], t)}, {}, {});
 }
 
-void SideFinder::add(const MapLine& line, const MapPoint& from, const MapPoint& to, const ImageBox& box, TriangleId left,
-                     TriangleId right) {
-  const SeenPart whole_left{from, to, left}, whole_right{from, to, right};
-  const std::span<const SeenPart> l = left.is_valid() ? std::span(&whole_left, 1) : left_.find(line, from, to, box, Sign::positive);
-  const std::span<const SeenPart> r =
-      right.is_valid() ? std::span(&whole_right, 1) : right_.find(line, from, to, box, Sign::negative);
-  add_different(line, l, r);
+/// The parameter t along the edge, in doubles.
+ErrorBounded SideFinder::parameter_at(const Edge& edge, const Cut& cut) const {
+  if (cut.kind == Cut::Kind::start) return {0, 0};
+  if (cut.kind == Cut::Kind::end) return {1, 0};
+  const PlaneFilter filter = sight_.filter(cut_plane(sight_, cut));
+  const ErrorBounded a = filter(sight_.point(edge.a)), b = filter(sight_.point(edge.b));
+  return quotient(a, a - b);
+}
+
+void SideFinder::add(const MapStretch& stretch, TriangleId left, TriangleId right) {
+  const SeenPart whole_left{stretch.from, stretch.to, left}, whole_right{stretch.from, stretch.to, right};
+  const std::span<const SeenPart> l = left.is_valid() ? std::span(&whole_left, 1) : left_.find(stretch, Sign::positive);
+  const std::span<const SeenPart> r = right.is_valid() ? std::span(&whole_right, 1) : right_.find(stretch, Sign::negative);
+  add_different(stretch.line, l, r);
 }
 
 /// Where what is seen to the left and to the right differs, both end.
