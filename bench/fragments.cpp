@@ -43,7 +43,7 @@ void measure(const Model& model, const std::string& view_name, const Request& re
   const double all = std::max(1.0, static_cast<double>(d.all()));
   fmt::print("| {} | {} | {} | {:.3f} ± {:.3f} | {:.3f} | {} | {} | {} | {} | {:.4g} % | {:.4g} % | {:.0f} |\n", model.name,
              view_name, mesh.triangles.size(), clock.median, clock.spread, processor.median, found.fragments.size(),
-             found.rings(), found.points.size(), d.all(), 100 * static_cast<double>(d.filter) / all,
+             found.rings(), found.corners.size(), d.all(), 100 * static_cast<double>(d.filter) / all,
              100 * static_cast<double>(d.zero) / all, peak_memory() / 1e6);
   std::fflush(stdout);
 }

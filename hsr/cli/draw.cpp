@@ -17,6 +17,8 @@
 #include "hsr/drawing/drawing.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/read/read.h"
+#include "hsr/surfaces/regions.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/write/format.h"
 #include "hsr/write/json.h"
 #include "hsr/write/png.h"
@@ -31,6 +33,8 @@ struct DrawArguments {
   std::vector<std::string> outputs;
   ViewOptions view;
   LineArguments lines;
+  bool fill = false;
+  std::string merge = "none";
   std::string hidden = "none";
   std::string page = "A4", scale = "fit", unit = "mm", size;
   double margin = 10;
@@ -45,6 +49,7 @@ const char* const examples = R"(Examples:
   hsr draw part.obj -o front.svg -o front.png --view front --scale 1:2
   hsr draw house.glb -o house.svg --eye 20,-30,15 --up-axis y
   hsr draw part.ply -o lines.json --edges all --exact      every edge, parameters as "p/q"
+  hsr draw part.stl -o part.svg --fill                     filled, with the lines on top
   hsr draw part.ply -o lines.json --hidden dashed --why    and which faces hide what)";
 
 Arithmetic parse_arithmetic(const std::string& text) {
@@ -154,11 +159,31 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   describe(report, model, mesh, lines);
   DecisionCounts decisions = lines.decisions;
 
+  std::optional<VisibleFragments> fragments;
+  if (a.fill) {
+    progress.stage("visible fragments");
+    FragmentOptions fragment_options;
+    fragment_options.arithmetic = line_options.arithmetic;
+    fragment_options.progress = line_options.progress;
+    fragments = report.timed("fragments", [&] { return visible_fragments(mesh, chosen.view, fragment_options); });
+    decisions += fragments->decisions;
+    report["fragments"] = {{"fragments", fragments->fragments.size()}, {"rings", fragments->rings()}};
+  } else {
+    report.leave_out("fragments", "--fill is not asked for");
+  }
+
   const bool draws = std::any_of(formats.begin(), formats.end(), [](Format f) { return f != Format::json; });
   std::optional<Drawing> drawing;
   if (draws) {
     progress.stage("drawing");
-    drawing = report.timed("drawing", [&] { return draw(mesh, chosen.view, lines, drawing_options); });
+    drawing = report.timed("drawing", [&] {
+      if (!fragments) return draw(mesh, chosen.view, lines, drawing_options);
+      const Regions regions = regions_of(mesh, chosen.view, *fragments, face_colours(model, mesh, chosen.view),
+                                         a.merge == "none"       ? Merge::none
+                                         : a.merge == "coplanar" ? Merge::coplanar
+                                                                 : Merge::colour);
+      return draw(mesh, chosen.view, lines, drawing_options, &regions);
+    });
     decisions += drawing->decisions;
     report["drawing"] = {{"polylines", drawing->polylines.size()},
                          {"visible_under_visible", drawing->visible_under_visible},
@@ -187,7 +212,8 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
     for (std::size_t i = 0; i < a.outputs.size(); ++i) {
       std::string bytes;
       if (formats[i] == Format::json)
-        bytes = lines_json(mesh, chosen.view, lines, {a.exact ? Numbers::exact : Numbers::rounded, a.why});
+        bytes = lines_json(mesh, chosen.view, lines,
+                           {a.exact ? Numbers::exact : Numbers::rounded, fragments ? &*fragments : nullptr, a.why});
       else if (formats[i] == Format::svg)
         bytes = svg(*drawing, {std::filesystem::path(model.name).filename().string(), "view: " + chosen.title});
       else
@@ -229,6 +255,16 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
       ->group(lines);
   a->lines.add_to(*sub);
   sub->add_flag("--why", a->why, "JSON: which faces hide each hidden interval")->group(lines);
+  const std::string surfaces = "Surfaces";
+  sub->add_flag("--fill", a->fill,
+                "Fill the visible parts of faces, in the file's colours or grey by their slope; JSON: with fragments")
+      ->group(surfaces);
+  sub->add_option("--merge", a->merge,
+                  "With --fill: unite neighbours of one colour: none, coplanar (only in one plane) or colour")
+      ->capture_default_str()
+      ->type_name("WHICH")
+      ->check(CLI::IsMember({"none", "coplanar", "colour"}))
+      ->group(surfaces);
   const std::string page = "Page";
   sub->add_option("--page", a->page,
                   "A0 ... A6 or letter, turned to suit the drawing, WIDTHxHEIGHTmm, or fit (cut to the drawing)")

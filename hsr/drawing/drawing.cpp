@@ -10,6 +10,7 @@
 
 #include "geometry/certificate.h"
 #include "geometry/error.h"
+#include "hsr/drawing/fills.h"
 #include "hsr/drawing/image_lines.h"
 #include "hsr/drawing/join.h"
 #include "hsr/drawing/near_lines.h"
@@ -219,7 +220,8 @@ class Collector {
 
 }  // namespace
 
-Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, const DrawingOptions& options) {
+Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, const DrawingOptions& options,
+             const Regions* regions) {
   std::vector<std::uint32_t> seen;  // lines that are not a point, nor before the near plane
   for (std::uint32_t i = 0; i < lines.lines.size(); ++i)
     if (lines.lines[i].intervals() > 0) seen.push_back(i);
@@ -236,6 +238,8 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   drawing.scale = place.scale;
   drawing.fits = place.fits;
   drawing.hidden = options.hidden;
+
+  if (regions != nullptr) drawing.fills = placed_fills(place, *regions);
 
   const bool with_hidden = options.hidden != HiddenLines::none;
   if (!with_hidden)

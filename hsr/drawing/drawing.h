@@ -8,6 +8,7 @@
 
 #include "hsr/drawing/page.h"
 #include "hsr/lines/visible_lines.h"
+#include "hsr/surfaces/regions.h"
 
 namespace hsr {
 
@@ -34,6 +35,26 @@ struct Polyline {
   std::uint32_t first_point = 0, end_point = 0, first_edge = 0, end_edge = 0, first_face = 0, end_face = 0;
 };
 
+/// A part of the page in one colour.
+struct Fill {
+  Colour colour = {};
+  std::uint32_t first_ring = 0, end_ring = 0, first_face = 0, end_face = 0;
+};
+
+/// The filled parts of a drawing, which do not overlap, and the outline of all of them.
+struct Fills {
+  std::vector<Fill> fills;
+  std::uint32_t first_outline_ring = 0;         ///< the rings from here on are the outline; even-odd
+  std::vector<std::uint32_t> first_point = {0};  ///< ring r has points[first_point[r]] ... ; one more than rings
+  std::vector<PaperPoint> points;
+  std::vector<std::uint32_t> faces;
+
+  std::uint32_t rings() const { return static_cast<std::uint32_t>(first_point.size() - 1); }
+  std::span<const PaperPoint> ring(std::uint32_t r) const {
+    return {points.data() + first_point[r], points.data() + first_point[r + 1]};
+  }
+};
+
 /// Polylines on a page, each point of the image drawn once.
 struct Drawing {
   double width = 210, height = 297;  ///< of the page, mm
@@ -45,6 +66,8 @@ struct Drawing {
   std::vector<PaperPoint> points;                   ///< x to the right, y down, from the upper left corner of the page
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< i < j, ascending and unique for each polyline
   std::vector<std::uint32_t> faces;                 ///< ascending and unique for each polyline
+
+  Fills fills;  ///< under the lines
 
   /// Parts of edges that were left out where another one is drawn, wholly or in part.
   std::uint64_t visible_under_visible = 0, hidden_under_visible = 0, hidden_under_hidden = 0;
@@ -80,6 +103,8 @@ std::optional<FrameSize> frame_size(const View& view, const DrawingOptions& opti
 /// Fit: the box around all lines, drawn hidden ones or not, fills the page less its margins; so --hidden changes no place.
 /// @throws InputError if the field of view is not within (0, 180), or a line lies beyond 1e9 mm
 /// Exact: yes. Cost: O(n log n), and an exact rational point for each end that coincides with one of another edge in mid-edge.
-Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, const DrawingOptions& options = {});
+/// @param regions what is filled, or nullptr
+Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, const DrawingOptions& options = {},
+             const Regions* regions = nullptr);
 
 }  // namespace hsr

@@ -1,5 +1,6 @@
 #include "hsr/drawing/projection.h"
 
+#include <optional>
 #include <string>
 
 #include "geometry/error.h"
@@ -52,7 +53,7 @@ Projection::Projection(const Mesh& mesh, const View& view, const Point3& anchor)
 }
 
 std::array<Rational, 2> Projection::relative(const Point3& point) const {
-  const auto h = exact(rational(point));
+  const auto h = homogeneous(rational(point));
   return {h[0] / h[2], h[1] / h[2]};
 }
 
@@ -87,35 +88,46 @@ HomogeneousPoint Projection::at(const Edge& edge, const Cut& cut) const {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
 }
 
-std::array<Rational, 3> Projection::exact(const std::array<Rational, 3>& p) const {
+std::array<Rational, 3> Projection::homogeneous(const std::array<Rational, 3>& p) const {
   const RationalVector d = minus(p, rational(anchor_));
   RationalVector h;
   for (std::size_t i = 0; i < 3; ++i) h[i] = rows_[i][0] * d[0] + rows_[i][1] * d[1] + rows_[i][2] * d[2] + rows_[i][3];
   return h;
 }
 
-std::array<Rational, 3> Projection::exact(VertexId v) const { return exact(rational(mesh_.points[v])); }
+std::array<Rational, 3> Projection::exact(VertexId v) const { return homogeneous(rational(mesh_.points[v])); }
 
 std::array<Rational, 2> Projection::exact(const Edge& edge, const Cut& cut) const {
   const RationalVector a = rational(mesh_.points[edge.a]), b = rational(mesh_.points[edge.b]);
   RationalVector h;
   if (cut.kind == Cut::Kind::start) {
-    h = exact(a);
+    h = homogeneous(a);
   } else if (cut.kind == Cut::Kind::end) {
-    h = exact(b);
+    h = homogeneous(b);
   } else {
     const Rational t = parameter(mesh_, view_, edge, cut);
     const RationalVector d = minus(b, a);
-    h = exact(RationalVector{a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]});
+    h = homogeneous(RationalVector{a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]});
   }
   return {h[0] / h[2], h[1] / h[2]};
 }
 
 PaperPoint Projection::rounded(const Edge& edge, const Cut& cut, const HomogeneousPoint& at) const {
+  if (const auto known = rounded(at)) return *known;
+  return rounded(exact(edge, cut));
+}
+
+std::optional<PaperPoint> Projection::rounded(const HomogeneousPoint& at) {
   const auto x = thousandths(at.x / at.w), y = thousandths(at.y / at.w);
-  if (x && y) return {*x, *y};
-  const auto p = exact(edge, cut);
-  return {thousandths(p[0]), thousandths(p[1])};
+  if (!x || !y) return {};
+  return PaperPoint{*x, *y};
+}
+
+PaperPoint Projection::rounded(const std::array<Rational, 2>& p) { return {thousandths(p[0]), thousandths(p[1])}; }
+
+std::array<Rational, 2> Projection::exact(const std::array<Rational, 3>& p) const {
+  const auto h = homogeneous(p);
+  return {h[0] / h[2], h[1] / h[2]};
 }
 
 }  // namespace hsr

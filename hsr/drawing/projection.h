@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "hsr/drawing/enclosure.h"
 #include "hsr/drawing/page.h"
@@ -37,13 +38,19 @@ class Projection {
   /// The cut in thousandths of a unit, correctly rounded, halves away from zero. `at` is its enclosure.
   PaperPoint rounded(const Edge& edge, const Cut& cut, const HomogeneousPoint& at) const;
 
+  /// The same of any point: nothing where its enclosure leaves two answers.
+  static std::optional<PaperPoint> rounded(const HomogeneousPoint& at);
+  static PaperPoint rounded(const std::array<Rational, 2>& exact);
+  /// The image of a point in space.
+  std::array<Rational, 2> exact(const std::array<Rational, 3>& p) const;
+
   const Mesh& mesh() const { return mesh_; }
   const View& view() const { return view_; }
 
  private:
   using Row = std::array<Rational, 4>;  // x, y, z of the point relative to the anchor, 1
   void enclose_rows();
-  std::array<Rational, 3> exact(const std::array<Rational, 3>& p) const;
+  std::array<Rational, 3> homogeneous(const std::array<Rational, 3>& p) const;
 
   const Mesh& mesh_;
   const View& view_;

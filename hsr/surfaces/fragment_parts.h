@@ -20,10 +20,10 @@ struct FragmentParts {
 
   void add(TriangleId facet, const Rings& rings) {
     const auto base_ring = static_cast<std::uint32_t>(found.rings());
-    for (std::size_t r = 0; r + 1 < rings.first_point.size(); ++r) {
-      found.points.insert(found.points.end(), rings.points.begin() + rings.first_point[r],
-                          rings.points.begin() + rings.first_point[r + 1]);
-      found.first_point.push_back(static_cast<std::uint32_t>(found.points.size()));
+    for (std::size_t r = 0; r + 1 < rings.first_corner.size(); ++r) {
+      found.corners.insert(found.corners.end(), rings.corners.begin() + rings.first_corner[r],
+                          rings.corners.begin() + rings.first_corner[r + 1]);
+      found.first_corner.push_back(static_cast<std::uint32_t>(found.corners.size()));
     }
     for (std::size_t k = 0; k + 1 < rings.first_ring.size(); ++k)
       found.fragments.push_back({facet, base_ring + rings.first_ring[k], base_ring + rings.first_ring[k + 1]});
@@ -52,13 +52,13 @@ VisibleFragments fragments_in_blocks(const Mesh& mesh, const FragmentOptions& op
   VisibleFragments all;
   for (const FragmentParts& part : parts) {
     const VisibleFragments& found = part.found;
-    const auto ring = static_cast<std::uint32_t>(all.rings()), point = static_cast<std::uint32_t>(all.points.size());
+    const auto ring = static_cast<std::uint32_t>(all.rings()), point = static_cast<std::uint32_t>(all.corners.size());
     for (const Fragment& f : found.fragments) all.fragments.push_back({f.facet, ring + f.first_ring, ring + f.end_ring});
-    for (std::size_t r = 1; r < found.first_point.size(); ++r) all.first_point.push_back(point + found.first_point[r]);
-    all.points.insert(all.points.end(), found.points.begin(), found.points.end());
+    for (std::size_t r = 1; r < found.first_corner.size(); ++r) all.first_corner.push_back(point + found.first_corner[r]);
+    all.corners.insert(all.corners.end(), found.corners.begin(), found.corners.end());
     all.decisions += found.decisions;
   }
-  check_countable(all.points.size(), "corners of fragments");
+  check_countable(all.corners.size(), "corners of fragments");
   return all;
 }
 

@@ -22,13 +22,13 @@ struct Fragment {
 
 struct VisibleFragments {
   std::vector<Fragment> fragments;  ///< ascending by facet, hence by face
-  std::vector<std::uint32_t> first_point = {0};  ///< ring r has points[first_point[r]] ... ; one more than rings
-  std::vector<MapPoint> points;
+  std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
+  std::vector<MapCorner> corners;
   DecisionCounts decisions;
 
-  std::size_t rings() const { return first_point.size() - 1; }
-  std::span<const MapPoint> ring(std::uint32_t r) const {
-    return {points.data() + first_point[r], points.data() + first_point[r + 1]};
+  std::size_t rings() const { return first_corner.size() - 1; }
+  std::span<const MapCorner> ring(std::uint32_t r) const {
+    return {corners.data() + first_corner[r], corners.data() + first_corner[r + 1]};
   }
 };
 

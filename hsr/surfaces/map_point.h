@@ -43,4 +43,11 @@ struct MapSide {
   MapPoint from, to;
 };
 
+/// A corner of a ring, and the side that leaves it.
+struct MapCorner {
+  MapPoint at;
+  MapLine line;
+  bool reversed = false;
+};
+
 }  // namespace hsr

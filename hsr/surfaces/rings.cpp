@@ -409,10 +409,10 @@ Rings Linker::result() const {
   Rings rings;
   for (const auto& region : regions_) {
     for (const Loop& loop : region) {
-      for (const std::uint32_t i : loop.pieces) rings.points.push_back(points_[pieces_[i].from]);
-      rings.first_point.push_back(static_cast<std::uint32_t>(rings.points.size()));
+      for (const std::uint32_t i : loop.pieces) rings.corners.push_back({points_[pieces_[i].from], pieces_[i].line, pieces_[i].reversed});
+      rings.first_corner.push_back(static_cast<std::uint32_t>(rings.corners.size()));
     }
-    rings.first_ring.push_back(static_cast<std::uint32_t>(rings.first_point.size() - 1));
+    rings.first_ring.push_back(static_cast<std::uint32_t>(rings.first_corner.size() - 1));
   }
   return rings;
 }

@@ -8,10 +8,10 @@
 
 namespace hsr {
 
-/// Closed rings of points of the map, and which of them bound one connected region.
+/// Closed rings of corners in the map, and which of them bound one connected region.
 struct Rings {
-  std::vector<MapPoint> points;
-  std::vector<std::uint32_t> first_point = {0};  ///< ring r has points[first_point[r]] ... ; one more than rings
+  std::vector<MapCorner> corners;
+  std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
   std::vector<std::uint32_t> first_ring = {0};   ///< region k has the rings first_ring[k] ... ; one more than regions
 };
 

@@ -100,6 +100,56 @@ class LineWriter {
   std::vector<std::uint32_t> faces_;
 };
 
+/// One fragment: its rings in space, each from its smallest point on.
+void append_fragment(std::string& out, const Mesh& mesh, const View& view, const VisibleFragments& all, const Fragment& f,
+                     Numbers numbers) {
+  out += "{\"face\": ";
+  append_integer(out, mesh.face_of[f.facet].value);
+  out += ", \"rings\": [";
+  const auto& own = mesh.triangles[f.facet];
+  for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
+    std::vector<std::array<Rational, 3>> ring;
+    for (const MapCorner& c : all.ring(r)) {
+      const bool is_own = c.at.is_vertex && std::find(own.begin(), own.end(), c.at.vertex) != own.end();
+      const Point3& p = mesh.points[c.at.is_vertex ? c.at.vertex : VertexId(0)];
+      ring.push_back(is_own ? std::array<Rational, 3>{p.x, p.y, p.z} : point_of(mesh, view, f.facet, c.at));
+    }
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    out += r == f.first_ring ? "[" : ", [";
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      out += k == 0 ? "[" : ", [";
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (axis > 0) out += ", ";
+        if (numbers == Numbers::exact) {
+          out += '"';
+          out += ring[k][axis].to_string();
+          out += '"';
+        } else {
+          append_number(out, ring[k][axis].to_double(), numbers);
+        }
+      }
+      out += ']';
+    }
+    out += ']';
+  }
+  out += "]}";
+}
+
+void append_fragments(std::string& out, const Mesh& mesh, const View& view, const VisibleFragments& all, Numbers numbers) {
+  constexpr std::size_t chunk = 1024;
+  const std::size_t n = all.fragments.size();
+  std::vector<std::string> parts((n + chunk - 1) / chunk);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    for (std::size_t i = p * chunk; i < std::min(n, (p + 1) * chunk); ++i) {
+      if (i > 0) parts[p] += ",\n";
+      append_fragment(parts[p], mesh, view, all, all.fragments[i], numbers);
+    }
+  });
+  out += ", \"fragments\": [\n";
+  for (const std::string& part : parts) out += part;
+  out += "\n]";
+}
+
 }  // namespace
 
 const char* name_of(EdgeClass edge_class) {
@@ -152,7 +202,9 @@ std::string lines_json(const Mesh& mesh, const View& view, const VisibleLines& l
     out += part;
     part = {};
   }
-  out += "\n]}\n";
+  out += "\n]";
+  if (options.fragments != nullptr) append_fragments(out, mesh, view, *options.fragments, options.numbers);
+  out += "}\n";
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "hsr/lines/visible_lines.h"
+#include "hsr/surfaces/fragments.h"
 #include "hsr/write/json_text.h"
 
 namespace hsr {
@@ -12,6 +13,7 @@ const char* name_of(EdgeClass edge_class);
 
 struct JsonOptions {
   Numbers numbers = Numbers::rounded;
+  const VisibleFragments* fragments = nullptr;  ///< written beside the lines
   bool why = false;  ///< with "by", the faces that hide: only if the lines have their occluders
 };
 

@@ -19,4 +19,8 @@ inline LineStyle line_style(bool hidden, EdgeClass edge_class, HiddenLines hidde
   return {edge_class == EdgeClass::smooth ? 0.25 : 0.5, 0, 0};
 }
 
+/// The pen, mm, with which fills are underlaid in their own colours before they are painted: where two of them meet, a viewer
+/// that smooths edges covers a pixel by neither wholly, and the paper would shine through.
+constexpr double underlay_width = 1;
+
 }  // namespace hsr

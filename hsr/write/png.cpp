@@ -42,6 +42,32 @@ PixelSize default_size(const Drawing& drawing) {
   return {pixels(drawing.width), pixels(drawing.height)};
 }
 
+void add_ring(cairo_t* c, std::span<const PaperPoint> ring) {
+  for (const PaperPoint& p : ring) cairo_line_to(c, static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000);
+  cairo_close_path(c);
+}
+
+/// As the SVG has them: with a pen of their own colours within the outline of all, then as they are.
+void paint_fills(cairo_t* c, const Fills& fills) {
+  if (fills.fills.empty()) return;
+  cairo_set_fill_rule(c, CAIRO_FILL_RULE_EVEN_ODD);
+  cairo_set_line_width(c, underlay_width);
+  for (const bool is_underlay : {true, false}) {
+    cairo_save(c);
+    if (is_underlay) {
+      for (std::uint32_t r = fills.first_outline_ring; r < fills.rings(); ++r) add_ring(c, fills.ring(r));
+      cairo_clip(c);
+    }
+    for (const Fill& fill : fills.fills) {
+      cairo_set_source_rgb(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0);
+      for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
+      if (is_underlay) cairo_stroke_preserve(c);
+      cairo_fill(c);
+    }
+    cairo_restore(c);
+  }
+}
+
 }  // namespace
 
 PixelSize parse_size(const std::string& text) {
@@ -70,6 +96,8 @@ std::string png(const Drawing& drawing, std::optional<PixelSize> size) {
   cairo_translate(c.get(), (pixels.width - scale * drawing.width) / 2, (pixels.height - scale * drawing.height) / 2);
   cairo_scale(c.get(), scale, scale);
   cairo_set_line_join(c.get(), CAIRO_LINE_JOIN_ROUND);
+  paint_fills(c.get(), drawing.fills);
+  cairo_set_source_rgb(c.get(), 0, 0, 0);
   for (const Polyline& p : drawing.polylines) {
     const LineStyle style = line_style(p.hidden, p.edge_class, drawing.hidden);
     cairo_set_line_width(c.get(), style.width);

@@ -1,6 +1,7 @@
 #include "hsr/write/svg.h"
 
 #include <charconv>
+#include <span>
 
 #include "hsr/write/json.h"
 #include "hsr/write/json_text.h"
@@ -70,16 +71,72 @@ void append_text(std::string& out, const std::string& text) {
   }
 }
 
-void append_path(std::string& out, const Drawing& drawing, const Polyline& p) {
-  out += "<path d=\"M";
+void append_points(std::string& out, std::span<const PaperPoint> points) {
+  out += 'M';
   bool first = true;
-  for (const PaperPoint& point : drawing.points_of(p)) {
+  for (const PaperPoint& point : points) {
     if (!first) out += ' ';
     first = false;
     append_coordinate(out, point.x);
     out += ' ';
     append_coordinate(out, point.y);
   }
+}
+
+void append_faces(std::string& out, std::span<const std::uint32_t> faces) {
+  out += "\" data-face=\"";
+  const char* comma = "";
+  for (const std::uint32_t f : faces) {
+    out += comma;
+    comma = ",";
+    append_integer(out, f);
+  }
+}
+
+void append_colour(std::string& out, const Colour& colour) {
+  static constexpr const char* digits = "0123456789abcdef";
+  out += '#';
+  for (std::size_t k = 0; k < 3; ++k) {
+    out += digits[colour[k] / 16];
+    out += digits[colour[k] % 16];
+  }
+}
+
+/// The fills twice: first with a pen of their own colours, cut to the outline of all, then as they are. What the pen adds lies
+/// under the fills, but where two meet within a pixel.
+void append_fills(std::string& out, const Fills& fills) {
+  if (fills.fills.empty()) return;
+  out += "<clipPath id=\"outline\"><path clip-rule=\"evenodd\" d=\"";
+  for (std::uint32_t r = fills.first_outline_ring; r < fills.rings(); ++r) {
+    if (fills.ring(r).empty()) continue;
+    append_points(out, fills.ring(r));
+    out += 'Z';
+  }
+  out += "\"/></clipPath>\n<g class=\"underlay\" clip-path=\"url(#outline)\"><use href=\"#fills\" xlink:href=\"#fills\" "
+         "stroke-width=\"";
+  append_length(out, underlay_width);
+  out += "\"/></g>\n<g class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-width=\"0\">"
+         "<g id=\"fills\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
+  for (const Fill& fill : fills.fills) {
+    out += "<path d=\"";
+    for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
+      if (fills.ring(r).empty()) continue;
+      append_points(out, fills.ring(r));
+      out += 'Z';
+    }
+    out += "\" fill=\"";
+    append_colour(out, fill.colour);
+    out += "\" stroke=\"";
+    append_colour(out, fill.colour);
+    append_faces(out, {fills.faces.data() + fill.first_face, fills.faces.data() + fill.end_face});
+    out += "\"/>\n";
+  }
+  out += "</g></g>\n";
+}
+
+void append_path(std::string& out, const Drawing& drawing, const Polyline& p) {
+  out += "<path d=\"";
+  append_points(out, drawing.points_of(p));
   if (p.closed) out += 'Z';
   out += "\" data-edge=\"";
   const char* comma = "";
@@ -90,13 +147,7 @@ void append_path(std::string& out, const Drawing& drawing, const Polyline& p) {
     out += '-';
     append_integer(out, j);
   }
-  out += "\" data-face=\"";
-  comma = "";
-  for (const std::uint32_t f : drawing.faces_of(p)) {
-    out += comma;
-    comma = ",";
-    append_integer(out, f);
-  }
+  append_faces(out, drawing.faces_of(p));
   out += "\"/>\n";
 }
 
@@ -122,6 +173,7 @@ void append_layer_start(std::string& out, const Polyline& p, HiddenLines hidden_
 
 std::string svg(const Drawing& drawing, const SvgOptions& options) {
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" ";
+  if (!drawing.fills.fills.empty()) out += "xmlns:xlink=\"http://www.w3.org/1999/xlink\" ";
   out += "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"";
   append_length(out, drawing.width);
   out += "mm\" height=\"";
@@ -141,6 +193,7 @@ std::string svg(const Drawing& drawing, const SvgOptions& options) {
     append_text(out, options.description);
     out += "</desc>\n";
   }
+  append_fills(out, drawing.fills);
   const Polyline* last = nullptr;
   for (const Polyline& p : drawing.polylines) {
     if (last == nullptr || last->hidden != p.hidden || last->edge_class != p.edge_class) {

@@ -1,0 +1,129 @@
+#include "hsr/drawing/fills.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hsr/surfaces/fragments.h"
+
+namespace hsr {
+
+namespace {
+
+using Wide = Enclosure::Wide;
+
+/// Where corners are seen on the page.
+class CornerPlacer {
+ public:
+  explicit CornerPlacer(const Projection& projection) : projection_(projection) {}
+
+  HomogeneousPoint at(const MapPoint& p, TriangleId facet) const {
+    if (p.is_vertex) return projection_.at(p.vertex);
+    if (p.l.kind == MapLine::Kind::edge && p.m.kind == MapLine::Kind::edge) {
+      const HomogeneousPoint q = cross(line(p.l), line(p.m));
+      if (!(q.w.middle < 0)) return q;
+      return {-q.x, -q.y, -q.w};
+    }
+    const std::array<Rational, 2> q = exact(p, facet);
+    return {enclose(q[0]), enclose(q[1]), Enclosure(1.0)};
+  }
+  PaperPoint rounded(const MapPoint& p, TriangleId facet, const HomogeneousPoint& at) const {
+    if (const auto known = projection_.rounded(at)) return *known;
+    return Projection::rounded(exact(p, facet));
+  }
+
+ private:
+  static HomogeneousPoint cross(const HomogeneousPoint& a, const HomogeneousPoint& b) {
+    return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
+  }
+  HomogeneousPoint line(const MapLine& l) const { return cross(projection_.at(VertexId(l.u)), projection_.at(VertexId(l.v))); }
+  std::array<Rational, 2> exact(const MapPoint& p, TriangleId facet) const {
+    return projection_.exact(point_of(projection_.mesh(), projection_.view(), facet, p));
+  }
+
+  const Projection& projection_;
+};
+
+/// Sutherland and Hodgman's, on paper coordinates. The paper ends there: this decides nothing else.
+std::vector<std::array<Wide, 2>> clipped(std::vector<std::array<Wide, 2>> ring, const PaperFrame& frame) {
+  const std::array<Wide, 4> bound = {frame.left, -frame.right, frame.top, -frame.bottom};
+  for (std::size_t side = 0; side < 4; ++side) {
+    const std::size_t axis = side / 2;
+    const Wide sign = side % 2 == 0 ? 1 : -1;
+    const auto inside = [&](const std::array<Wide, 2>& p) { return sign * p[axis] - bound[side]; };
+    std::vector<std::array<Wide, 2>> out;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const auto &p = ring[k], &q = ring[(k + 1) % ring.size()];
+      const Wide a = inside(p), b = inside(q);
+      if (a >= 0) out.push_back(p);
+      if ((a < 0) != (b < 0)) {
+        const Wide t = a / (a - b);
+        out.push_back({p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])});
+      }
+    }
+    ring = std::move(out);
+  }
+  return ring;
+}
+
+std::vector<PaperPoint> placed_ring(const Placement& placement, std::span<const MapCorner> corners, TriangleId facet) {
+  const CornerPlacer placer(placement.projection);
+  std::vector<PaperPoint> points;
+  std::vector<HomogeneousPoint> at;
+  bool inside = true;
+  for (const MapCorner& c : corners) {
+    at.push_back(placer.at(c.at, facet));
+    if (!placement.frame) continue;
+    const Wide x = at.back().x.middle / at.back().w.middle, y = at.back().y.middle / at.back().w.middle;
+    inside = inside && x >= placement.frame->left && x <= placement.frame->right && y >= placement.frame->top &&
+             y <= placement.frame->bottom;
+  }
+  if (inside) {
+    for (std::size_t k = 0; k < corners.size(); ++k) points.push_back(placer.rounded(corners[k].at, facet, at[k]));
+  } else {
+    std::vector<std::array<Wide, 2>> ring;
+    for (const HomogeneousPoint& p : at) ring.push_back({p.x.middle / p.w.middle, p.y.middle / p.w.middle});
+    for (const auto& p : clipped(std::move(ring), *placement.frame))
+      points.push_back({static_cast<std::int64_t>(std::round(p[0] * 1000)), static_cast<std::int64_t>(std::round(p[1] * 1000))});
+  }
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  while (points.size() > 1 && points.back() == points.front()) points.pop_back();
+  if (points.size() < 3) points.clear();
+  return points;
+}
+
+}  // namespace
+
+Fills placed_fills(const Placement& placement, const Regions& regions) {
+  const std::size_t rings = regions.first_corner.size() - 1;
+  std::vector<TriangleId> facet(rings);
+  for (const Region& r : regions.regions) std::fill(facet.begin() + r.first_ring, facet.begin() + r.end_ring, r.facet);
+  // Any facet serves for the corners of the outline: only their images are asked for.
+  if (!regions.regions.empty())
+    std::fill(facet.begin() + regions.first_outline_ring, facet.end(), regions.regions.front().facet);
+  std::vector<std::vector<PaperPoint>> placed(rings);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rings, 64), [&](const auto& range) {
+    for (std::size_t r = range.begin(); r != range.end(); ++r)
+      placed[r] = placed_ring(placement,
+                              {regions.corners.data() + regions.first_corner[r],
+                               regions.corners.data() + regions.first_corner[r + 1]},
+                              facet[r]);
+  });
+  Fills fills;
+  for (const auto& ring : placed) {
+    fills.points.insert(fills.points.end(), ring.begin(), ring.end());
+    fills.first_point.push_back(static_cast<std::uint32_t>(fills.points.size()));
+  }
+  fills.first_outline_ring = regions.first_outline_ring;
+  for (const Region& r : regions.regions) {
+    Fill fill{r.colour, r.first_ring, r.end_ring, static_cast<std::uint32_t>(fills.faces.size()), 0};
+    fills.faces.insert(fills.faces.end(), r.faces.begin(), r.faces.end());
+    fill.end_face = static_cast<std::uint32_t>(fills.faces.size());
+    if (!placed[r.first_ring].empty()) fills.fills.push_back(fill);
+  }
+  return fills;
+}
+
+}  // namespace hsr

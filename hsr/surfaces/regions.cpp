@@ -1,0 +1,137 @@
+#include "hsr/surfaces/regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "geometry/disjoint_sets.h"
+#include "hsr/surfaces/map_sight.h"
+#include "hsr/surfaces/rings.h"
+
+namespace hsr {
+
+namespace {
+
+void append_sides(const VisibleFragments& all, const Fragment& fragment, std::vector<MapSide>& sides) {
+  for (std::uint32_t r = fragment.first_ring; r < fragment.end_ring; ++r) {
+    const auto ring = all.ring(r);
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      sides.push_back({ring[k].line, ring[k].reversed, ring[k].at, ring[(k + 1) % ring.size()].at});
+  }
+}
+
+void append_rings(const Rings& rings, Regions& out) {
+  for (std::size_t r = 0; r + 1 < rings.first_corner.size(); ++r) {
+    out.corners.insert(out.corners.end(), rings.corners.begin() + rings.first_corner[r],
+                       rings.corners.begin() + rings.first_corner[r + 1]);
+    out.first_corner.push_back(static_cast<std::uint32_t>(out.corners.size()));
+  }
+}
+
+Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Point3 unit(const Point3& a) {
+  const double most = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
+  if (!(most > 0)) return {0, 0, 0};
+  const Point3 b = {a.x / most, a.y / most, a.z / most};
+  const double length = std::sqrt(dot(b, b));
+  return {b.x / length, b.y / length, b.z / length};
+}
+
+}  // namespace
+
+std::vector<Colour> face_colours(const Model& model, const Mesh& mesh, const View& view) {
+  const Point3& e = view.viewpoint.at;
+  const Point3 toward = unit(view.is_perspective() ? minus(e, view.target) : e);
+  const Point3 right = unit(view.frame.right), up = unit(view.frame.up);
+  const Point3 light = unit({toward.x + 0.6 * up.x - 0.4 * right.x, toward.y + 0.6 * up.y - 0.4 * right.y,
+                             toward.z + 0.6 * up.z - 0.4 * right.z});
+  std::vector<Colour> colours(mesh.faces.size(), Colour{200, 200, 200, 255});
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const FaceId f = mesh.face_of[TriangleId(t)];
+    if (!model.face_colour.empty() && model.face_colour[f.value] != 0xffffffffU) {
+      colours[f.value] = model.palette[model.face_colour[f.value]];
+      continue;
+    }
+    if (t != mesh.first_triangle[f]) continue;
+    const auto& c = mesh.triangles[TriangleId(t)];
+    const Point3& o = mesh.points[c[0]];
+    Point3 n = unit(cross(unit(minus(mesh.points[c[1]], o)), unit(minus(mesh.points[c[2]], o))));
+    if (dot(n, toward) < 0) n = {-n.x, -n.y, -n.z};
+    const double lit = std::max(0.0, dot(n, light));
+    const auto grey = static_cast<std::uint8_t>(std::lround(110 + 135 * lit));
+    colours[f.value] = {grey, grey, grey, 255};
+  }
+  return colours;
+}
+
+namespace {
+
+/// For each fragment the group that it is united with: a facet, or the number of its colour.
+std::vector<std::uint32_t> groups_of(MapSight& map, const VisibleFragments& fragments, const std::vector<Colour>& colours,
+                                     Merge merge) {
+  const Mesh& mesh = map.mesh();
+  std::vector<std::uint32_t> group;
+  if (merge == Merge::colour) {
+    std::map<Colour, std::uint32_t> number;
+    for (const Fragment& f : fragments.fragments)
+      group.push_back(number.emplace(colours[mesh.face_of[f.facet].value], number.size()).first->second);
+    return group;
+  }
+  DisjointSets same(mesh.triangles.size());
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const auto at = mesh.triangles_at(EdgeId(e));
+    for (std::size_t k = 1; k < at.size(); ++k) {
+      const TriangleId s = facet_of(mesh, at[0]), t = facet_of(mesh, at[k]);
+      if (colours[mesh.face_of[s].value] == colours[mesh.face_of[t].value] && map.coplanar(s, t)) same.join(s.value, t.value);
+    }
+  }
+  for (const Fragment& f : fragments.fragments) group.push_back(same.find(f.facet.value));
+  return group;
+}
+
+}  // namespace
+
+Regions regions_of(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const std::vector<Colour>& colours,
+                   Merge merge) {
+  Regions out;
+  if (fragments.fragments.empty()) return out;
+  const Sight sight(mesh, view, Arithmetic::staged);
+  MapSight map(sight);
+  const auto colour_of = [&](const Fragment& f) { return colours[mesh.face_of[f.facet].value]; };
+  if (merge == Merge::none) {
+    out.first_corner = fragments.first_corner;
+    out.corners = fragments.corners;
+    for (const Fragment& f : fragments.fragments)
+      out.regions.push_back({colour_of(f), f.facet, {mesh.face_of[f.facet].value}, f.first_ring, f.end_ring});
+  } else {
+    const std::vector<std::uint32_t> group = groups_of(map, fragments, colours, merge);
+    std::vector<std::uint32_t> order(group.size());
+    for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
+    std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return group[i] < group[j]; });
+    for (std::size_t i = 0; i < order.size();) {
+      std::vector<MapSide> sides;
+      std::vector<std::uint32_t> faces;
+      const Fragment& first = fragments.fragments[order[i]];
+      for (const std::uint32_t g = group[order[i]]; i < order.size() && group[order[i]] == g; ++i) {
+        append_sides(fragments, fragments.fragments[order[i]], sides);
+        faces.push_back(mesh.face_of[fragments.fragments[order[i]].facet].value);
+      }
+      std::sort(faces.begin(), faces.end());
+      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+      const Rings rings = link_rings(map, sides);
+      const auto base = static_cast<std::uint32_t>(out.first_corner.size() - 1);
+      append_rings(rings, out);
+      for (std::size_t k = 0; k + 1 < rings.first_ring.size(); ++k)
+        out.regions.push_back({colour_of(first), first.facet, faces, base + rings.first_ring[k], base + rings.first_ring[k + 1]});
+    }
+  }
+  std::vector<MapSide> sides;
+  for (const Fragment& f : fragments.fragments) append_sides(fragments, f, sides);
+  out.first_outline_ring = static_cast<std::uint32_t>(out.first_corner.size() - 1);
+  append_rings(link_rings(map, sides), out);
+  return out;
+}
+
+}  // namespace hsr
