@@ -22,12 +22,15 @@ struct ImagePoint {
 /// @pre mesh outlives it. Cost: O(n), parallel.
 class Sight {
  public:
-  Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic);
+  /// @param others certificate of what else predicates and filters will meet: the samples of an image
+  Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic, const Certificate& others = {});
 
   const Mesh& mesh() const { return *mesh_; }
   const Viewpoint& eye() const { return eye_; }
   bool is_perspective() const { return !eye_.is_direction; }
   const Point3& point(VertexId v) const { return points_[v]; }
+  /// Another point as this sight scales all of them. @pre in the certificate of the others
+  Point3 scaled(const Point3& p) const;
 
   /// Predicates for these points; one for each thread.
   Predicates predicates() const { return Predicates(points_certificate_, direction_certificate_, arithmetic_); }
@@ -70,6 +73,8 @@ class Sight {
   /// ImageBox::nothing().
   ImageBox box(VertexId a, VertexId b) const;
   ImageBox box(TriangleId t) const;
+  /// The same for any point p that is already scaled, wherever the near plane is.
+  ImageBox box(const Point3& p) const;
 
  private:
   void choose_rows(const View& view);
@@ -81,6 +86,7 @@ class Sight {
   const Mesh* mesh_;
   Arithmetic arithmetic_, filter_arithmetic_;
   IndexedVector<VertexId, Point3> points_;
+  int power_ = 0;  // points are multiplied by 2^power_
   Viewpoint eye_;
   Point3 target_;
   double near_ = 0;
