@@ -44,8 +44,13 @@ std::span<const SampleSpan> Rasterizer::spans(std::span<const RasterSide> sides)
     crossings_.clear();
     for (const Active& a : active_) crossings_.push_back(samples_before(a.function, j, [&] { return a.side->plane; }));
     std::sort(crossings_.begin(), crossings_.end());
-    for (std::size_t k = 0; k + 1 < crossings_.size(); k += 2)
-      if (crossings_[k] < crossings_[k + 1]) spans_.push_back({j, crossings_[k], crossings_[k + 1]});
+    for (std::size_t k = 0; k + 1 < crossings_.size(); k += 2) {
+      if (crossings_[k] == crossings_[k + 1]) continue;
+      if (!spans_.empty() && spans_.back().row == j && spans_.back().end == crossings_[k])
+        spans_.back().end = crossings_[k + 1];
+      else
+        spans_.push_back({j, crossings_[k], crossings_[k + 1]});
+    }
     std::erase_if(active_, [&](const Active& a) { return a.end_row == j + 1; });
   }
   return spans_;

@@ -40,7 +40,7 @@ class Rasterizer {
  public:
   explicit Rasterizer(const SampleSigns& signs) : signs_(signs), exact_(signs.sight().predicates()) {}
 
-  /// The spans of a polygon, rows ascending, in a row from the left; valid until the next call.
+  /// The spans of a polygon, rows ascending, in a row from the left, none touching the next; valid until the next call.
   std::span<const SampleSpan> spans(std::span<const RasterSide> sides);
   /// The spans of a triangle of the mesh, of what is beyond the near plane. Seen edge-on: none.
   std::span<const SampleSpan> spans(TriangleId t);
