@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <random>
 #include <string>
 
 #include "geometry/error.h"
@@ -136,6 +137,31 @@ TEST_CASE("the caster agrees with the oracle on random scenes, samples on vertic
 TEST_CASE("the caster agrees with the oracle on many more random scenes", "[image][caster][oracle][long]") {
   for (const scenes::Family& family : scenes::families()) {
     DYNAMIC_SECTION(family.name) { agrees_on(family, 1'000'000, 1000); }
+  }
+}
+
+TEST_CASE("what is behind a covered tile is passed over, and nothing else is", "[image][caster][oracle]") {
+  std::mt19937_64 random(11);
+  const auto between = [&](int low, int high) {
+    return static_cast<double>(low + static_cast<int>(random() % static_cast<std::uint64_t>(high - low + 1)));
+  };
+  for (const View& view : {from_above, parallel_view({1, -2, 7}, {0, 1, 0}), scenes::from_eye({0, 0, 40}, {0, 0, 0}),
+                           scenes::from_eye({10, 5, 20}, {0, 0, 0}, 0.25)}) {
+    scenes::TestScene scene;
+    scene.view = view;
+    // Large and small faces on many levels, steep and flat: several cover a tile, and many pass through it.
+    for (int k = 0; k < 160; ++k) {
+      const double x = between(-20, 20), y = between(-20, 20), z = between(-12, 12), size = between(2, k % 4 == 0 ? 60 : 12);
+      const auto corner = [&](double dx, double dy) {
+        const double rise = between(-6, 6);
+        return Point3{x + dx * size, y + dy * size, z + rise};
+      };
+      const Point3 a = corner(-1, -1), b = corner(1, -1), c = corner(0, 1);
+      scene.add_face(std::vector<Point3>{a, b, c});
+    }
+    const Mesh mesh = scene.mesh();
+    const SampleGrid grid = sample_grid(view, PaperRectangle{-12, 12, -8, 8}, 36, 24);
+    CHECK(cast(mesh, view, grid).triangles == oracle::seen_at_samples(mesh, view, grid));
   }
 }
 
