@@ -145,12 +145,14 @@ TEST_CASE("what is behind a covered tile is passed over, and nothing else is", "
   const auto between = [&](int low, int high) {
     return static_cast<double>(low + static_cast<int>(random() % static_cast<std::uint64_t>(high - low + 1)));
   };
-  for (const View& view : {from_above, parallel_view({1, -2, 7}, {0, 1, 0}), scenes::from_eye({0, 0, 40}, {0, 0, 0}),
-                           scenes::from_eye({10, 5, 20}, {0, 0, 0}, 0.25)}) {
+  // The plane of the samples passes through the faces, is before them all, and behind.
+  for (const View& view : {from_above, parallel_view({1, -2, 7}, {0, 1, 0}, {0, 0, 30}),
+                           parallel_view({0, 0, 2}, {0, 1, 0}, {0, 0, -30}), scenes::from_eye({0, 0, 40}, {0, 0, 0}),
+                           scenes::from_eye({0, 0, 60}, {0, 0, 30}), scenes::from_eye({10, 5, 20}, {0, 0, 0}, 0.25)}) {
     scenes::TestScene scene;
     scene.view = view;
     // Large and small faces on many levels, steep and flat: several cover a tile, and many pass through it.
-    for (int k = 0; k < 160; ++k) {
+    for (int k = 0; k < 120; ++k) {
       const double x = between(-20, 20), y = between(-20, 20), z = between(-12, 12), size = between(2, k % 4 == 0 ? 60 : 12);
       const auto corner = [&](double dx, double dy) {
         const double rise = between(-6, 6);

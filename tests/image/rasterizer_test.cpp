@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <optional>
 #include <random>
+#include <utility>
 
 #include "geometry/error.h"
 #include "hsr/image/caster.h"
@@ -216,6 +218,46 @@ TEST_CASE("sides that pass beside the picture count, too", "[image][rasterizer]"
       CHECK(found == oracle::seen_at_samples(mesh, scene.view, grid));
     }
   }
+}
+
+TEST_CASE("a side that is a hair off a row, and crosses it beside the picture", "[image][rasterizer]") {
+  // Steps (x, y) along a row; x v - y u = 1 for some multiple of it and a little more, which doubles cannot tell from 0.
+  const std::int64_t x = (std::int64_t{1} << 30) + 1, y = (std::int64_t{1} << 29) + 5;
+  std::int64_t u = 0, v = 1;
+  {
+    std::int64_t r = x, next_r = y, s = 1, next_s = 0, t = 0, next_t = 1;
+    while (next_r != 0) {
+      const std::int64_t q = r / next_r;
+      r = std::exchange(next_r, r - q * next_r);
+      s = std::exchange(next_s, s - q * next_s);
+      t = std::exchange(next_t, t - q * next_t);
+    }
+    REQUIRE(r == 1);
+    v = s, u = -t;
+  }
+  REQUIRE(x * v - y * u == 1);
+  const SampleGrid grid = {{0, 0, 0},
+                           {static_cast<double>(x), static_cast<double>(y), 0},
+                           {static_cast<double>(y), static_cast<double>(-x), 0},
+                           16,
+                           8};
+  for (const int start : {-5, 20})
+    for (const int length : {-60, -40, 40, 60})
+      for (const int turn : {-1, 1}) {
+        scenes::TestScene scene;
+        scene.view = parallel_view({0, 0, 1}, {0, 1, 0});
+        const Point3 a = grid.at(start, 4);
+        const Point3 b = {a.x + static_cast<double>(turn * u + length * x), a.y + static_cast<double>(turn * v + length * y),
+                          0};
+        scene.points = {a, b, grid.at(8, 1), grid.at(8, 7)};
+        scene.add_face({0, 1, 2});
+        scene.add_face({0, 3, 1});
+        const Mesh mesh = scene.mesh();
+        Setting s(mesh, scene.view, grid);
+        Image<TriangleId> found(grid.width, grid.height);
+        for (const std::size_t t : {0U, 1U}) Rasterizer::paint(found, s.rasterizer.spans(TriangleId(t)), TriangleId(t));
+        CHECK(found == oracle::seen_at_samples(mesh, scene.view, grid));
+      }
 }
 
 }  // namespace
