@@ -34,7 +34,8 @@ double size(const Point3& a) { return std::fabs(a.x) + std::fabs(a.y) + std::fab
 
 }  // namespace
 
-Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(&mesh), arithmetic_(arithmetic) {
+Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic, const Certificate& others)
+    : mesh_(&mesh), arithmetic_(arithmetic) {
   // Only of the points that are used: a stray one far away must not cost the others the fast arithmetic.
   std::vector<char> is_used(mesh.points.size(), 0);
   tbb::parallel_for(Range(0, mesh.edges.size(), 4096), [&](const Range& range) {
@@ -61,16 +62,18 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(
   } else {
     direction.add(view.viewpoint.at);
   }
+  points.add(others);
   const int power = scale_of(points), direction_power = scale_of(direction);
-  points_certificate_ = scaled(points, power);
-  direction_certificate_ = scaled(direction, direction_power);
+  power_ = power;
+  points_certificate_ = hsr::scaled(points, power);
+  direction_certificate_ = hsr::scaled(direction, direction_power);
   points_.resize(mesh.points.size());
   tbb::parallel_for(Range(0, points_.size(), 4096), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
-      if (is_used[i] != 0) points_[VertexId(i)] = scaled(mesh.points[VertexId(i)], power);
+      if (is_used[i] != 0) points_[VertexId(i)] = scaled(mesh.points[VertexId(i)]);
   });
-  eye_ = {scaled(view.viewpoint.at, view.is_perspective() ? power : direction_power), view.viewpoint.is_direction};
-  target_ = view.is_perspective() ? scaled(view.target, power) : Point3{};
+  eye_ = {hsr::scaled(view.viewpoint.at, view.is_perspective() ? power : direction_power), view.viewpoint.is_direction};
+  target_ = view.is_perspective() ? scaled(view.target) : Point3{};
   near_ = view.near;
   // Outside the window of the filter's proof its bound is made infinite, and the predicates decide.
   filter_arithmetic_ = arithmetic == Arithmetic::staged && !predicates().filter_is_proven() ? Arithmetic::interval : arithmetic;
@@ -105,6 +108,8 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic) : mesh_(
     }
   });
 }
+
+Point3 Sight::scaled(const Point3& p) const { return hsr::scaled(p, power_); }
 
 void Sight::choose_rows(const View& view) {
   // Any map that is constant along lines of sight serves, so rounded rows are as good as others.

@@ -22,7 +22,8 @@ struct ImagePoint {
 /// @pre mesh outlives it. Cost: O(n), parallel.
 class Sight {
  public:
-  Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic);
+  /// @param others certificate of what else predicates and filters will meet: the samples of an image
+  Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic, const Certificate& others = {});
 
   const Mesh& mesh() const { return *mesh_; }
   const Viewpoint& eye() const { return eye_; }
@@ -31,6 +32,8 @@ class Sight {
   /// The rows that image coordinates in perspective are taken along.
   const std::array<Point3, 2>& rows() const { return row_; }
   const Point3& point(VertexId v) const { return points_[v]; }
+  /// Another point as this sight scales all of them. @pre in the certificate of the others
+  Point3 scaled(const Point3& p) const;
 
   /// Predicates for these points; one for each thread.
   Predicates predicates() const { return Predicates(points_certificate_, direction_certificate_, arithmetic_); }
@@ -73,8 +76,8 @@ class Sight {
   /// ImageBox::nothing().
   ImageBox box(VertexId a, VertexId b) const;
   ImageBox box(TriangleId t) const;
-  /// Of a point that is within `error` of p, in the sum of its coordinates; beyond the near plane.
-  ImageBox box(const Point3& p, double error) const {
+  /// Of a point that is within `error` of p, in the sum of its coordinates, wherever the near plane is; p is already scaled.
+  ImageBox box(const Point3& p, double error = 0) const {
     ImageBox box = ImageBox::nothing();
     add_to(box, p, error);
     return box;
@@ -90,6 +93,7 @@ class Sight {
   const Mesh* mesh_;
   Arithmetic arithmetic_, filter_arithmetic_;
   IndexedVector<VertexId, Point3> points_;
+  int power_ = 0;  // points are multiplied by 2^power_
   Viewpoint eye_;
   Point3 target_;
   double near_ = 0;

@@ -6,6 +6,9 @@
 
 namespace hsr::cli {
 
+/// What a verb was asked to check does not hold; it has said so. Exit status 1.
+struct CheckFailed {};
+
 /// Each adds one verb to the command; its callback does the work and may throw InputError.
 /// @param unfinished the files that an interrupt must remove
 void add_draw(CLI::App& app, UnfinishedFiles& unfinished);

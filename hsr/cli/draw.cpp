@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "geometry/error.h"
+#include "hsr/check/fragment_check.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/outputs.h"
@@ -35,6 +36,7 @@ struct DrawArguments {
   LineArguments lines;
   bool fill = false;
   std::string merge = "none";
+  bool check = false;
   std::string hidden = "none";
   std::string page = "A4", scale = "fit", unit = "mm", size;
   double margin = 10;
@@ -76,6 +78,32 @@ void describe(Report& report, const Model& model, const Mesh& mesh, const Visibl
   for (const LeftOut& stage : lines.plan.left_out) report.leave_out(stage.stage, stage.why);
 }
 
+/// The samples of the picture: what the field of view frames, or all of the model.
+SampleGrid sample_grid_for(const ChosenView& chosen, const Mesh& mesh, const DrawingOptions& options, const PixelSize& size) {
+  if (const auto frame = frame_size(chosen.view, options)) return sample_grid(chosen.view, *frame, size.width, size.height);
+  return sample_grid(chosen.view, paper_rectangle(mesh, chosen.view), size.width, size.height);
+}
+
+void describe(Report& report, const FragmentCheck& check) {
+  report["check"] = {{"samples", check.samples},
+                     {"covered", check.covered},
+                     {"wrong", check.wrong},
+                     {"overlapping", check.overlapping}};
+}
+
+void say(const FragmentCheck& check) {
+  if (check.is_right()) {
+    fmt::print(stderr, "hsr: check: the fragments show the nearest face at each of {} samples, {} of them on the model\n",
+               check.samples, check.covered);
+    return;
+  }
+  fmt::print(stderr, "hsr: check failed: {} of {} samples show another face than the nearest, {} are painted twice\n", check.wrong,
+             check.samples, check.overlapping);
+  const auto name = [](FaceId f) { return f.is_valid() ? "face " + std::to_string(f.value) : std::string("nothing"); };
+  for (const WrongSample& w : check.first_wrong)
+    fmt::print(stderr, "hsr: check failed: at sample {}, {}: found {}, expected {}\n", w.i, w.j, name(w.painted), name(w.cast));
+}
+
 /// What was asked for and does nothing here.
 void note_idle_options(const DrawArguments& a, const std::vector<Format>& formats) {
   const auto any = [&](Format f) { return std::find(formats.begin(), formats.end(), f) != formats.end(); };
@@ -84,7 +112,7 @@ void note_idle_options(const DrawArguments& a, const std::vector<Format>& format
   };
   if (a.why && !any(Format::json)) note("--why", "json");
   if (a.exact && !any(Format::json)) note("--exact", "json");
-  if (!a.size.empty() && !any(Format::png)) note("--size", "png");
+  if (!a.size.empty() && !any(Format::png) && !a.check) note("--size", "png");
 }
 
 /// Why a drawing has no line, for one who wonders.
@@ -160,7 +188,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   DecisionCounts decisions = lines.decisions;
 
   std::optional<VisibleFragments> fragments;
-  if (a.fill) {
+  if (a.fill || a.check) {
     progress.stage("visible fragments");
     FragmentOptions fragment_options;
     fragment_options.arithmetic = line_options.arithmetic;
@@ -169,7 +197,17 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
     decisions += fragments->decisions;
     report["fragments"] = {{"fragments", fragments->fragments.size()}, {"rings", fragments->rings()}};
   } else {
-    report.leave_out("fragments", "--fill is not asked for");
+    report.leave_out("fragments", "neither --fill nor --check is asked for");
+  }
+  bool is_right = true;
+  if (a.check) {
+    progress.stage("check");
+    const SampleGrid samples = sample_grid_for(chosen, mesh, drawing_options, size.value_or(PixelSize{1024, 1024}));
+    const FragmentCheck check = report.timed("check", [&] { return check_fragments(mesh, chosen.view, *fragments, samples); });
+    describe(report, check);
+    is_right = check.is_right();
+    progress.clear();
+    if (!is_right || !a.quiet) say(check);
   }
 
   const bool draws = std::any_of(formats.begin(), formats.end(), [](Format f) { return f != Format::json; });
@@ -177,7 +215,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   if (draws) {
     progress.stage("drawing");
     drawing = report.timed("drawing", [&] {
-      if (!fragments) return draw(mesh, chosen.view, lines, drawing_options);
+      if (!a.fill) return draw(mesh, chosen.view, lines, drawing_options);
       const Regions regions = regions_of(mesh, chosen.view, *fragments, face_colours(model, mesh, chosen.view),
                                          a.merge == "none"       ? Merge::none
                                          : a.merge == "coplanar" ? Merge::coplanar
@@ -213,7 +251,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
       std::string bytes;
       if (formats[i] == Format::json)
         bytes = lines_json(mesh, chosen.view, lines,
-                           {a.exact ? Numbers::exact : Numbers::rounded, fragments ? &*fragments : nullptr, a.why});
+                           {a.exact ? Numbers::exact : Numbers::rounded, a.fill ? &*fragments : nullptr, a.why});
       else if (formats[i] == Format::svg)
         bytes = svg(*drawing, {std::filesystem::path(model.name).filename().string(), "view: " + chosen.title});
       else
@@ -223,6 +261,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   });
   if (!a.report.empty()) output.write(a.report, report.text());
   output.commit();
+  if (!is_right) throw CheckFailed();
 }
 
 /// Plain doubles may contradict themselves: then there is no result to show, and that is no defect.
@@ -264,6 +303,10 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
       ->capture_default_str()
       ->type_name("WHICH")
       ->check(CLI::IsMember({"none", "coplanar", "colour"}))
+      ->group(surfaces);
+  sub->add_flag("--check", a->check,
+                "Compare the visible fragments with the nearest face at each sample of --size [1024x1024]; exit status 1 if they "
+                "differ")
       ->group(surfaces);
   const std::string page = "Page";
   sub->add_option("--page", a->page,

@@ -76,6 +76,8 @@ int main(int argc, char** argv) {
     const int status = app.exit(e);
     std::cout.flush();
     return std::cout ? status : fail("standard output: cannot be written");
+  } catch (const hsr::cli::CheckFailed&) {
+    return 1;
   } catch (const CLI::ParseError& e) {
     const bool known = !verb.empty() && verb.front() != '-';
     return fail(std::string(e.what()) + " (see 'hsr " + (known ? verb + " " : "") + "--help')");

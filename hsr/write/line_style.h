@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "hsr/drawing/drawing.h"
 
 namespace hsr {
@@ -19,8 +21,9 @@ inline LineStyle line_style(bool hidden, EdgeClass edge_class, HiddenLines hidde
   return {edge_class == EdgeClass::smooth ? 0.25 : 0.5, 0, 0};
 }
 
-/// The pen, mm, with which fills are underlaid in their own colours before they are painted: where two of them meet, a viewer
-/// that smooths edges covers a pixel by neither wholly, and the paper would shine through.
-constexpr double underlay_width = 1;
+/// The pens, mm, with which fills are underlaid in their own colours before they are painted: where two of them meet, a viewer
+/// that smooths edges covers a pixel by neither wholly, and the paper would shine through. The broad one serves where a pixel is
+/// large, the fine one, last, shows no colour but those of the two.
+constexpr std::array<double, 3> underlay_widths = {4, 1, 0.25};
 
 }  // namespace hsr

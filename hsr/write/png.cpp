@@ -51,9 +51,10 @@ void add_ring(cairo_t* c, std::span<const PaperPoint> ring) {
 void paint_fills(cairo_t* c, const Fills& fills) {
   if (fills.fills.empty()) return;
   cairo_set_fill_rule(c, CAIRO_FILL_RULE_EVEN_ODD);
-  cairo_set_line_width(c, underlay_width);
-  for (const bool is_underlay : {true, false}) {
+  for (const double width : {underlay_widths[0], underlay_widths[1], underlay_widths[2], 0.0}) {
+    const bool is_underlay = width > 0;
     cairo_save(c);
+    cairo_set_line_width(c, width);
     if (is_underlay) {
       for (std::uint32_t r = fills.first_outline_ring; r < fills.rings(); ++r) add_ring(c, fills.ring(r));
       cairo_clip(c);

@@ -102,8 +102,8 @@ void append_colour(std::string& out, const Colour& colour) {
   }
 }
 
-/// The fills twice: first with a pen of their own colours, cut to the outline of all, then as they are. What the pen adds lies
-/// under the fills, but where two meet within a pixel.
+/// The fills, and under them again, with pens of their own colours, cut to the outline of all: what the pens add lies under the
+/// fills, but where two meet within a pixel.
 void append_fills(std::string& out, const Fills& fills) {
   if (fills.fills.empty()) return;
   out += "<clipPath id=\"outline\"><path clip-rule=\"evenodd\" d=\"";
@@ -112,10 +112,13 @@ void append_fills(std::string& out, const Fills& fills) {
     append_points(out, fills.ring(r));
     out += 'Z';
   }
-  out += "\"/></clipPath>\n<g class=\"underlay\" clip-path=\"url(#outline)\"><use href=\"#fills\" xlink:href=\"#fills\" "
-         "stroke-width=\"";
-  append_length(out, underlay_width);
-  out += "\"/></g>\n<g class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-width=\"0\">"
+  out += "\"/></clipPath>\n<g class=\"underlay\" clip-path=\"url(#outline)\">\n";
+  for (const double width : underlay_widths) {
+    out += "<use href=\"#fills\" xlink:href=\"#fills\" stroke-width=\"";
+    append_length(out, width);
+    out += "\"/>\n";
+  }
+  out += "</g>\n<g class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-width=\"0\">"
          "<g id=\"fills\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
   for (const Fill& fill : fills.fills) {
     out += "<path d=\"";

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "hsr/image/image.h"
+#include "hsr/image/samples.h"
+#include "hsr/surfaces/fragments.h"
+#include "hsr/view.h"
+
+namespace hsr {
+
+/// A sample at which fragments and the caster differ.
+struct WrongSample {
+  int i = 0, j = 0;
+  FaceId painted, cast;  ///< not valid: nothing
+};
+
+struct FragmentCheck {
+  std::uint64_t samples = 0;
+  std::uint64_t covered = 0;     ///< of them, with a face
+  std::uint64_t wrong = 0;       ///< painted with another face than the caster finds
+  std::uint64_t overlapping = 0; ///< painted more than once
+  std::vector<WrongSample> first_wrong;  ///< at most ten
+
+  bool is_right() const { return wrong == 0 && overlapping == 0; }
+};
+
+/// The facet that the fragments show at each sample: its first triangle; not valid: none. @param overlapping gets how often a
+/// sample was painted again
+Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+                        std::uint64_t& overlapping);
+
+/// Paints the fragments and compares each sample with the nearest face along its line of sight, edges and ties included: object
+/// space against image space.
+///
+/// @throws PreconditionError as cast() does
+/// Exact: yes. Cost: that of cast() and of painting.
+FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples);
+
+}  // namespace hsr

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <limits>
+
+#include "geometry/mesh.h"
+#include "hsr/image/image.h"
+#include "hsr/image/samples.h"
+#include "hsr/view.h"
+
+namespace hsr {
+
+/// What a z-buffer holds at a sample. Larger is nearer: in a parallel view the distance toward the viewer from the plane of the
+/// samples, in units of the direction; in perspective 1 / s - 1, where s is the depth over that of the plane of the samples.
+template <class Real>
+struct DepthPixel {
+  Real nearness = -std::numeric_limits<Real>::infinity();
+  TriangleId triangle;  ///< not valid: none
+};
+
+template <class Real>
+using DepthImage = Image<DepthPixel<Real>>;
+
+/// The plain z-buffer, with coordinates and depths in `Real` (float, double): the image-space method that the exact ones are
+/// compared with, and that may be wrong. Each triangle beyond the near plane is drawn by scanlines; depth goes up by a constant
+/// from sample to sample.
+///
+///   (1) a sample has the triangle nearest there, as exactly as Real tells; of equally near ones the lowest index
+///   (2) a sample on an edge is decided as samples.h says, as exactly as Real tells; triangles that share an edge leave no gap
+///       and share no sample
+///
+/// Exact: no. Cost: O(n + samples drawn); one thread.
+/// Source: Catmull 1974.
+template <class Real>
+DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples);
+
+extern template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&);
+extern template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&);
+
+}  // namespace hsr

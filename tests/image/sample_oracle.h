@@ -1,0 +1,14 @@
+#pragma once
+
+#include "geometry/mesh.h"
+#include "hsr/image/image.h"
+#include "hsr/image/samples.h"
+#include "hsr/view.h"
+
+namespace hsr::oracle {
+
+/// What is seen at each sample, by trying every triangle in rationals: a function of the sample is kept with its changes along
+/// right and down, and compared in that order.
+Image<TriangleId> seen_at_samples(const Mesh& mesh, const View& view, const SampleGrid& grid);
+
+}  // namespace hsr::oracle
