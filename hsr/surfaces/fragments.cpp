@@ -1,5 +1,7 @@
 #include "hsr/surfaces/fragments.h"
 
+#include <tbb/parallel_for.h>
+
 #include "geometry/rational_vector.h"
 #include "geometry/view_plane.h"
 
@@ -20,6 +22,28 @@ std::array<Rational, 3> point_of(const Mesh& mesh, const View& view, TriangleId 
   const Camera camera{view.viewpoint, view.target};
   if (!p.is_vertex) return exact_point(camera, view_plane(p.l), view_plane(p.m), face_plane(facet));
   return exact_point(camera, mesh.points[p.vertex], face_plane(facet));
+}
+
+std::vector<Rational> visible_areas(const Mesh& mesh, const View& view, const VisibleFragments& fragments) {
+  std::vector<Rational> areas(fragments.fragments.size());
+  tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t k) {
+    const Fragment& f = fragments.fragments[k];
+    Rational twice;
+    for (std::uint32_t ring = f.first_ring; ring < f.end_ring; ++ring) {
+      std::vector<std::array<Rational, 2>> at;
+      for (const MapCorner& c : fragments.ring(ring)) {
+        const auto own = mesh.triangles[f.facet];
+        const bool is_own = c.at.is_vertex && (c.at.vertex == own[0] || c.at.vertex == own[1] || c.at.vertex == own[2]);
+        at.push_back(image(view, is_own ? rational(mesh.points[c.at.vertex]) : point_of(mesh, view, f.facet, c.at)));
+      }
+      for (std::size_t i = 0; i < at.size(); ++i) {
+        const auto &p = at[i], &q = at[(i + 1) % at.size()];
+        twice = twice + (p[0] * q[1] - p[1] * q[0]);
+      }
+    }
+    areas[k] = twice / Rational(2.0);
+  });
+  return areas;
 }
 
 }  // namespace hsr

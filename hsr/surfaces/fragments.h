@@ -40,4 +40,9 @@ struct FragmentOptions {
 /// A point of a fragment in space, exactly: the point of the facet's plane that is seen there.
 std::array<Rational, 3> point_of(const Mesh& mesh, const View& view, TriangleId facet, const MapPoint& p);
 
+/// The area of each fragment's image, in coordinates of the frame (View::frame: right by up, which are unit lengths but for
+/// rounding), exactly. Perspective: in the plane of the frame.
+/// Cost: some exact rationals for each corner, parallel.
+std::vector<Rational> visible_areas(const Mesh& mesh, const View& view, const VisibleFragments& fragments);
+
 }  // namespace hsr

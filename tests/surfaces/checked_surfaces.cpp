@@ -1,0 +1,65 @@
+#include "tests/surfaces/checked_surfaces.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "hsr/surfaces/roberts_surfaces.h"
+#include "hsr/surfaces/visible_fragments.h"
+#include "tests/oracle/surfaces_oracle.h"
+
+namespace hsr {
+
+std::string wrong_fragments(const scenes::TestScene& scene) {
+  try {
+    const Mesh mesh = scene.mesh();
+    const oracle::SurfacesOracle truth(mesh, scene.view);
+    std::string wrong;
+    const VisibleFragments reference = roberts_surfaces(mesh, scene.view), found = visible_fragments(mesh, scene.view);
+    for (const std::string& line : truth.differences(reference)) wrong += "roberts: " + line + "\n";
+    for (const std::string& line : truth.differences(found)) wrong += "fragments: " + line + "\n";
+    const std::string expected = canonical(mesh, scene.view, reference), text = canonical(mesh, scene.view, found);
+    if (expected != text) wrong += "roberts:\n" + expected + "fragments:\n" + text;
+    return wrong;
+  } catch (const std::exception& e) {
+    return std::string("exception: ") + e.what() + "\n";
+  }
+}
+
+std::string canonical(const Mesh& mesh, const View& view, const VisibleFragments& fragments) {
+  std::vector<std::string> all;
+  for (const Fragment& f : fragments.fragments) {
+    std::vector<std::string> rings;
+    for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
+      std::vector<std::array<Rational, 3>> ring;
+      for (const MapCorner& c : fragments.ring(r)) ring.push_back(point_of(mesh, view, f.facet, c.at));
+      std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+      std::string text;
+      for (const auto& p : ring) text += " (" + p[0].to_string() + ", " + p[1].to_string() + ", " + p[2].to_string() + ")";
+      rings.push_back(text);
+    }
+    std::sort(rings.begin() + 1, rings.end());
+    std::string text = "triangle " + std::to_string(f.facet.value) + ":";
+    for (const std::string& ring : rings) text += ring + ";";
+    all.push_back(text);
+  }
+  std::sort(all.begin(), all.end());
+  std::string out;
+  for (const std::string& line : all) out += line + "\n";
+  return out;
+}
+
+std::string areas(const scenes::TestScene& scene) {
+  const Mesh mesh = scene.mesh();
+  const VisibleFragments found = visible_fragments(mesh, scene.view);
+  const std::vector<Rational> of_fragment = visible_areas(mesh, scene.view, found);
+  std::vector<Rational> of_face(mesh.faces.size());
+  for (std::size_t k = 0; k < of_fragment.size(); ++k) {
+    Rational& sum = of_face[mesh.face_of[found.fragments[k].facet].value];
+    sum = sum + of_fragment[k];
+  }
+  std::string text;
+  for (const Rational& a : of_face) text += (text.empty() ? "" : " ") + (a == Rational() ? std::string("-") : a.to_string());
+  return text;
+}
+
+}  // namespace hsr

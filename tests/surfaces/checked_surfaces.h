@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hsr/surfaces/fragments.h"
+#include "tests/scenes/test_scene.h"
+
+namespace hsr {
+
+/// What is wrong with the fragments by both methods on this scene: their differences to the oracle, or the exception. Empty:
+/// nothing.
+std::string wrong_fragments(const scenes::TestScene& scene);
+
+/// The fragments as text: for each its face and its rings of exact points in space, each ring from its smallest point on,
+/// fragments and holes ascending. Equal iff the fragments are.
+std::string canonical(const Mesh& mesh, const View& view, const VisibleFragments& fragments);
+
+/// The exact areas of the visible parts of faces, "1/2 3", where the view's frame is one of unit axes; "-" for none.
+std::string areas(const scenes::TestScene& scene);
+
+}  // namespace hsr
