@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/error.h"
 #include "geometry/slope.h"
 
 namespace hsr {
@@ -68,6 +69,7 @@ void Rasterizer::append_sides(TriangleId t, std::vector<RasterSide>& sides) {
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId a = corners[k], b = corners[(k + 1) % 3];
     const auto [first, end] = std::minmax({rows_above(a), rows_above(b)});
+    require(first != not_in_front, "Rasterizer: corners in front of the viewpoint expected");
     if (first < end) sides.push_back({signs_.sight().sight_plane(a, b), first, end});
   }
 }
