@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bench/peers/peer.h"
 #include "bench/scenes.h"
@@ -76,6 +77,16 @@ int run(int argc, char** argv) {
           }
         }));
   fmt::print("  {} samples painted\n", painted);
+  print("rasterizer, by sides", elapsed([&] {
+          const SampleSigns signs(*sight, grid);
+          Rasterizer rasterizer(signs);
+          std::vector<RasterSide> sides;
+          for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            sides.clear();
+            rasterizer.append_sides(TriangleId(t), sides);
+            Rasterizer::paint(picture, rasterizer.spans(sides), TriangleId(t));
+          }
+        }));
   if (size == 4096) {
     const Task task{model, mesh, view, {}};
     print("peers z-buffer", z_buffer_4096(task).compute);

@@ -72,7 +72,9 @@ class Tile {
   }
 
  private:
-  std::size_t place(int i, int j) const { return static_cast<std::size_t>((j - top_) * tile_width + (i - left_)); }
+  std::size_t place(int i, int j) const {
+    return static_cast<std::size_t>(j - top_) * tile_width + static_cast<std::size_t>(i - left_);
+  }
 
   /// Whether doubles tell that no sample of the tile has the sign `wanted`.
   bool is_apart(const SampleFunction& f, Sign wanted) const {

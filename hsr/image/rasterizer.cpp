@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/error.h"
+
 namespace hsr {
 
 namespace {
@@ -54,18 +56,21 @@ std::span<const SampleSpan> Rasterizer::spans(std::span<const RasterSide> sides)
   return spans_;
 }
 
-int Rasterizer::rows_above(VertexId v) {
-  if (rows_.empty()) rows_.resize(signs_.sight().mesh().points.size(), unknown);
-  int& row = rows_[v.value];
-  if (row == unknown) row = signs_.is_in_front(v, exact_) ? signs_.rows_above(v, exact_) : not_in_front;
-  return row;
+const Rasterizer::Place& Rasterizer::place(VertexId v) {
+  if (places_.empty()) places_.resize(signs_.sight().mesh().points.size(), {unknown, unknown});
+  Place& p = places_[v.value];
+  if (p.row == unknown)
+    p = signs_.is_in_front(v, exact_) ? Place{signs_.rows_above(v, exact_), signs_.certain_columns_before(v)}
+                                      : Place{not_in_front, unknown};
+  return p;
 }
 
 void Rasterizer::append_sides(TriangleId t, std::vector<RasterSide>& sides) {
   const auto& corners = signs_.sight().mesh().triangles[t];
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId a = corners[k], b = corners[(k + 1) % 3];
-    const auto [first, end] = std::minmax({rows_above(a), rows_above(b)});
+    const auto [first, end] = std::minmax({place(a).row, place(b).row});
+    require(first != not_in_front, "Rasterizer: corners in front of the viewpoint expected");
     if (first < end) sides.push_back({ViewPlane::of(signs_.sight().sight_plane(a, b)), first, end});
   }
 }
@@ -75,10 +80,13 @@ std::span<const SampleSpan> Rasterizer::spans(TriangleId t) {
   const Sight& sight = signs_.sight();
   if (sight.facing(t) == Sign::zero) return {};
   const auto& corners = sight.mesh().triangles[t];
-  std::array<int, 3> rows;
-  for (std::size_t k = 0; k < 3; ++k) rows[k] = rows_above(corners[k]);
+  const std::array<Place, 3> places = {place(corners[0]), place(corners[1]), place(corners[2])};
+  const std::array<int, 3> rows = {places[0].row, places[1].row, places[2].row};
   const auto [top, bottom] = std::minmax({rows[0], rows[1], rows[2]});
+  // Most triangles of a large mesh lie between the samples: leave early.
   if (top == bottom && top != not_in_front) return {};
+  const int column = places[0].column;
+  if (column >= 0 && column == places[1].column && column == places[2].column) return {};
   if (top == not_in_front || sight.reaches_before_near(t)) {
     cut_rows(t);
     return spans_;

@@ -63,7 +63,12 @@ class Rasterizer {
     int end_row;
   };
 
-  int rows_above(VertexId v);
+  /// Of a vertex: rows above it, columns before it; for either a negative number, if there is none or it is not known.
+  struct Place {
+    int row, column;
+  };
+
+  const Place& place(VertexId v);
   template <class MakePlane>
   int samples_before(const SampleFunction& f, int j, const MakePlane& plane);
   void cut_rows(TriangleId t);
@@ -74,7 +79,7 @@ class Rasterizer {
   std::vector<const RasterSide*> order_;
   std::vector<Active> active_;
   std::vector<int> crossings_;
-  std::vector<int> rows_;  // by vertex; -1: not known, -2: not in front
+  std::vector<Place> places_;  // by vertex; made when first asked for
 };
 
 }  // namespace hsr

@@ -1,37 +1,56 @@
 #include "hsr/image/sample_signs.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/error.h"
 #include "geometry/slope.h"
 
 namespace hsr {
 
+namespace {
+
+/// For c = O + k V and U along the row of c: det(c - e, U, p - e); seen in a direction D, det(U, D, p - O) - k det(U, D, V).
+SampleCoordinate coordinate(const Sight& sight, const Point3& origin, const Point3& along, const Point3& step) {
+  SampleCoordinate c;
+  Plane plane;
+  plane.u_is = plane.v_is = Plane::Support::direction;
+  if (sight.is_perspective()) {
+    plane.o = sight.eye().at;
+    plane.u = step;
+    plane.v = along;
+    c.next = sight.filter(plane);
+    plane.u = origin;
+    plane.u_is = Plane::Support::point;
+    c.first = sight.filter(plane);
+  } else {
+    plane.o = origin;
+    plane.u = along;
+    plane.v = sight.eye().at;
+    c.first = sight.filter(plane);
+    const ErrorBounded change = SampleFunction::change(c.first, step);
+    c.next.offset = -change.value;
+    c.next.least = change.error;
+  }
+  return c;
+}
+
+/// ceil(x) within 0 ... end, or -1 where that is not certain.
+int certain_ceil(const ErrorBounded& x, int end) {
+  const double low = std::ceil(x.value - x.error), high = std::ceil(x.value + x.error);
+  return low == high || high <= 0 || low >= end ? static_cast<int>(std::clamp(low, 0.0, static_cast<double>(end))) : -1;
+}
+
+}  // namespace
+
 SampleSigns::SampleSigns(const Sight& sight, const SampleGrid& grid)
     : sight_(&sight),
-      grid_{sight.scaled(grid.origin), sight.scaled(grid.right), sight.scaled(grid.down), grid.width, grid.height} {
+      grid_{sight.scaled(grid.origin), sight.scaled(grid.right), sight.scaled(grid.down), grid.width, grid.height},
+      row_(coordinate(sight, grid_.origin, grid_.right, grid_.down)),
+      column_(coordinate(sight, grid_.origin, grid_.down, grid_.right)) {
   Predicates exact = sight.predicates();
   turn_ = exact.side(row_plane(0), at(0, 1));
   require(turn_ != Sign::zero, "SampleSigns: the viewpoint is in the plane of the samples");
-
-  // det(c - e, U, p - e) with c = O + j V; seen in a direction D, det(U, D, p - O) - j det(U, D, V).
-  Plane plane;
-  plane.u_is = plane.v_is = Plane::Support::direction;
-  plane.v = grid_.right;
-  if (sight.is_perspective()) {
-    plane.o = sight.eye().at;
-    plane.u = grid_.down;
-    next_row_ = sight.filter(plane);
-    plane.u = grid_.origin;
-    plane.u_is = Plane::Support::point;
-    first_row_ = sight.filter(plane);
-  } else {
-    plane.o = grid_.origin;
-    plane.u = grid_.right;
-    plane.v = sight.eye().at;
-    first_row_ = sight.filter(plane);
-    const ErrorBounded step = SampleFunction::change(first_row_, grid_.down);
-    next_row_.offset = -step.value;
-    next_row_.least = step.error;
-  }
 }
 
 Sign SampleSigns::side(const ViewPlane& plane, int i, int j, Predicates& exact) const {
@@ -61,28 +80,23 @@ Plane SampleSigns::row_plane(int j) const {
 
 bool SampleSigns::is_in_front(VertexId v, Predicates& exact) const {
   if (!sight_->is_perspective()) return true;
-  // next_row_ is det(V, U, p - e), which turns as rows do.
-  const ErrorBounded x = next_row_(sight_->point(v));
+  // det(V, U, p - e), which turns as rows do.
+  const ErrorBounded x = row_.next(sight_->point(v));
   if (x.is_certain()) return sign_of(x.value) == -turn_;
   const Plane paper = Plane::of_face(at(0, 0), at(1, 0), at(0, 1));
   return slope(paper, sight_->eye().at, sight_->point(v)) == -exact.side(paper, sight_->eye().at);
 }
 
-/// The zero of a + j b is at -a / b; the quotient errs by at most (e_a + |a / b| e_b) / (|b| - e_b) and one rounding.
 int SampleSigns::rows_above(VertexId v, Predicates& exact) const {
   const Point3& p = sight_->point(v);
-  const ErrorBounded a = first_row_(p), b = next_row_(p);
-  const double y = -a.value / b.value;
-  if (std::fabs(b.value) > 2 * b.error) {
-    const double error = (a.error + std::fabs(y) * b.error) / (std::fabs(b.value) - b.error) * 1.01 + 4e-16 * std::fabs(y);
-    const double low = std::ceil(y - error), high = std::ceil(y + error);
-    if (low == high || high <= 0 || low >= grid_.height) {
-      ++exact.counts().filter;
-      return static_cast<int>(std::clamp(low, 0.0, static_cast<double>(grid_.height)));
-    }
-  }
-  return rows_above(std::ceil(y), [&](int j) { return exact.side(row_plane(j), p); });
+  const ErrorBounded y = row_(p);
+  const int rows = certain_ceil(y, grid_.height);
+  if (rows < 0) return rows_above(std::ceil(y.value), [&](int j) { return exact.side(row_plane(j), p); });
+  ++exact.counts().filter;
+  return rows;
 }
+
+int SampleSigns::certain_columns_before(VertexId v) const { return certain_ceil(column_(sight_->point(v)), grid_.width); }
 
 RowCut SampleSigns::exact_cut(const SampleFunction& f, double row, int j, int begin, int end, const ViewPlane& plane,
                               Predicates& exact) const {

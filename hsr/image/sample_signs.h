@@ -49,6 +49,21 @@ struct RowCut {
   int change;
 };
 
+/// Where a point is seen, in rows or in columns of samples: the zero of first(p) + k next(p), the value at p of the plane of
+/// row (or column) k. The quotient errs by at most (e_f + |f / n| e_n) / (|n| - e_n), and one rounding.
+struct SampleCoordinate {
+  PlaneFilter first, next;
+
+  /// The error is infinite where doubles cannot tell. @pre p is in front
+  ErrorBounded operator()(const Point3& p) const {
+    const ErrorBounded f = first(p), n = next(p);
+    const double at = -f.value / n.value;
+    if (!(std::fabs(n.value) > 2 * n.error)) return {at, HUGE_VAL};
+    return {at,
+            (f.error + std::fabs(at) * n.error) / (std::fabs(n.value) - n.error) * 1.01 + 8 * ErrorBounded::u * std::fabs(at)};
+  }
+};
+
 /// The signs of planes at samples, exactly, and with the rule for samples on edges (samples.h).
 ///
 /// @pre the sight was made with the certificate of the grid; it outlives this. Planes are among its points and samples.
@@ -90,9 +105,11 @@ class SampleSigns {
   /// How many rows are above what is seen at a vertex: a side from a to b crosses the rows rows_above(a) ... rows_above(b) - 1,
   /// or the other way round. @pre is_in_front(v)
   int rows_above(VertexId v, Predicates& exact) const;
-  /// About where the rows have a point in front, for a guess.
-  double row_of(const Point3& p) const { return -first_row_(p).value / next_row_(p).value; }
-  /// The same for any point, of which below(j) is the sign on the plane of row j; `guess` may be anything.
+  /// About how many rows are above a point in front, for a guess.
+  double row_of(const Point3& p) const { return row_(p).value; }
+  /// How many columns are on the left of it, or -1 where doubles cannot tell. @pre is_in_front(v)
+  int certain_columns_before(VertexId v) const;
+  /// The rows above any point, of which below(j) is the sign on the plane of row j; `guess` may be anything.
   template <class Below>
   int rows_above(double guess, const Below& below) const;
 
@@ -107,8 +124,7 @@ class SampleSigns {
   const Sight* sight_;
   SampleGrid grid_;
   Sign turn_ = Sign::positive;  // negative: rows as given would be positive above
-  // The plane of row j has at p the value of first_row_ plus j times that of next_row_.
-  PlaneFilter first_row_, next_row_;
+  SampleCoordinate row_, column_;
 };
 
 template <class Below>

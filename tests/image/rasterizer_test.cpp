@@ -118,7 +118,7 @@ TEST_CASE("triangles of a sheet cover each sample once, those on edges and verti
 }
 
 TEST_CASE("the samples of a triangle are those where it is seen alone", "[image][rasterizer][oracle]") {
-  for_random_scenes(12, [](const Mesh& mesh, const View& view, const SampleGrid& grid) {
+  for_random_scenes(8, [](const Mesh& mesh, const View& view, const SampleGrid& grid) {
     Setting staged(mesh, view, grid), interval(mesh, view, grid, Arithmetic::interval);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       Mesh alone = mesh;
