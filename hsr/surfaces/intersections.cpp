@@ -27,6 +27,8 @@ class Finder {
   void look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane, TriangleId t, std::vector<Intersection>& found);
   void mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at);
   bool may_lie_in(VertexId u, VertexId v, TriangleId t);
+  bool is_inner_diagonal(TriangleId t, std::size_t k) const;
+  bool passes_through(TriangleId t, const std::array<Sign, 3>& at) const;
   bool cross_beyond_common_corner(TriangleId s, TriangleId t);
   std::optional<Intersection> segment(TriangleId s, TriangleId t);
 
@@ -72,12 +74,13 @@ void Finder::look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane
                      std::vector<Intersection>& found) {
   const std::array<Sign, 3> at_t = sides(filter, plane, s, t);
   const auto zeros = [](const std::array<Sign, 3>& at) { return std::count(at.begin(), at.end(), Sign::zero); };
-  if (!straddles(at_t) && zeros(at_t) < 2) return;
+  if (!straddles(at_t) && zeros(at_t) < 2) return;  // on one side but for a point
   const Plane other = sight_.face_plane(t);
   const std::array<Sign, 3> at_s = sides(sight_.filter(other), other, t, s);
   if (zeros(at_t) >= 2) mark_contacts(s, t, at_t);
   if (zeros(at_s) >= 2) mark_contacts(t, s, at_s);
-  if (!straddles(at_t) || !straddles(at_s) || !cross_beyond_common_corner(s, t)) return;
+  if (!passes_through(t, at_t) || !passes_through(s, at_s)) return;
+  if (straddles(at_t) && straddles(at_s) && !cross_beyond_common_corner(s, t)) return;
   if (const auto crossing = segment(s, t)) found.push_back(*crossing);
 }
 
@@ -121,6 +124,25 @@ bool Finder::may_lie_in(VertexId u, VertexId v, TriangleId t) {
   return (positive && negative) || zeros >= 2;
 }
 
+/// Whether the side of t from corner k on is a diagonal within its planar face.
+bool Finder::is_inner_diagonal(TriangleId t, std::size_t k) const {
+  if (facet_end(mesh_, t).value - facet_of(mesh_, t).value == 1) return false;
+  const auto& c = mesh_.triangles[t];
+  const EdgeId e = mesh_.find_edge(c[k], c[(k + 1) % 3]);
+  if (!e.is_valid()) return true;
+  const auto own = mesh_.triangles_at(e);
+  return std::find(own.begin(), own.end(), t) == own.end();
+}
+
+/// Whether the face of t has points on both sides of a plane around t, t being on the sides `at` of it: where a diagonal lies in
+/// the plane the face goes on behind it.
+bool Finder::passes_through(TriangleId t, const std::array<Sign, 3>& at) const {
+  if (straddles(at)) return true;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (at[k] == Sign::zero && at[(k + 1) % 3] == Sign::zero && at[(k + 2) % 3] != Sign::zero) return is_inner_diagonal(t, k);
+  return false;
+}
+
 /// Two triangles with a common corner v, each with points on both sides of the other's plane, pq and ab their other corners:
 /// both cross the line of both planes in a segment that starts at v, and they have more in common iff both run the same way.
 /// Where ab crosses the plane of vpq is on q's side of the line vp iff b is on q's side of the plane vpa.
@@ -136,17 +158,19 @@ bool Finder::cross_beyond_common_corner(TriangleId s, TriangleId t) {
   return true;
 }
 
-/// Clips the line in which both planes meet to both triangles. @pre each straddles the other's plane
+/// Clips the line in which both planes meet to both triangles. @pre the face of each passes through the other's plane
 std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
   Intersection found{s, t, {}, {}};
   const MapLine line = found.line();
-  std::vector<MapHalfPlane> half_planes;
+  std::vector<MapHalfPlane> half_planes, within, parallel;  // within: the face goes on behind it
   for (const TriangleId x : {s, t}) {
-    for (std::size_t k = 0; k < 3; ++k) half_planes.push_back(side_of_triangle(sight_, x, k));
+    for (std::size_t k = 0; k < 3; ++k)
+      (is_inner_diagonal(x, k) ? within : half_planes).push_back(side_of_triangle(sight_, x, k));
     if (sight_.reaches_before_near(x)) half_planes.push_back(beyond_near(sight_, x));
   }
+  for (const MapHalfPlane& h : within)
+    if (map_.turn(line, h.line) != Sign::zero) half_planes.push_back(h);
   std::optional<MapPoint> low, high;
-  std::vector<MapHalfPlane> parallel;
   for (const MapHalfPlane& h : half_planes) {
     const Sign turn = map_.turn(line, h.line);
     if (turn == Sign::zero) {
@@ -164,6 +188,8 @@ std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
   if (!low || !high || map_.order(line, *low, *high) != Sign::negative) return std::nullopt;
   for (const MapHalfPlane& h : parallel)
     if (map_.side(h.line, *low) * h.inner != Sign::positive) return std::nullopt;
+  for (const MapHalfPlane& h : within)
+    if (map_.side(h.line, *low) * h.inner == Sign::negative) return std::nullopt;
   found.from = *low;
   found.to = *high;
   return found;
