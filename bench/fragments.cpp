@@ -35,9 +35,8 @@ void measure(const Model& model, const std::string& view_name, const Request& re
   VisibleFragments found;
   reset_peak_memory();
   for (int k = 0; k < request.repeat; ++k)
-    times.add(elapsed([&] {
-      found = request.method == "roberts" ? roberts_surfaces(mesh, view) : visible_fragments(mesh, view);
-    }));
+    times.add(
+        elapsed([&] { found = request.method == "roberts" ? roberts_surfaces(mesh, view) : visible_fragments(mesh, view); }));
   const Seconds clock = seconds(times.clock), processor = seconds(times.processor);
   const DecisionCounts& d = found.decisions;
   const double all = std::max(1.0, static_cast<double>(d.all()));
@@ -70,13 +69,14 @@ int main(int argc, char** argv) {
   app.add_option("--scene", request.scenes,
                  "knot, city, rand or terrain and a size, as in knot100k; a city's is in boxes of 12");
   app.add_option("--view", request.views, "oblique, elevation, perspective; default: all three");
-  app.add_option("--method", request.method, "visible, or the reference: roberts")->check(CLI::IsMember({"visible", "roberts"}));
+  app.add_option("--method", request.method, "visible, or the reference: roberts")
+      ->check(CLI::IsMember({"visible", "roberts"}));
   app.add_option("--threads", request.threads, "number of threads")->check(CLI::PositiveNumber);
   app.add_option("--repeat", request.repeat, "how often each is measured")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   if (request.scenes.empty())
-    request.scenes = {"knot1k", "knot10k", "knot100k", "city100", "city1k", "city10k", "rand1k", "rand10k", "terrain10k",
-                      "terrain100k"};
+    request.scenes = {"knot1k",  "knot10k", "knot100k", "city100",    "city1k",
+                      "city10k", "rand1k",  "rand10k",  "terrain10k", "terrain100k"};
   if (request.views.empty()) request.views = {"oblique", "elevation", "perspective"};
   try {
     hsr::bench::run(request);

@@ -132,9 +132,7 @@ Sign Predicates::side(const Plane& x, const Plane& a, const Plane& b, const Plan
 
 namespace {
 
-bool only_spans(const ViewPlane& l) {
-  return l.x.kind == Plane::Kind::span && (!l.is_meet || l.y.kind == Plane::Kind::span);
-}
+bool only_spans(const ViewPlane& l) { return l.x.kind == Plane::Kind::span && (!l.is_meet || l.y.kind == Plane::Kind::span); }
 /// Of the entries of its line.
 int degree(const ViewPlane& l) { return l.is_meet ? 6 : 3; }
 
@@ -150,8 +148,8 @@ Sign Predicates::crossing_weight(const Camera& camera, const ViewPlane& l, const
                 degree(l) + degree(m));
 }
 
-/// For l through the images of a and b, running from a to b, and m through a: with an eye l x m = -a' m(b), a' the ray of a; with
-/// a direction (l x m)_k = D_k m(b).
+/// For l through the images of a and b, running from a to b, and m through a: with an eye l x m = -a' m(b), a' the ray of a;
+/// with a direction (l x m)_k = D_k m(b).
 Sign Predicates::turn(const Camera& camera, const ViewPlane& l, const ViewPlane& m) {
   const Sign w = crossing_weight(camera, l, m);
   if (!camera.eye.is_direction) return w;

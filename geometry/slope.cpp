@@ -1,8 +1,8 @@
 #include "geometry/slope.h"
 
-#include "geometry/arithmetics.h"
 #include <type_traits>
 
+#include "geometry/arithmetics.h"
 #include "geometry/polynomials.h"
 #include "geometry/view_plane_polynomials.h"
 

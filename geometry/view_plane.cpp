@@ -31,11 +31,10 @@ int largest_axis(const Point3& d) {
   return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
-std::array<ErrorBounded, 2> image_of_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Point3& origin,
-                                              const std::array<Point3, 2>& rows) {
+std::array<ErrorBounded, 2> image_of_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m,
+                                              const Point3& origin, const std::array<Point3, 2>& rows) {
   const FilterArithmetic a;
-  const auto q =
-      polynomials::cross(polynomials::line(a, camera, l, origin), polynomials::line(a, camera, m, origin));
+  const auto q = polynomials::cross(polynomials::line(a, camera, l, origin), polynomials::line(a, camera, m, origin));
   if (!camera.eye.is_direction) return image_of_ray(camera, q, rows);
   return {quotient(q.x, q.z), quotient(q.y, q.z)};
 }
@@ -47,8 +46,7 @@ std::array<ErrorBounded, 2> image_of_point(const Camera& camera, const Point3& p
     const Point3& d = camera.eye.at;
     const int k = largest_axis(d), i = (k + 1) % 3, j = (k + 2) % 3;
     const auto share = [&](int axis) {
-      return a.difference(p, origin, axis) -
-             quotient({d[axis], 0}, {d[k], 0}) * a.difference(p, origin, k);
+      return a.difference(p, origin, axis) - quotient({d[axis], 0}, {d[k], 0}) * a.difference(p, origin, k);
     };
     return {share(i), share(j)};
   }
@@ -77,8 +75,7 @@ Exact exact_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& 
   const RationalArithmetic a;
   const auto q = polynomials::cross(polynomials::line(a, camera, l, origin), polynomials::line(a, camera, m, origin));
   const bool is_parallel = camera.eye.is_direction;
-  const Rational w =
-      is_parallel ? q.z : polynomials::dot(polynomials::difference(a, camera.target, camera.eye.at), q);
+  const Rational w = is_parallel ? q.z : polynomials::dot(polynomials::difference(a, camera.target, camera.eye.at), q);
   require(w.sign() != Sign::zero, "exact_crossing: the lines are parallel in the image");
   return q;
 }
@@ -89,10 +86,12 @@ std::array<Rational, 3> met(const Camera& camera, const Exact& p, const Plane& x
   const auto plane = polynomials::plane_at_eye(a, camera, x);
   require(plane.at_eye.sign() != Sign::zero, "exact_point: the plane contains the viewpoint");
   const Point3& e = camera.eye.at;
-  const Exact away = camera.eye.is_direction ? Exact{e.x, e.y, e.z} : Exact{p.x - Rational(e.x), p.y - Rational(e.y), p.z - Rational(e.z)};
+  const Exact away =
+      camera.eye.is_direction ? Exact{e.x, e.y, e.z} : Exact{p.x - Rational(e.x), p.y - Rational(e.y), p.z - Rational(e.z)};
   const Rational slope = polynomials::dot(plane.normal, away);
   // The value at p, from the eye or from x's own origin; only spans are faces.
-  const Rational at_p = polynomials::dot(plane.normal, Exact{p.x - Rational(x.o.x), p.y - Rational(x.o.y), p.z - Rational(x.o.z)});
+  const Rational at_p =
+      polynomials::dot(plane.normal, Exact{p.x - Rational(x.o.x), p.y - Rational(x.o.y), p.z - Rational(x.o.z)});
   require(slope.sign() != Sign::zero, "exact_point: the line of sight is parallel to the plane");
   const Rational s = at_p / slope;
   return {p.x - s * away.x, p.y - s * away.y, p.z - s * away.z};

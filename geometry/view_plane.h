@@ -38,8 +38,8 @@ struct ViewPlane {
 /// Parallel: with k the axis of the largest entry of the direction, i and j the next two: the coordinates i and j of the point
 /// in the plane of the axes i and j through `origin`, relative to it. Perspective: (u . q, v . q) / (target - eye) . q for the
 /// direction q of the point, where u and v are `rows`.
-std::array<ErrorBounded, 2> image_of_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Point3& origin,
-                                              const std::array<Point3, 2>& rows);
+std::array<ErrorBounded, 2> image_of_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m,
+                                              const Point3& origin, const std::array<Point3, 2>& rows);
 /// The same for a point.
 std::array<ErrorBounded, 2> image_of_point(const Camera& camera, const Point3& p, const Point3& origin,
                                            const std::array<Point3, 2>& rows);

@@ -58,8 +58,8 @@ auto line(const A& a, const Camera& camera, const ViewPlane& l, const Point3& or
   const V n = {y.at_eye * x.normal.x - x.at_eye * y.normal.x, y.at_eye * x.normal.y - x.at_eye * y.normal.y,
                y.at_eye * x.normal.z - x.at_eye * y.normal.z};
   if (!is_parallel) return n;
-  const auto c = y.at_eye * dot(x.normal, difference(a, origin, nearer.o)) -
-                 x.at_eye * dot(y.normal, difference(a, origin, base.o));
+  const auto c =
+      y.at_eye * dot(x.normal, difference(a, origin, nearer.o)) - x.at_eye * dot(y.normal, difference(a, origin, base.o));
   const int k = largest_axis(camera.eye.at);
   return k == 0 ? V{n.y, n.z, c} : k == 1 ? V{n.z, n.x, c} : V{n.x, n.y, c};
 }

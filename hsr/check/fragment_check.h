@@ -19,9 +19,9 @@ struct WrongSample {
 
 struct FragmentCheck {
   std::uint64_t samples = 0;
-  std::uint64_t covered = 0;     ///< of them, with a face
-  std::uint64_t wrong = 0;       ///< painted with another face than the caster finds
-  std::uint64_t overlapping = 0; ///< painted more than once
+  std::uint64_t covered = 0;             ///< of them, with a face
+  std::uint64_t wrong = 0;               ///< painted with another face than the caster finds
+  std::uint64_t overlapping = 0;         ///< painted more than once
   std::vector<WrongSample> first_wrong;  ///< at most ten
 
   bool is_right() const { return wrong == 0 && overlapping == 0; }

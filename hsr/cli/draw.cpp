@@ -85,10 +85,8 @@ SampleGrid sample_grid_for(const ChosenView& chosen, const Mesh& mesh, const Dra
 }
 
 void describe(Report& report, const FragmentCheck& check) {
-  report["check"] = {{"samples", check.samples},
-                     {"covered", check.covered},
-                     {"wrong", check.wrong},
-                     {"overlapping", check.overlapping}};
+  report["check"] = {
+      {"samples", check.samples}, {"covered", check.covered}, {"wrong", check.wrong}, {"overlapping", check.overlapping}};
 }
 
 void say(const FragmentCheck& check) {
@@ -97,8 +95,8 @@ void say(const FragmentCheck& check) {
                check.samples, check.covered);
     return;
   }
-  fmt::print(stderr, "hsr: check failed: {} of {} samples show another face than the nearest, {} are painted twice\n", check.wrong,
-             check.samples, check.overlapping);
+  fmt::print(stderr, "hsr: check failed: {} of {} samples show another face than the nearest, {} are painted twice\n",
+             check.wrong, check.samples, check.overlapping);
   const auto name = [](FaceId f) { return f.is_valid() ? "face " + std::to_string(f.value) : std::string("nothing"); };
   for (const WrongSample& w : check.first_wrong)
     fmt::print(stderr, "hsr: check failed: at sample {}, {}: found {}, expected {}\n", w.i, w.j, name(w.painted), name(w.cast));
@@ -304,9 +302,10 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
       ->type_name("WHICH")
       ->check(CLI::IsMember({"none", "coplanar", "colour"}))
       ->group(surfaces);
-  sub->add_flag("--check", a->check,
-                "Compare the visible fragments with the nearest face at each sample of --size [1024x1024]; exit status 1 if they "
-                "differ")
+  sub->add_flag(
+         "--check", a->check,
+         "Compare the visible fragments with the nearest face at each sample of --size [1024x1024]; exit status 1 if they "
+         "differ")
       ->group(surfaces);
   const std::string page = "Page";
   sub->add_option("--page", a->page,

@@ -44,7 +44,7 @@ struct Fill {
 /// The filled parts of a drawing, which do not overlap, and the outline of all of them.
 struct Fills {
   std::vector<Fill> fills;
-  std::uint32_t first_outline_ring = 0;         ///< the rings from here on are the outline; even-odd
+  std::uint32_t first_outline_ring = 0;          ///< the rings from here on are the outline; even-odd
   std::vector<std::uint32_t> first_point = {0};  ///< ring r has points[first_point[r]] ... ; one more than rings
   std::vector<PaperPoint> points;
   std::vector<std::uint32_t> faces;

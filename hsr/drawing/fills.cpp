@@ -86,7 +86,8 @@ std::vector<PaperPoint> placed_ring(const Placement& placement, std::span<const 
     std::vector<std::array<Wide, 2>> ring;
     for (const HomogeneousPoint& p : at) ring.push_back({p.x.middle / p.w.middle, p.y.middle / p.w.middle});
     for (const auto& p : clipped(std::move(ring), *placement.frame))
-      points.push_back({static_cast<std::int64_t>(std::round(p[0] * 1000)), static_cast<std::int64_t>(std::round(p[1] * 1000))});
+      points.push_back(
+          {static_cast<std::int64_t>(std::round(p[0] * 1000)), static_cast<std::int64_t>(std::round(p[1] * 1000))});
   }
   points.erase(std::unique(points.begin(), points.end()), points.end());
   while (points.size() > 1 && points.back() == points.front()) points.pop_back();
@@ -106,10 +107,9 @@ Fills placed_fills(const Placement& placement, const Regions& regions) {
   std::vector<std::vector<PaperPoint>> placed(rings);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rings, 64), [&](const auto& range) {
     for (std::size_t r = range.begin(); r != range.end(); ++r)
-      placed[r] = placed_ring(placement,
-                              {regions.corners.data() + regions.first_corner[r],
-                               regions.corners.data() + regions.first_corner[r + 1]},
-                              facet[r]);
+      placed[r] = placed_ring(
+          placement, {regions.corners.data() + regions.first_corner[r], regions.corners.data() + regions.first_corner[r + 1]},
+          facet[r]);
   });
   Fills fills;
   for (const auto& ring : placed) {

@@ -106,7 +106,8 @@ class Tile {
       for (std::size_t k = 0; k < count && begin < end; ++k) {
         const Sign wanted = k == 3 ? -facing : facing;
         const RowCut cut = signs_.cut(
-            sides[k], sides[k].on_row(j), j, begin, end, [&] { return ViewPlane::of(k == 3 ? near_plane() : side_plane(k)); }, exact_);
+            sides[k], sides[k].on_row(j), j, begin, end, [&] { return ViewPlane::of(k == 3 ? near_plane() : side_plane(k)); },
+            exact_);
         (cut.first == wanted ? end : begin) = cut.change;
       }
       for (int i = begin; i < end; ++i) changed |= compare(t, depth, i, j);

@@ -67,9 +67,7 @@ SampleFunction SampleSigns::function(const ViewPlane& plane) const {
   const Point3& e = sight_->eye().at;
   const auto at_eye = [&](const PlaneFilter& f) { return sight_->is_perspective() ? f(e) : SampleFunction::change(f, e); };
   const ErrorBounded xe = at_eye(x), ye = at_eye(y);
-  const auto change = [&](const Point3& d) {
-    return ye * SampleFunction::change(x, d) - xe * SampleFunction::change(y, d);
-  };
+  const auto change = [&](const Point3& d) { return ye * SampleFunction::change(x, d) - xe * SampleFunction::change(y, d); };
   return {ye * x(grid_.origin) - xe * y(grid_.origin), change(grid_.right), change(grid_.down), grid_};
 }
 

@@ -82,9 +82,7 @@ class SampleSigns {
   /// The values of a plane, in doubles.
   SampleFunction function(const ViewPlane& plane) const;
   /// How a plane's value changes along row j. Exact.
-  Sign slope_along_row(const ViewPlane& plane, int j) const {
-    return slope(sight_->camera(), plane, at(0, j), at(1, j));
-  }
+  Sign slope_along_row(const ViewPlane& plane, int j) const { return slope(sight_->camera(), plane, at(0, j), at(1, j)); }
   /// Where a plane cuts the samples begin ... end - 1 of row j. @pre begin < end, `f` is of the plane, row is f.on_row(j)
   /// @param plane gives the plane; only asked for where doubles cannot tell
   template <class MakePlane>
@@ -119,7 +117,8 @@ class SampleSigns {
     const double k = std::ceil(-row / f.right);
     return static_cast<int>(k > begin + 1 ? (k < end - 1 ? k : end - 1) : begin + 1);
   }
-  RowCut exact_cut(const SampleFunction& f, double row, int j, int begin, int end, const ViewPlane& plane, Predicates& exact) const;
+  RowCut exact_cut(const SampleFunction& f, double row, int j, int begin, int end, const ViewPlane& plane,
+                   Predicates& exact) const;
 
   const Sight* sight_;
   SampleGrid grid_;

@@ -22,7 +22,7 @@ struct FragmentParts {
     const auto base_ring = static_cast<std::uint32_t>(found.rings());
     for (std::size_t r = 0; r + 1 < rings.first_corner.size(); ++r) {
       found.corners.insert(found.corners.end(), rings.corners.begin() + rings.first_corner[r],
-                          rings.corners.begin() + rings.first_corner[r + 1]);
+                           rings.corners.begin() + rings.first_corner[r + 1]);
       found.first_corner.push_back(static_cast<std::uint32_t>(found.corners.size()));
     }
     for (std::size_t k = 0; k + 1 < rings.first_ring.size(); ++k)

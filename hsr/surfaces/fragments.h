@@ -21,7 +21,7 @@ struct Fragment {
 };
 
 struct VisibleFragments {
-  std::vector<Fragment> fragments;  ///< ascending by facet, hence by face
+  std::vector<Fragment> fragments;                ///< ascending by facet, hence by face
   std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
   std::vector<MapCorner> corners;
   DecisionCounts decisions;

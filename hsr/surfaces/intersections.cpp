@@ -134,8 +134,8 @@ bool Finder::is_inner_diagonal(TriangleId t, std::size_t k) const {
   return std::find(own.begin(), own.end(), t) == own.end();
 }
 
-/// Whether the face of t has points on both sides of a plane around t, t being on the sides `at` of it: where a diagonal lies in
-/// the plane the face goes on behind it.
+/// Whether the face of t has points on both sides of a plane around t, t being on the sides `at` of it: where a diagonal lies
+/// in the plane the face goes on behind it.
 bool Finder::passes_through(TriangleId t, const std::array<Sign, 3>& at) const {
   if (straddles(at)) return true;
   for (std::size_t k = 0; k < 3; ++k)

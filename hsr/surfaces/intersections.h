@@ -18,7 +18,7 @@ struct Intersection {
 
 /// Where the faces meet other than in common edges.
 struct Intersections {
-  std::vector<Intersection> segments;   ///< ascending by (s, t)
+  std::vector<Intersection> segments;     ///< ascending by (s, t)
   std::vector<std::uint8_t> has_contact;  ///< by EdgeId: it may lie, in part, in a face that it is not an edge of
   DecisionCounts decisions;
 };

@@ -140,8 +140,8 @@ NearPoint MapSight::point(const MapPoint& p, TriangleId t) const {
     const double size = std::max({std::fabs(at[0].value), std::fabs(at[1].value), std::fabs(at[2].value)});
     if (error < size * 0x1p-20) return {{at[0].value, at[1].value, at[2].value}, error};
   }
-  const RationalVector at = p.is_vertex ? exact_point(camera_, sight_.point(p.vertex), x)
-                                        : exact_point(camera_, plane(p.l), plane(p.m), x);
+  const RationalVector at =
+      p.is_vertex ? exact_point(camera_, sight_.point(p.vertex), x) : exact_point(camera_, plane(p.l), plane(p.m), x);
   const Point3 q = {at[0].to_double(), at[1].to_double(), at[2].to_double()};
   return {q, ErrorBounded::u * std::max({std::fabs(q.x), std::fabs(q.y), std::fabs(q.z)}) + 0x1p-1000};
 }

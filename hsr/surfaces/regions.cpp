@@ -45,8 +45,8 @@ std::vector<Colour> face_colours(const Model& model, const Mesh& mesh, const Vie
   const Point3& e = view.viewpoint.at;
   const Point3 toward = unit(view.is_perspective() ? minus(e, view.target) : e);
   const Point3 right = unit(view.frame.right), up = unit(view.frame.up);
-  const Point3 light = unit({toward.x + 0.6 * up.x - 0.4 * right.x, toward.y + 0.6 * up.y - 0.4 * right.y,
-                             toward.z + 0.6 * up.z - 0.4 * right.z});
+  const Point3 light = unit(
+      {toward.x + 0.6 * up.x - 0.4 * right.x, toward.y + 0.6 * up.y - 0.4 * right.y, toward.z + 0.6 * up.z - 0.4 * right.z});
   std::vector<Colour> colours(mesh.faces.size(), Colour{200, 200, 200, 255});
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const FaceId f = mesh.face_of[TriangleId(t)];
@@ -124,7 +124,8 @@ Regions regions_of(const Mesh& mesh, const View& view, const VisibleFragments& f
       const auto base = static_cast<std::uint32_t>(out.first_corner.size() - 1);
       append_rings(rings, out);
       for (std::size_t k = 0; k + 1 < rings.first_ring.size(); ++k)
-        out.regions.push_back({colour_of(first), first.facet, faces, base + rings.first_ring[k], base + rings.first_ring[k + 1]});
+        out.regions.push_back(
+            {colour_of(first), first.facet, faces, base + rings.first_ring[k], base + rings.first_ring[k + 1]});
     }
   }
   std::vector<MapSide> sides;

@@ -25,7 +25,7 @@ struct Region {
 
 struct Regions {
   std::vector<Region> regions;
-  std::uint32_t first_outline_ring = 0;          ///< from here on: the rings around all that is filled
+  std::uint32_t first_outline_ring = 0;           ///< from here on: the rings around all that is filled
   std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
   std::vector<MapCorner> corners;
 };

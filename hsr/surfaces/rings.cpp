@@ -70,10 +70,10 @@ class Linker {
   std::span<const MapSide> sides_;
   std::vector<MapPoint> points_;
   std::vector<MapPlace> places_;
-  std::vector<std::uint32_t> by_x_;       // points, by the lower bound of x
-  double widest_ = 0;                     // of the bounds of x
-  std::vector<Piece> ends_, pieces_;      // of whole sides; of cut ones
-  std::vector<std::uint32_t> next_;       // by piece
+  std::vector<std::uint32_t> by_x_;   // points, by the lower bound of x
+  double widest_ = 0;                 // of the bounds of x
+  std::vector<Piece> ends_, pieces_;  // of whole sides; of cut ones
+  std::vector<std::uint32_t> next_;   // by piece
   std::vector<Walk> walks_;
   std::vector<std::vector<Loop>> regions_;
   std::vector<std::size_t> holes_of_walk_;
@@ -220,7 +220,8 @@ void Linker::link_at(std::vector<std::uint32_t>& in, std::vector<std::uint32_t>&
     const Sign s = turn(pieces_[base.piece], base.arrives, pieces_[r.piece], r.arrives);
     if (s != Sign::zero) return s == Sign::positive ? 1 : 3;
     const Piece &p = pieces_[base.piece], &q = pieces_[r.piece];
-    const bool same = (map_.same_way(p.line, q.line) == Sign::positive) == ((p.reversed != base.arrives) == (q.reversed != r.arrives));
+    const bool same =
+        (map_.same_way(p.line, q.line) == Sign::positive) == ((p.reversed != base.arrives) == (q.reversed != r.arrives));
     return same ? 0 : 2;
   };
   std::vector<int> parts;
@@ -252,7 +253,8 @@ void Linker::link() {
   std::vector<std::uint32_t> arriving, leaving;
   std::size_t i = 0, j = 0;
   while (i < in.size() || j < out.size()) {
-    const std::uint32_t point = std::min(i < in.size() ? pieces_[in[i]].to : none, j < out.size() ? pieces_[out[j]].from : none);
+    const std::uint32_t point =
+        std::min(i < in.size() ? pieces_[in[i]].to : none, j < out.size() ? pieces_[out[j]].from : none);
     arriving.clear();
     leaving.clear();
     for (; i < in.size() && pieces_[in[i]].to == point; ++i) arriving.push_back(in[i]);
@@ -395,9 +397,8 @@ void Linker::place_holes() {
       std::erase_if(candidates, [&](std::size_t r) { return !contains(regions_[r][0], holes[first]); });
       // Outer rings around one hole lie inside one another: the smallest is the nearest.
       if (candidates.size() > 1)
-        std::sort(candidates.begin(), candidates.end(), [&](std::size_t r, std::size_t s) {
-          return exact_area(regions_[r][0]) < exact_area(regions_[s][0]);
-        });
+        std::sort(candidates.begin(), candidates.end(),
+                  [&](std::size_t r, std::size_t s) { return exact_area(regions_[r][0]) < exact_area(regions_[s][0]); });
     }
     if (candidates.empty()) throw InvariantError("link_rings: a hole in no region");
     for (std::size_t k = 0; k < count; ++k) regions_[candidates[0]].push_back(std::move(holes[first + k]));
@@ -409,7 +410,8 @@ Rings Linker::result() const {
   Rings rings;
   for (const auto& region : regions_) {
     for (const Loop& loop : region) {
-      for (const std::uint32_t i : loop.pieces) rings.corners.push_back({points_[pieces_[i].from], pieces_[i].line, pieces_[i].reversed});
+      for (const std::uint32_t i : loop.pieces)
+        rings.corners.push_back({points_[pieces_[i].from], pieces_[i].line, pieces_[i].reversed});
       rings.first_corner.push_back(static_cast<std::uint32_t>(rings.corners.size()));
     }
     rings.first_ring.push_back(static_cast<std::uint32_t>(rings.first_corner.size() - 1));

@@ -12,7 +12,7 @@ namespace hsr {
 struct Rings {
   std::vector<MapCorner> corners;
   std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
-  std::vector<std::uint32_t> first_ring = {0};   ///< region k has the rings first_ring[k] ... ; one more than regions
+  std::vector<std::uint32_t> first_ring = {0};    ///< region k has the rings first_ring[k] ... ; one more than regions
 };
 
 /// Links the sides of a part of the plane into the rings that bound it.

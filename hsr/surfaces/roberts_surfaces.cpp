@@ -49,8 +49,8 @@ ConvexPiece Subtraction::triangle(TriangleId t) const {
   ConvexPiece piece;
   const bool forward = sight_.facing(t) == Sign::negative;
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = forward ? k : 2 - k;                 // the side
-    const std::size_t from = forward ? k : (2 - k + 1) % 3;    // its first corner
+    const std::size_t i = forward ? k : 2 - k;               // the side
+    const std::size_t from = forward ? k : (2 - k + 1) % 3;  // its first corner
     piece.lines.push_back(side_of_triangle(sight_, t, i));
     piece.points.push_back(MapPoint::of_vertex(c[from]));
   }
@@ -170,12 +170,13 @@ VisibleFragments roberts_surfaces(const Mesh& mesh, const View& view, const Frag
     edge_on[i] = sight.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
   });
   const Occluders occluders(sight, boxes, edge_on);
-  return fragments_in_blocks(mesh, options, [&] { return Subtraction(sight, occluders); },
-                             [](Subtraction& subtraction, TriangleId facet, FragmentParts& parts) {
-                               std::vector<MapSide> sides;
-                               subtraction.visible_sides(facet, sides);
-                               parts.add(facet, link_rings(subtraction.map(), sides));
-                             });
+  return fragments_in_blocks(
+      mesh, options, [&] { return Subtraction(sight, occluders); },
+      [](Subtraction& subtraction, TriangleId facet, FragmentParts& parts) {
+        std::vector<MapSide> sides;
+        subtraction.visible_sides(facet, sides);
+        parts.add(facet, link_rings(subtraction.map(), sides));
+      });
 }
 
 }  // namespace hsr

@@ -101,10 +101,9 @@ SeenBeside::Linear SeenBeside::nearness(TriangleId t) const {
   const Point3& e = sight_.eye().at;
   // The bound of a PlaneFilter at o + D is that of n . D.
   const ErrorBounded at_eye =
-      sight_.is_perspective()
-          ? filter(e)
-          : ErrorBounded{filter.nx * e.x + filter.ny * e.y + filter.nz * e.z,
-                         filter.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + filter.least};
+      sight_.is_perspective() ? filter(e)
+                              : ErrorBounded{filter.nx * e.x + filter.ny * e.y + filter.nz * e.z,
+                                             filter.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + filter.least};
   return {quotient(-value.at_a, at_eye), quotient(-value.at_b, at_eye)};
 }
 

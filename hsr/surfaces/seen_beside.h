@@ -10,8 +10,8 @@
 
 namespace hsr {
 
-/// A part of a line of the map to look along. Its ends are where `from` and `to` are seen; `a` and `b` are points of one line in
-/// space that is seen as it, along which places are reckoned: from a, t = 0, to b, t = 1.
+/// A part of a line of the map to look along. Its ends are where `from` and `to` are seen; `a` and `b` are points of one line
+/// in space that is seen as it, along which places are reckoned: from a, t = 0, to b, t = 1.
 struct MapStretch {
   MapLine line;
   MapPoint from, to;

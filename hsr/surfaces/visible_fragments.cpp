@@ -46,7 +46,8 @@ class SideFinder {
   const DecisionCounts& decisions() { return map_.exact().counts(); }
 
  private:
-  /// The triangle that the edge has on a side, if it is the only one and nothing else touches the edge there; invalid otherwise.
+  /// The triangle that the edge has on a side, if it is the only one and nothing else touches the edge there; invalid
+  /// otherwise.
   TriangleId only_triangle(EdgeId e, Sign side) const;
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
   ErrorBounded parameter_at(const Edge& edge, const Cut& cut) const;
@@ -203,7 +204,7 @@ class FragmentFinder {
   std::optional<Occluders> occluders_;
   Intersections intersections_;
   VisibleLines lines_;
-  std::vector<FacetSide> sides_;  // by facet
+  std::vector<FacetSide> sides_;         // by facet
   std::vector<std::size_t> first_side_;  // by TriangleId, one more
   DecisionCounts decisions_;
 };
@@ -259,9 +260,8 @@ void FragmentFinder::find_sides() {
   collect(intersections_.segments.size(),
           [&](SideFinder& finder, std::size_t i) { finder.add_intersection(intersections_.segments[i]); });
   if (sight_.is_perspective())
-    collect(occluders_->triangles.size(), [&](SideFinder& finder, std::size_t i) {
-      finder.add_near_cut(occluders_->triangles[i]);
-    });
+    collect(occluders_->triangles.size(),
+            [&](SideFinder& finder, std::size_t i) { finder.add_near_cut(occluders_->triangles[i]); });
   // A counting sort by facet.
   first_side_.assign(mesh_.triangles.size() + 1, 0);
   for (const FacetSide& s : sides_) ++first_side_[s.facet.value + 1U];
@@ -282,7 +282,10 @@ VisibleFragments FragmentFinder::fragments() {
     MapSight& map() { return at; }
   };
   VisibleFragments all = fragments_in_blocks(
-      mesh_, options_, [&] { return Worker{MapSight(sight_), {}}; },
+      mesh_, options_,
+      [&] {
+        return Worker{MapSight(sight_), {}};
+      },
       [&](Worker& worker, TriangleId facet, FragmentParts& parts) {
         const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
         if (begin == end) return;

@@ -14,7 +14,7 @@ const char* name_of(EdgeClass edge_class);
 struct JsonOptions {
   Numbers numbers = Numbers::rounded;
   const VisibleFragments* fragments = nullptr;  ///< written beside the lines
-  bool why = false;  ///< with "by", the faces that hide: only if the lines have their occluders
+  bool why = false;                             ///< with "by", the faces that hide: only if the lines have their occluders
 };
 
 /// Visible lines as JSON, "hsr-lines/1" (docs/conventions.md, "JSON").

@@ -118,8 +118,9 @@ void append_fills(std::string& out, const Fills& fills) {
     append_length(out, width);
     out += "\"/>\n";
   }
-  out += "</g>\n<g class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-width=\"0\">"
-         "<g id=\"fills\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
+  out +=
+      "</g>\n<g class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-width=\"0\">"
+      "<g id=\"fills\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
   for (const Fill& fill : fills.fills) {
     out += "<path d=\"";
     for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {

@@ -122,8 +122,7 @@ std::vector<SurfacesOracle::Segment> SurfacesOracle::segments() const {
     out.push_back({p, q});
   };
   for (const Piece& piece : pieces_)
-    for (std::size_t k = 0; k < piece.corners.size(); ++k)
-      add(piece.corners[k], piece.corners[(k + 1) % piece.corners.size()]);
+    for (std::size_t k = 0; k < piece.corners.size(); ++k) add(piece.corners[k], piece.corners[(k + 1) % piece.corners.size()]);
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
       const auto &x = pieces_[i].nearness, &y = pieces_[j].nearness;
@@ -220,7 +219,8 @@ std::vector<std::size_t> SurfacesOracle::count_regions() const {
       if (x.left == y.left) {
         touch = x.above.at(x.middle[0]) == y.below.at(y.middle[0]);
       } else if (y.left == x.right) {
-        const Q low = std::max(x.below.at(x.right), y.below.at(x.right)), high = std::min(x.above.at(x.right), y.above.at(x.right));
+        const Q low = std::max(x.below.at(x.right), y.below.at(x.right)),
+                high = std::min(x.above.at(x.right), y.above.at(x.right));
         touch = low < high;
       }
       if (touch) parent[find(j)] = find(i);
@@ -270,8 +270,7 @@ std::vector<std::string> SurfacesOracle::differences(const VisibleFragments& fou
   const std::vector<std::size_t> regions = count_regions();
   for (std::size_t t = 0; t < n; ++t) {
     const std::string name = "triangle " + std::to_string(t);
-    if (areas[t] != areas_[t])
-      complain(name + ": area found " + areas[t].get_str() + ", expected " + areas_[t].get_str());
+    if (areas[t] != areas_[t]) complain(name + ": area found " + areas[t].get_str() + ", expected " + areas_[t].get_str());
     if (count[t] != regions[t])
       complain(name + ": fragments found " + std::to_string(count[t]) + ", expected " + std::to_string(regions[t]));
   }
@@ -285,7 +284,8 @@ std::vector<std::string> SurfacesOracle::differences(const VisibleFragments& fou
     }
     const std::string expected = z.visible.is_valid() ? " " + std::to_string(z.visible.value) : "";
     if (seen != expected)
-      complain("at " + z.middle[0].get_str() + ", " + z.middle[1].get_str() + ": found triangles" + seen + ", expected" + expected);
+      complain("at " + z.middle[0].get_str() + ", " + z.middle[1].get_str() + ": found triangles" + seen + ", expected" +
+               expected);
   }
   return out;
 }
