@@ -84,6 +84,30 @@ SampleGrid sample_grid_for(const ChosenView& chosen, const Mesh& mesh, const Dra
   return sample_grid(chosen.view, paper_rectangle(mesh, chosen.view), size.width, size.height);
 }
 
+/// The visible area of each face and each object that has one, in squares of the view's frame.
+Report::Json areas_json(const Model& model, const Mesh& mesh, const View& view, const VisibleFragments& fragments, bool exact) {
+  const std::vector<Rational> of_fragment = visible_areas(mesh, view, fragments);
+  std::map<std::uint32_t, Rational> of_face, of_object;
+  Rational all;
+  for (std::size_t k = 0; k < of_fragment.size(); ++k) {
+    const std::uint32_t face = mesh.face_of[fragments.fragments[k].facet].value;
+    of_face[face] = of_face[face] + of_fragment[k];
+    all = all + of_fragment[k];
+    if (model.face_object.empty() || model.face_object[face] == 0xffffffffU) continue;
+    Rational& object = of_object[model.face_object[face]];
+    object = object + of_fragment[k];
+  }
+  const auto number = [&](const Rational& x) { return exact ? Report::Json(x.to_string()) : Report::Json(x.to_double()); };
+  Report::Json faces = Report::Json::array(), objects = Report::Json::array();
+  for (const auto& [face, area] : of_face) faces.push_back({face, number(area)});
+  for (const auto& [object, area] : of_object) objects.push_back({model.objects[object], number(area)});
+  return {{"fragments", fragments.fragments.size()},
+          {"rings", fragments.rings()},
+          {"visible_area", number(all)},
+          {"visible_area_of_faces", faces},
+          {"visible_area_of_objects", objects}};
+}
+
 void describe(Report& report, const FragmentCheck& check) {
   report["check"] = {
       {"samples", check.samples}, {"covered", check.covered}, {"wrong", check.wrong}, {"overlapping", check.overlapping}};
@@ -193,7 +217,8 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
     fragment_options.progress = line_options.progress;
     fragments = report.timed("fragments", [&] { return visible_fragments(mesh, chosen.view, fragment_options); });
     decisions += fragments->decisions;
-    report["fragments"] = {{"fragments", fragments->fragments.size()}, {"rings", fragments->rings()}};
+    if (!a.report.empty())
+      report["fragments"] = report.timed("areas", [&] { return areas_json(model, mesh, chosen.view, *fragments, a.exact); });
   } else {
     report.leave_out("fragments", "neither --fill nor --check is asked for");
   }

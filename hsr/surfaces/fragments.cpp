@@ -19,6 +19,10 @@ std::array<Rational, 3> point_of(const Mesh& mesh, const View& view, TriangleId 
       return ViewPlane::of_meet(face_plane(TriangleId(line.u)), face_plane(TriangleId(line.v)));
     return ViewPlane::of(Plane::near_line(view.viewpoint.at, view.target, view.near, face_plane(TriangleId(line.u))));
   };
+  if (p.is_vertex) {
+    const auto& own = mesh.triangles[facet];
+    if (p.vertex == own[0] || p.vertex == own[1] || p.vertex == own[2]) return rational(mesh.points[p.vertex]);
+  }
   const Camera camera{view.viewpoint, view.target};
   if (!p.is_vertex) return exact_point(camera, view_plane(p.l), view_plane(p.m), face_plane(facet));
   return exact_point(camera, mesh.points[p.vertex], face_plane(facet));
@@ -32,9 +36,7 @@ std::vector<Rational> visible_areas(const Mesh& mesh, const View& view, const Vi
     for (std::uint32_t ring = f.first_ring; ring < f.end_ring; ++ring) {
       std::vector<std::array<Rational, 2>> at;
       for (const MapCorner& c : fragments.ring(ring)) {
-        const auto own = mesh.triangles[f.facet];
-        const bool is_own = c.at.is_vertex && (c.at.vertex == own[0] || c.at.vertex == own[1] || c.at.vertex == own[2]);
-        at.push_back(image(view, is_own ? rational(mesh.points[c.at.vertex]) : point_of(mesh, view, f.facet, c.at)));
+        at.push_back(image(view, point_of(mesh, view, f.facet, c.at)));
       }
       for (std::size_t i = 0; i < at.size(); ++i) {
         const auto &p = at[i], &q = at[(i + 1) % at.size()];

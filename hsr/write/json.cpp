@@ -1,5 +1,6 @@
 #include "hsr/write/json.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -100,53 +101,58 @@ class LineWriter {
   std::vector<std::uint32_t> faces_;
 };
 
-/// One fragment: its rings in space, each from its smallest point on.
-void append_fragment(std::string& out, const Mesh& mesh, const View& view, const VisibleFragments& all, const Fragment& f,
-                     Numbers numbers) {
-  out += "{\"face\": ";
-  append_integer(out, mesh.face_of[f.facet].value);
-  out += ", \"rings\": [";
-  const auto& own = mesh.triangles[f.facet];
+/// A fragment as text, and what it is sorted by.
+struct FragmentText {
+  std::uint32_t face = 0;
+  std::array<Rational, 3> start;
+  std::string text;
+};
+
+/// The rings in space, each from its smallest point on.
+FragmentText fragment_text(const Mesh& mesh, const View& view, const VisibleFragments& all, const Fragment& f,
+                           Numbers numbers) {
+  FragmentText out;
+  out.face = mesh.face_of[f.facet].value;
+  out.text = "{\"face\": ";
+  append_integer(out.text, out.face);
+  out.text += ", \"rings\": [";
   for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
     std::vector<std::array<Rational, 3>> ring;
-    for (const MapCorner& c : all.ring(r)) {
-      const bool is_own = c.at.is_vertex && std::find(own.begin(), own.end(), c.at.vertex) != own.end();
-      const Point3& p = mesh.points[c.at.is_vertex ? c.at.vertex : VertexId(0)];
-      ring.push_back(is_own ? std::array<Rational, 3>{p.x, p.y, p.z} : point_of(mesh, view, f.facet, c.at));
-    }
+    for (const MapCorner& c : all.ring(r)) ring.push_back(point_of(mesh, view, f.facet, c.at));
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-    out += r == f.first_ring ? "[" : ", [";
+    if (r == f.first_ring) out.start = ring.front();
+    out.text += r == f.first_ring ? "[" : ", [";
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      out += k == 0 ? "[" : ", [";
+      out.text += k == 0 ? "[" : ", [";
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (axis > 0) out += ", ";
-        if (numbers == Numbers::exact) {
-          out += '"';
-          out += ring[k][axis].to_string();
-          out += '"';
-        } else {
-          append_number(out, ring[k][axis].to_double(), numbers);
-        }
+        if (axis > 0) out.text += ", ";
+        if (numbers == Numbers::exact)
+          out.text += '"' + ring[k][axis].to_string() + '"';
+        else
+          append_number(out.text, ring[k][axis].to_double(), numbers);
       }
-      out += ']';
+      out.text += ']';
     }
-    out += ']';
+    out.text += ']';
   }
-  out += "]}";
+  out.text += "]}";
+  return out;
 }
 
 void append_fragments(std::string& out, const Mesh& mesh, const View& view, const VisibleFragments& all, Numbers numbers) {
-  constexpr std::size_t chunk = 1024;
-  const std::size_t n = all.fragments.size();
-  std::vector<std::string> parts((n + chunk - 1) / chunk);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
-    for (std::size_t i = p * chunk; i < std::min(n, (p + 1) * chunk); ++i) {
-      if (i > 0) parts[p] += ",\n";
-      append_fragment(parts[p], mesh, view, all, all.fragments[i], numbers);
-    }
+  std::vector<FragmentText> texts(all.fragments.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, texts.size(), 256), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k != range.end(); ++k)
+      texts[k] = fragment_text(mesh, view, all, all.fragments[k], numbers);
+  });
+  std::sort(texts.begin(), texts.end(), [](const FragmentText& x, const FragmentText& y) {
+    return x.face != y.face ? x.face < y.face : x.start < y.start;
   });
   out += ", \"fragments\": [\n";
-  for (const std::string& part : parts) out += part;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    if (k > 0) out += ",\n";
+    out += texts[k].text;
+  }
   out += "\n]";
 }
 

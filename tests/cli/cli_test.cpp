@@ -305,6 +305,40 @@ TEST_CASE("a drawing is the same with and without each stage", "[cli]") {
   }
 }
 
+const char* const window =
+    "v 0 0 0\nv 6 0 0\nv 6 6 0\nv 0 6 0\nv 2 2 1\nv 4 2 1\nv 4 4 1\nv 2 4 1\no wall\nf 1 2 3 4\no pane\nf 5 6 7 8\n";
+
+TEST_CASE("fill draws the visible faces, and JSON has them as rings", "[cli]") {
+  const Directory at;
+  const std::string model = write(at / "window.obj", window);
+  const Outcome o = run("draw " + model + " -o " + (at / "w.svg") + " -o " + (at / "w.json") + " -o " + (at / "w.png") +
+                        " --view top --fill --exact --report " + (at / "r.json"));
+  CHECK(o.status == 0);
+  CHECK(contents(at / "w.svg").find("id=\"fills\"") != std::string::npos);
+  const json fragments = json::parse(contents(at / "w.json"))["fragments"];
+  REQUIRE(fragments.size() == 2);
+  CHECK(fragments[0] ==
+        json::parse(R"({"face": 0, "rings": [[["0", "0", "0"], ["6", "0", "0"], ["6", "6", "0"], ["0", "6", "0"]],
+                                        [["2", "2", "0"], ["2", "4", "0"], ["4", "4", "0"], ["4", "2", "0"]]]})"));
+  CHECK(fragments[1]["rings"].size() == 1);
+  const json report = json::parse(contents(at / "r.json"))["fragments"];
+  CHECK(report["visible_area"] == "36");
+  CHECK(report["visible_area_of_faces"] == json::parse(R"([[0, "32"], [1, "4"]])"));
+  CHECK(report["visible_area_of_objects"] == json::parse(R"([["wall", "32"], ["pane", "4"]])"));
+  CHECK_FALSE(json::parse(contents(at / "r.json")).contains("check"));
+}
+
+TEST_CASE("check says that the fragments are right", "[cli]") {
+  const Directory at;
+  const std::string model = write(at / "window.obj", window);
+  for (const std::string view : {"--view top", "--direction 1,2,3", "--eye 9,9,9"}) {
+    const Outcome o = run("draw " + model + " -o " + (at / "w.svg") + " --check --size 60x50 " + view);
+    CHECK(o.status == 0);
+    CHECK(o.text.find("nearest face at each of 3000 samples") != std::string::npos);
+  }
+  CHECK(run("draw " + model + " -o " + (at / "w.svg") + " --merge all").status == 2);
+}
+
 TEST_CASE("JSON has the edges outside the frame, too", "[cli]") {
   const Directory d;
   const std::string model = write(d / "towers.obj", towers(4));
