@@ -82,15 +82,20 @@ PaperRectangle paper_rectangle(const Mesh& mesh, const View& view) {
     const double x = dot(at, f.right), y = dot(at, f.up);
     all = {std::min(all.left, x), std::max(all.right, x), std::min(all.bottom, y), std::max(all.top, y)};
   };
+  // In the range of long doubles: lengths of 1e300 have squares.
   const auto beyond_near = [&](const Point3& p) {
-    return dot(sum(p, -1, e), to_target) - view.near * dot(to_target, to_target);
+    using Wide = long double;
+    const auto product = [&](const Point3& d) {
+      return Wide(d.x) * to_target.x + Wide(d.y) * to_target.y + Wide(d.z) * to_target.z;
+    };
+    return product(sum(p, -1, e)) - view.near * product(to_target);
   };
   for (const Edge& edge : mesh.edges) {
     const Point3 &a = mesh.points[edge.a], &b = mesh.points[edge.b];
-    const double at_a = view.is_perspective() ? beyond_near(a) : 1, at_b = view.is_perspective() ? beyond_near(b) : 1;
+    const long double at_a = view.is_perspective() ? beyond_near(a) : 1, at_b = view.is_perspective() ? beyond_near(b) : 1;
     if (at_a > 0) add(a);
     if (at_b > 0) add(b);
-    if ((at_a > 0) != (at_b > 0)) add(sum(a, at_a / (at_a - at_b), sum(b, -1, a)));
+    if ((at_a > 0) != (at_b > 0)) add(sum(a, static_cast<double>(at_a / (at_a - at_b)), sum(b, -1, a)));
   }
   return all.left <= all.right ? all : PaperRectangle{};
 }
