@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/memory.h"
+#include "bench/peers/envelope.h"
 #include "bench/scenes.h"
 #include "bench/seconds.h"
 #include "bench/views.h"
@@ -25,6 +26,7 @@ namespace {
 struct Request {
   std::vector<std::string> scenes, views;
   std::string method = "visible";
+  bool envelope = false;
   int threads = 1, repeat = 3;
 };
 
@@ -44,6 +46,11 @@ void measure(const Model& model, const std::string& view_name, const Request& re
              view_name, mesh.triangles.size(), clock.median, clock.spread, processor.median, found.fragments.size(),
              found.rings(), found.corners.size(), d.all(), 100 * static_cast<double>(d.filter) / all,
              100 * static_cast<double>(d.zero) / all, peak_memory() / 1e6);
+  if (request.envelope && !view.is_perspective()) {
+    const Envelope peer = envelope(mesh, view, false);
+    fmt::print("| CGAL envelope of {} | {} | {} | {:.3f} | | {} regions, {:.0f} times as long | | | | | | |\n", model.name,
+               view_name, mesh.triangles.size(), peer.compute, peer.regions, peer.compute / clock.median);
+  }
   std::fflush(stdout);
 }
 
@@ -71,6 +78,7 @@ int main(int argc, char** argv) {
   app.add_option("--view", request.views, "oblique, elevation, perspective; default: all three");
   app.add_option("--method", request.method, "visible, or the reference: roberts")
       ->check(CLI::IsMember({"visible", "roberts"}));
+  app.add_flag("--envelope", request.envelope, "CGAL's envelope of the same triangles, too, in parallel views");
   app.add_option("--threads", request.threads, "number of threads")->check(CLI::PositiveNumber);
   app.add_option("--repeat", request.repeat, "how often each is measured")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
