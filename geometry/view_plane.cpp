@@ -73,7 +73,7 @@ Exact point_of_ray(const Camera& camera, const Exact& q, const Point3& origin) {
 
 Exact exact_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Point3& origin) {
   const RationalArithmetic a;
-  const auto q = polynomials::cross(polynomials::line(a, camera, l, origin), polynomials::line(a, camera, m, origin));
+  auto q = polynomials::cross(polynomials::line(a, camera, l, origin), polynomials::line(a, camera, m, origin));
   const bool is_parallel = camera.eye.is_direction;
   const Rational w = is_parallel ? q.z : polynomials::dot(polynomials::difference(a, camera.target, camera.eye.at), q);
   require(w.sign() != Sign::zero, "exact_crossing: the lines are parallel in the image");

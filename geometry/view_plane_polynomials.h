@@ -42,7 +42,7 @@ auto line(const A& a, const Camera& camera, const ViewPlane& l, const Point3& or
   using V = Vector<typename A::Number>;
   const bool is_parallel = camera.eye.is_direction;
   if (!l.is_meet && l.x.kind == Plane::Kind::span) {
-    const auto n = normal(a, l.x);
+    auto n = normal(a, l.x);
     if (!is_parallel) return n;
     const auto c = l.x.o == origin ? typename A::Number(n.x - n.x) : dot(n, difference(a, origin, l.x.o));
     const int k = largest_axis(camera.eye.at);
@@ -55,8 +55,8 @@ auto line(const A& a, const Camera& camera, const ViewPlane& l, const Point3& or
     base.kind = Plane::Kind::span;
   }
   const auto x = plane_at_eye(a, camera, nearer), y = plane_at_eye(a, camera, base);
-  const V n = {y.at_eye * x.normal.x - x.at_eye * y.normal.x, y.at_eye * x.normal.y - x.at_eye * y.normal.y,
-               y.at_eye * x.normal.z - x.at_eye * y.normal.z};
+  V n = {y.at_eye * x.normal.x - x.at_eye * y.normal.x, y.at_eye * x.normal.y - x.at_eye * y.normal.y,
+         y.at_eye * x.normal.z - x.at_eye * y.normal.z};
   if (!is_parallel) return n;
   const auto c =
       y.at_eye * dot(x.normal, difference(a, origin, nearer.o)) - x.at_eye * dot(y.normal, difference(a, origin, base.o));

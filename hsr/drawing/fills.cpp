@@ -84,6 +84,7 @@ std::vector<PaperPoint> placed_ring(const Placement& placement, std::span<const 
     for (std::size_t k = 0; k < corners.size(); ++k) points.push_back(placer.rounded(corners[k].at, facet, at[k]));
   } else {
     std::vector<std::array<Wide, 2>> ring;
+    ring.reserve(at.size());
     for (const HomogeneousPoint& p : at) ring.push_back({p.x.middle / p.w.middle, p.y.middle / p.w.middle});
     for (const auto& p : clipped(std::move(ring), *placement.frame))
       points.push_back(

@@ -212,6 +212,7 @@ void Linker::link_at(std::vector<std::uint32_t>& in, std::vector<std::uint32_t>&
     bool arrives;
   };
   std::vector<Ray> rays;
+  rays.reserve(in.size() + out.size());
   for (const std::uint32_t i : in) rays.push_back({i, true});
   for (const std::uint32_t i : out) rays.push_back({i, false});
   const Ray base = rays[0];
@@ -225,6 +226,7 @@ void Linker::link_at(std::vector<std::uint32_t>& in, std::vector<std::uint32_t>&
     return same ? 0 : 2;
   };
   std::vector<int> parts;
+  parts.reserve(rays.size());
   std::vector<std::size_t> order(rays.size());
   for (const Ray& r : rays) parts.push_back(part(r));
   std::iota(order.begin(), order.end(), std::size_t{0});
