@@ -23,7 +23,7 @@ struct Camera {
 ///
 /// For a meet this tells which of two planes is nearer: x is nearer than y on the line of sight of p iff the sign of the value
 /// at p is -x(E) y(E).
-/// @pre no point but the viewpoint's own line is on all planes: neither x nor y of a meet contains the viewpoint
+/// @pre neither x nor y of a meet contains the viewpoint
 struct ViewPlane {
   Plane x, y;
   bool is_meet = false;

@@ -16,6 +16,7 @@
 #include "hsr/cli/report.h"
 #include "hsr/cli/view_options.h"
 #include "hsr/drawing/drawing.h"
+#include "hsr/drawing/shading.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/read/read.h"
 #include "hsr/surfaces/regions.h"

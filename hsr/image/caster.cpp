@@ -24,18 +24,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// How near a triangle's plane is at a sample: larger is nearer, and affine in the sample.
 ///
 /// The line of sight of p meets the plane L at p + s D with s = -L(p) / n.D, seen in a direction D; seen from an eye e, at
-/// e + s (p - e) with 1 / s = 1 - L(p) / L(e), of which -L(p) / L(e) is kept. A quotient a / b errs by at most
-/// (e_a + |a / b| e_b) / (|b| - e_b), and rounds by u |a / b|.
+/// e + s (p - e) with 1 / s = 1 - L(p) / L(e), of which -L(p) / L(e) is kept.
 SampleFunction nearness(const PlaneFilter& face, const Sight& sight, const SampleGrid& grid) {
   const ErrorBounded b = sight.is_perspective() ? face(sight.eye().at) : SampleFunction::change(face, sight.eye().at);
-  if (!(std::fabs(b.value) > 2 * b.error)) return {};
-  const auto quotient = [&](const ErrorBounded& a) {
-    const double q = -a.value / b.value;
-    return ErrorBounded{q, (a.error + std::fabs(q) * b.error) / (std::fabs(b.value) - b.error) * 1.01 +
-                               1.01 * ErrorBounded::u * std::fabs(q) + 0x1p-1000};
-  };
-  return {quotient(face(grid.origin)), quotient(SampleFunction::change(face, grid.right)),
-          quotient(SampleFunction::change(face, grid.down)), grid};
+  return {quotient(-face(grid.origin), b), quotient(-SampleFunction::change(face, grid.right), b),
+          quotient(-SampleFunction::change(face, grid.down), b), grid};
 }
 
 /// The samples of one tile, and what is nearest there so far.

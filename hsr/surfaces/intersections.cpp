@@ -7,7 +7,7 @@
 #include <atomic>
 #include <optional>
 
-#include "hsr/image_line.h"
+#include "hsr/surfaces/facet.h"
 #include "hsr/surfaces/triangle_sides.h"
 
 namespace hsr {

@@ -9,17 +9,6 @@
 
 namespace hsr {
 
-/// The planar pieces that hide and are seen: a planar face, or one triangle of a face that is cut. Named by its first triangle.
-inline TriangleId facet_of(const Mesh& mesh, TriangleId t) {
-  const FaceId f = mesh.face_of[t];
-  return mesh.faces[f] == FaceUse::planar ? TriangleId(mesh.first_triangle[f]) : t;
-}
-/// One past the last triangle of the facet that is named by t.
-inline TriangleId facet_end(const Mesh& mesh, TriangleId t) {
-  const FaceId f = mesh.face_of[t];
-  return mesh.faces[f] == FaceUse::planar ? TriangleId(mesh.first_triangle[FaceId(f.value + 1U)]) : TriangleId(t.value + 1U);
-}
-
 /// Where a point of the map lies, within a bound that was proven; infinite where doubles do not tell.
 struct MapPlace {
   double x = 0, y = 0, error_x = 0, error_y = 0;

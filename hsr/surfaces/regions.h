@@ -12,7 +12,7 @@ namespace hsr {
 enum class Merge : std::uint8_t {
   none,
   coplanar,  ///< of faces in one plane and of one colour that share an edge of the mesh
-  colour,    ///< of one colour
+  colour,    ///< of one colour that share a part of a side
 };
 
 /// A connected part of the picture in one colour.
@@ -33,12 +33,8 @@ struct Regions {
 /// The fragments as regions of colour, united with their neighbours as asked for, and the outline of all of them together.
 ///
 /// @param colours by FaceId
-/// Exact: yes. Cost: O(m log m) for m corners, but O(m) without merging.
+/// Exact: yes. Cost: that of link_rings() for all sides together, for the outline.
 Regions regions_of(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const std::vector<Colour>& colours,
                    Merge merge);
-
-/// The colour of each face: the file's, or where it has none a grey that is lighter the more the face is turned to a light at
-/// the upper left of the viewer. For the eye: computed in doubles.
-std::vector<Colour> face_colours(const Model& model, const Mesh& mesh, const View& view);
 
 }  // namespace hsr

@@ -26,7 +26,8 @@ struct Rings {
 ///
 /// @pre the sides, cancelled, bound a part of the plane that lies to their left
 /// @throws InvariantError if they do not
-/// Exact: yes. Cost: O(m log m) for m sides in general position; O(m^2) where doubles do not tell points apart.
+/// Exact: yes. Cost: O(m log m) for m sides, and a look for each side at the points that share its range of x, about the root
+/// of m in a mesh of even triangles; O(m^2) where doubles do not tell points apart.
 Rings link_rings(MapSight& map, std::span<const MapSide> sides);
 
 }  // namespace hsr

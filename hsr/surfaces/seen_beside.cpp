@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/error.h"
+#include "hsr/surfaces/facet.h"
 
 namespace hsr {
 

@@ -11,6 +11,7 @@
 #include "hsr/lines/occluders.h"
 #include "hsr/lines/parallel.h"
 #include "hsr/lines/requested_edges.h"
+#include "hsr/surfaces/facet.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/intersections.h"
 #include "hsr/surfaces/seen_beside.h"

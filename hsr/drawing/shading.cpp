@@ -1,0 +1,48 @@
+#include "hsr/drawing/shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hsr {
+
+namespace {
+
+Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Point3 unit(const Point3& a) {
+  const double most = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
+  if (!(most > 0)) return {0, 0, 0};
+  const Point3 b = {a.x / most, a.y / most, a.z / most};
+  const double length = std::sqrt(dot(b, b));
+  return {b.x / length, b.y / length, b.z / length};
+}
+
+}  // namespace
+
+std::vector<Colour> face_colours(const Model& model, const Mesh& mesh, const View& view) {
+  const Point3& e = view.viewpoint.at;
+  const Point3 toward = unit(view.is_perspective() ? minus(e, view.target) : e);
+  const Point3 right = unit(view.frame.right), up = unit(view.frame.up);
+  const Point3 light = unit(
+      {toward.x + 0.6 * up.x - 0.4 * right.x, toward.y + 0.6 * up.y - 0.4 * right.y, toward.z + 0.6 * up.z - 0.4 * right.z});
+  std::vector<Colour> colours(mesh.faces.size(), Colour{200, 200, 200, 255});
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const FaceId f = mesh.face_of[TriangleId(t)];
+    if (!model.face_colour.empty() && model.face_colour[f.value] != 0xffffffffU) {
+      colours[f.value] = model.palette[model.face_colour[f.value]];
+      continue;
+    }
+    if (t != mesh.first_triangle[f]) continue;
+    const auto& c = mesh.triangles[TriangleId(t)];
+    const Point3& o = mesh.points[c[0]];
+    Point3 n = unit(cross(unit(minus(mesh.points[c[1]], o)), unit(minus(mesh.points[c[2]], o))));
+    if (dot(n, toward) < 0) n = {-n.x, -n.y, -n.z};
+    const double lit = std::max(0.0, dot(n, light));
+    const auto grey = static_cast<std::uint8_t>(std::lround(110 + 135 * lit));
+    colours[f.value] = {grey, grey, grey, 255};
+  }
+  return colours;
+}
+
+}  // namespace hsr
