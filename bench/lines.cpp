@@ -68,7 +68,7 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
     row.edges = result.lines.size();
     row.pairs = result.pairs;
     row.decisions = result.decisions;
-    for (const LineOfEdge& line : result.lines)
+    for (const Line& line : result.lines)
       for (std::uint32_t i = 0; i < line.intervals(); ++i) ++(line.hidden(i) ? row.hidden : row.visible);
   }
   row.mesh = seconds(mesh_times.clock);

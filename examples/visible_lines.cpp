@@ -15,7 +15,7 @@ int main(int argc, char** argv) try {
   const hsr::VisibleLines result = hsr::visible_lines(mesh, view);
 
   std::size_t visible = 0, hidden = 0;
-  for (const hsr::LineOfEdge& line : result.lines)
+  for (const hsr::Line& line : result.lines)
     for (std::uint32_t k = 0; k < line.intervals(); ++k) ++(line.hidden(k) ? hidden : visible);
   std::cout << visible << " visible and " << hidden << " hidden segments on " << result.lines.size() << " edges\n";
 } catch (const std::exception& error) {

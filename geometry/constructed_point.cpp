@@ -1,5 +1,6 @@
 #include "geometry/constructed_point.h"
 
+#include "geometry/arithmetics.h"
 #include "geometry/error.h"
 #include "geometry/polynomials.h"
 #include "geometry/rational_arithmetic.h"
@@ -35,18 +36,20 @@ std::array<Rational, 3> ConstructedPoint::exact() const {
     for (int k = 0; k < 3; ++k) r[static_cast<std::size_t>(k)] = Rational(p_[k]) + t * (Rational(q_[k]) - Rational(p_[k]));
     return r;
   }
-  // Cramer's rule relative to the first plane's origin, as in polynomials::meet_side_value.
   const RationalArithmetic a;
-  const auto n0 = polynomials::normal(a, planes_[0]), n1 = polynomials::normal(a, planes_[1]),
-             n2 = polynomials::normal(a, planes_[2]);
-  const Point3& o = planes_[0].o;
-  const Rational d1 = polynomials::dot(n1, polynomials::difference(a, planes_[1].o, o));
-  const Rational d2 = polynomials::dot(n2, polynomials::difference(a, planes_[2].o, o));
-  const Rational det = polynomials::dot(n0, polynomials::cross(n1, n2));
+  const auto d = polynomials::meet_point(a, planes_[0], planes_[1], planes_[2]);
+  const Rational det = polynomials::meet_value(a, planes_[0], planes_[1], planes_[2]);
   require(det.sign() != Sign::zero, "ConstructedPoint: the three planes meet in no single point");
-  const auto c1 = polynomials::cross(n2, n0), c2 = polynomials::cross(n0, n1);
-  return {Rational(o.x) + (d1 * c1.x + d2 * c2.x) / det, Rational(o.y) + (d1 * c1.y + d2 * c2.y) / det,
-          Rational(o.z) + (d1 * c1.z + d2 * c2.z) / det};
+  const Point3& o = planes_[0].o;
+  return {Rational(o.x) + d.x / det, Rational(o.y) + d.y / det, Rational(o.z) + d.z / det};
+}
+
+std::array<ErrorBounded, 3> near_meet(const Plane& x, const Plane& y, const Plane& z) {
+  const FilterArithmetic a;
+  const auto d = polynomials::meet_point(a, x, y, z);
+  const ErrorBounded det = polynomials::meet_value(a, x, y, z);
+  return {ErrorBounded{x.o.x, 0} + quotient(d.x, det), ErrorBounded{x.o.y, 0} + quotient(d.y, det),
+          ErrorBounded{x.o.z, 0} + quotient(d.z, det)};
 }
 
 Point3 ConstructedPoint::rounded() const {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "geometry/error_bounded.h"
 #include "geometry/number.h"
 #include "geometry/plane.h"
 #include "geometry/point.h"
@@ -16,7 +17,7 @@ class ConstructedPoint {
  public:
   /// @pre x separates p from q or contains exactly one of them
   static ConstructedPoint on_edge(const Point3& p, const Point3& q, const Plane& x);
-  /// @pre the planes are spans that meet in one point
+  /// @pre the planes meet in one point, a is a span
   static ConstructedPoint meet(const Plane& a, const Plane& b, const Plane& c);
 
   /// The exact value. @throws PreconditionError where there is no single point
@@ -29,5 +30,9 @@ class ConstructedPoint {
   Point3 p_, q_;
   std::array<Plane, 3> planes_;
 };
+
+/// The common point of three planes in doubles with proven bounds; errors that are not finite where they tell nothing. @pre x
+/// is a span
+std::array<ErrorBounded, 3> near_meet(const Plane& x, const Plane& y, const Plane& z);
 
 }  // namespace hsr

@@ -66,6 +66,18 @@ typename A::Number value(const A& a, const Plane& x, const Point3& p) {
   return near_value(a, x, p) * span_value(a, x, x.eye) + near_offset(a, x) * span_value(a, x, p);
 }
 
+/// The gradient of value().
+template <class A>
+auto gradient(const A& a, const Plane& x) {
+  using V = Vector<typename A::Number>;
+  if (x.kind == Plane::Kind::span) return normal(a, x);
+  const V axis = difference(a, x.target, x.eye);
+  if (x.kind == Plane::Kind::near) return axis;
+  const V n = normal(a, x);
+  const auto at_eye = span_value(a, x, x.eye), offset = near_offset(a, x);
+  return V{at_eye * axis.x + offset * n.x, at_eye * axis.y + offset * n.y, at_eye * axis.z + offset * n.z};
+}
+
 /// x(p) y(q) - x(q) y(p)
 template <class A>
 typename A::Number cross_value(const A& a, const Plane& x, const Plane& y, const Point3& p, const Point3& q) {
@@ -75,17 +87,29 @@ typename A::Number cross_value(const A& a, const Plane& x, const Plane& y, const
 /// det(n_a, n_b, n_c)
 template <class A>
 typename A::Number meet_value(const A& a, const Plane& p, const Plane& q, const Plane& r) {
-  return dot(normal(a, p), cross(normal(a, q), normal(a, r)));
+  return dot(gradient(a, p), cross(gradient(a, q), gradient(a, r)));
 }
 
-/// x at the common point of p, q and r, times meet_value(p, q, r): with every plane as n . (X - o_x) = d, Cramer's rule gives
-/// X - o_x = (d_p n_q x n_r + d_q n_r x n_p + d_r n_p x n_q) / det(n_p, n_q, n_r).
+/// The common point of p, q and r relative to p.o, as a vector times meet_value(p, q, r). @pre p is a span
+template <class A>
+auto meet_point(const A& a, const Plane& p, const Plane& q, const Plane& r) {
+  const auto np = gradient(a, p);
+  const auto of_q = -value(a, q, p.o), of_r = -value(a, r, p.o);
+  const auto i = cross(gradient(a, r), np), k = cross(np, gradient(a, q));
+  return Vector<typename A::Number>{of_q * i.x + of_r * k.x, of_q * i.y + of_r * k.y, of_q * i.z + of_r * k.z};
+}
+
+/// x at the common point X of p, q and r, times meet_value(p, q, r). For any o, n_p . (X - o) = -p(o) (and so on), so by
+/// Cramer's rule X - o = -(p(o) n_q x n_r + q(o) n_r x n_p + r(o) n_p x n_q) / det(n_p, n_q, n_r), and x(X) = x(o) + n_x . (X - o).
+/// @pre p is a span
 template <class A>
 typename A::Number meet_side_value(const A& a, const Plane& x, const Plane& p, const Plane& q, const Plane& r) {
-  const auto nx = normal(a, x), np = normal(a, p), nq = normal(a, q), nr = normal(a, r);
-  const auto dp = dot(np, difference(a, p.o, x.o)), dq = dot(nq, difference(a, q.o, x.o)),
-             dr = dot(nr, difference(a, r.o, x.o));
-  return dp * dot(nx, cross(nq, nr)) + dq * dot(nx, cross(nr, np)) + dr * dot(nx, cross(np, nq));
+  const bool from_x = x.kind == Plane::Kind::span;  // then x(o) is zero
+  const Point3& o = from_x ? x.o : p.o;
+  const auto nx = gradient(a, x), np = gradient(a, p), nq = gradient(a, q), nr = gradient(a, r);
+  const auto change =
+      value(a, p, o) * dot(nx, cross(nq, nr)) + value(a, q, o) * dot(nx, cross(nr, np)) + value(a, r, o) * dot(nx, cross(np, nq));
+  return from_x ? -change : value(a, x, o) * dot(np, cross(nq, nr)) - change;
 }
 
 }  // namespace hsr::polynomials

@@ -121,13 +121,22 @@ Sign Predicates::order_along_edge(const Plane& x, const Plane& y, const Point3& 
   return -(fall(x) * fall(y) * cross(x, y, p, q));
 }
 
+namespace {
+
+bool is_span(const Plane& x) { return x.kind == Plane::Kind::span; }
+
+}  // namespace
+
+Sign Predicates::turn(const Plane& a, const Plane& b, const Plane& c) {
+  return staged([&](const auto& k) { return polynomials::meet_value(k, a, b, c); }, is_span(a) && is_span(b) && is_span(c), 6);
+}
+
 Sign Predicates::side(const Plane& x, const Plane& a, const Plane& b, const Plane& c) {
-  require(
-      x.kind == Plane::Kind::span && a.kind == Plane::Kind::span && b.kind == Plane::Kind::span && c.kind == Plane::Kind::span,
-      "Predicates::side: spans expected");
-  const Sign meet = staged([&](const auto& k) { return polynomials::meet_value(k, a, b, c); }, true, 6);
+  require(is_span(a), "Predicates::side: a span expected");
+  const Sign meet = turn(a, b, c);
   require(meet != Sign::zero, "Predicates::side: the three planes meet in no single point");
-  return meet * staged([&](const auto& k) { return polynomials::meet_side_value(k, x, a, b, c); }, true, 9);
+  return meet * staged([&](const auto& k) { return polynomials::meet_side_value(k, x, a, b, c); },
+                       is_span(x) && is_span(a) && is_span(b) && is_span(c), 9);
 }
 
 namespace {

@@ -57,8 +57,11 @@ class Predicates {
   /// @pre each plane separates p from q or contains exactly one of them
   Sign order_along_edge(const Plane& x, const Plane& y, const Point3& p, const Point3& q);
 
-  /// On which side of `x` the common point of a, b and c lies. @pre a, b, c are spans that meet in one point, x is a span.
-  /// Degree 9.
+  /// How the value of c changes along the line where a and b meet, which runs along the cross product of their gradients; zero:
+  /// they meet in no single point. Degree 6 for spans.
+  Sign turn(const Plane& a, const Plane& b, const Plane& c);
+
+  /// On which side of `x` the common point of a, b and c lies. @pre a is a span; they meet in one point. Degree 9 for spans.
   Sign side(const Plane& x, const Plane& a, const Plane& b, const Plane& c);
 
   /// On which side of the line l of the image the image of p lies. Degree 3; of a meet 6.

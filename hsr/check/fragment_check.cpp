@@ -8,7 +8,7 @@
 #include "hsr/image/caster.h"
 #include "hsr/image/rasterizer.h"
 #include "hsr/sight.h"
-#include "hsr/surfaces/facet.h"
+#include "hsr/facet.h"
 #include "hsr/surfaces/map_sight.h"
 
 namespace hsr {

@@ -71,7 +71,7 @@ void describe(Report& report, const Model& model, const Mesh& mesh, const Visibl
                      {"triangles", mesh.triangles.size()},
                      {"edges", mesh.edges.size()}};
   std::uint64_t visible = 0, hidden = 0;
-  for (const LineOfEdge& line : lines.lines)
+  for (const Line& line : lines.lines)
     for (std::uint32_t k = 0; k < line.intervals(); ++k) ++(line.hidden(k) ? hidden : visible);
   report["lines"] = {{"edges", lines.lines.size()}, {"visible_intervals", visible}, {"hidden_intervals", hidden}};
   report["method"] = lines.plan.method;
@@ -146,7 +146,7 @@ std::string empty_drawing(const DrawArguments& a, bool in_frame, const VisibleLi
   if (lines.lines.empty())
     return "no edge of this model is of the classes " + a.lines.edges + " in this view: --edges all draws every edge";
   const bool nothing_ahead =
-      std::all_of(lines.lines.begin(), lines.lines.end(), [](const LineOfEdge& l) { return l.intervals() == 0; });
+      std::all_of(lines.lines.begin(), lines.lines.end(), [](const Line& l) { return l.intervals() == 0; });
   if (nothing_ahead && !a.view.eye.empty())
     return "nothing of the model is beyond the near plane, or seen as more than a point: see --target and --near";
   if (nothing_ahead) return "every edge is seen as a point";

@@ -1,24 +1,48 @@
 #include "hsr/drawing/cut_parameter.h"
 
+#include <cmath>
+
 #include "geometry/polynomials.h"
 
 namespace hsr {
 
-Enclosure enclosed_parameter(const Mesh& mesh, const View& view, const Edge& edge, const Cut& cut) {
-  if (cut.kind == Cut::Kind::start) return {0.0};
-  if (cut.kind == Cut::Kind::end) return {1.0};
+std::array<Enclosure, 3> enclosed_point(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut,
+                                        const Point3& origin) {
+  const EnclosureArithmetic a;
+  const auto [s, t] = planes_of(mesh, view, carrier);
   const Plane plane = plane_of(mesh, view, cut);
-  const EnclosureArithmetic arithmetic;
-  const Enclosure a = polynomials::value(arithmetic, plane, mesh.points[edge.a]);
-  const Enclosure b = polynomials::value(arithmetic, plane, mesh.points[edge.b]);
-  return a / (a - b);
+  const auto d = polynomials::meet_point(a, s, t, plane);
+  const Enclosure w = polynomials::meet_value(a, s, t, plane);
+  return {Enclosure::difference(s.o.x, origin.x) + d.x / w, Enclosure::difference(s.o.y, origin.y) + d.y / w,
+          Enclosure::difference(s.o.z, origin.z) + d.z / w};
 }
 
-double rounded_parameter(const Mesh& mesh, const View& view, const Edge& edge, const Cut& cut) {
+Enclosure enclosed_parameter(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut) {
+  if (cut.kind == Cut::Kind::start) return {0.0};
+  if (cut.kind == Cut::Kind::end) return {1.0};
+  if (carrier.is_edge()) {
+    const Plane plane = plane_of(mesh, view, cut);
+    const EnclosureArithmetic arithmetic;
+    const Enclosure a = polynomials::value(arithmetic, plane, mesh.points[carrier.a]);
+    const Enclosure b = polynomials::value(arithmetic, plane, mesh.points[carrier.b]);
+    return a / (a - b);
+  }
+  if (cut == carrier.meet.from) return {0.0};
+  if (cut == carrier.meet.to) return {1.0};
+  const Point3 origin = planes_of(mesh, view, carrier)[0].o;
+  const auto point = [&](const Cut& c) { return enclosed_point(mesh, view, carrier, c, origin); };
+  const auto a = point(carrier.meet.from), b = point(carrier.meet.to), p = point(cut);
+  std::size_t widest = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (std::fabs(b[k].middle - a[k].middle) > std::fabs(b[widest].middle - a[widest].middle)) widest = k;
+  return (p[widest] - a[widest]) / (b[widest] - a[widest]);
+}
+
+double rounded_parameter(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut) {
   if (cut.kind == Cut::Kind::start) return 0;
   if (cut.kind == Cut::Kind::end) return 1;
-  if (const auto t = rounded(enclosed_parameter(mesh, view, edge, cut))) return *t;
-  return parameter(mesh, view, edge, cut).to_double();
+  if (const auto t = rounded(enclosed_parameter(mesh, view, carrier, cut))) return *t;
+  return parameter(mesh, view, carrier, cut).to_double();
 }
 
 }  // namespace hsr

@@ -1,14 +1,20 @@
 #pragma once
 
+#include <array>
+
 #include "hsr/drawing/enclosure.h"
 #include "hsr/lines/visible_lines.h"
 
 namespace hsr {
 
 /// An enclosure of the parameter t of a cut; exact at the ends.
-Enclosure enclosed_parameter(const Mesh& mesh, const View& view, const Edge& edge, const Cut& cut);
+Enclosure enclosed_parameter(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut);
+
+/// An enclosure of where a cut of an intersection is, relative to `origin`. @pre the carrier is one
+std::array<Enclosure, 3> enclosed_point(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut,
+                                        const Point3& origin);
 
 /// The parameter t of a cut, correctly rounded. Rationals only where an enclosure leaves two doubles open.
-double rounded_parameter(const Mesh& mesh, const View& view, const Edge& edge, const Cut& cut);
+double rounded_parameter(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut);
 
 }  // namespace hsr

@@ -36,6 +36,7 @@ IndexedVector<VertexId, HomogeneousPoint> images(const Projection& projection, c
   IndexedVector<VertexId, HomogeneousPoint> at(mesh.points.size());
   std::vector<char> used(mesh.points.size(), 0);
   for (const std::uint32_t i : drawn) {
+    if (lines.lines[i].is_intersection()) continue;
     const Edge& e = mesh.edges[lines.lines[i].edge];
     used[e.a.value] = used[e.b.value] = 1;
   }
@@ -84,15 +85,18 @@ class Placer {
  private:
   using Wide = Enclosure::Wide;
 
-  const Edge& edge_of(const PlaceOnEdge& p) const { return projection_.mesh().edges[lines_.lines[p.line].edge]; }
+  Carrier carrier_of(const PlaceOnEdge& p) const {
+    return hsr::carrier_of(projection_.mesh(), lines_, lines_.lines[p.line]);
+  }
   HomogeneousPoint image(const PlaceOnEdge& p) const {
     const Cut& cut = lines_.cuts[p.cut];
-    if (cut.kind == Cut::Kind::start) return at_[edge_of(p).a];
-    if (cut.kind == Cut::Kind::end) return at_[edge_of(p).b];
-    return projection_.at(edge_of(p), cut);
+    const Carrier carrier = carrier_of(p);
+    if (cut.kind == Cut::Kind::start) return at_[carrier.a];
+    if (cut.kind == Cut::Kind::end) return at_[carrier.b];
+    return projection_.at(carrier, cut);
   }
   PaperPoint rounded(const PlaceOnEdge& p, const HomogeneousPoint& at) const {
-    return projection_.rounded(edge_of(p), lines_.cuts[p.cut], at);
+    return projection_.rounded(carrier_of(p), lines_.cuts[p.cut], at);
   }
   PaperPoint on_frame(const HomogeneousPoint& p) const {
     const Wide x = std::clamp<Wide>(p.x.middle / p.w.middle, frame_->left, frame_->right);
@@ -181,8 +185,15 @@ class Collector {
     faces_.clear();
     const auto add_edges = [&](std::uint32_t line) {
       const Stroke& stroke = overlay_.strokes[of_line[line]];
-      for (std::uint32_t s = stroke.first_source; s < stroke.end_source; ++s)
-        edges_.push_back(lines_.lines[overlay_.sources[s]].edge);
+      for (std::uint32_t s = stroke.first_source; s < stroke.end_source; ++s) {
+        const Line& source = lines_.lines[overlay_.sources[s]];
+        if (!source.is_intersection()) {
+          edges_.push_back(source.edge);
+          continue;
+        }
+        const Intersection& meet = lines_.intersections[source.intersection];
+        for (const TriangleId t : {meet.s, meet.t}) faces_.push_back(mesh_.face_of[t].value);
+      }
     };
     for (const std::uint32_t pass : passes) {
       add_edges(distinct.part_of[pass / 2]);
@@ -228,7 +239,9 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   if (const auto frame = frame_size(view, options)) {
     // Whether `lines` was told of the frame or not, the drawing is the same.
     const OutsideFrame outside(mesh, view, *frame);
-    std::erase_if(seen, [&](std::uint32_t i) { return outside.contains(mesh.edges[lines.lines[i].edge]); });
+    std::erase_if(seen, [&](std::uint32_t i) {
+      return !lines.lines[i].is_intersection() && outside.contains(mesh.edges[lines.lines[i].edge]);
+    });
   }
 
   const Placement place = placement(mesh, view, lines, seen, options);

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "geometry/disjoint_sets.h"
+#include "geometry/rational_vector.h"
 
 namespace hsr {
 
@@ -88,15 +89,36 @@ bool on_one_image_line(const Mesh& mesh, const View& view, const Edge& e, const 
 ImageLines image_lines(const Projection& projection, const IndexedVector<VertexId, HomogeneousPoint>& at,
                        const VisibleLines& lines, std::span<const std::uint32_t> drawn, Predicates& predicates) {
   const Mesh& mesh = projection.mesh();
-  const auto edge_at = [&](std::uint32_t position) -> const Edge& { return mesh.edges[lines.lines[drawn[position]].edge]; };
+  const auto line_at = [&](std::uint32_t position) -> const Line& { return lines.lines[drawn[position]]; };
+  const auto exact_ends = [&](std::uint32_t position) {
+    const Carrier c = carrier_of(mesh, lines, line_at(position));
+    if (c.is_edge()) return std::array{projection.exact(c.a), projection.exact(c.b)};
+    const auto end = [&](const Cut& cut) {
+      const auto p = projection.exact(c, cut);
+      return std::array<Rational, 3>{p[0], p[1], 1.0};
+    };
+    return std::array{end(c.meet.from), end(c.meet.to)};
+  };
+  const auto on_one_line = [&](std::uint32_t i, std::uint32_t k) {
+    const Line &x = line_at(i), &y = line_at(k);
+    if (!x.is_intersection() && !y.is_intersection())
+      return on_one_image_line(mesh, projection.view(), mesh.edges[x.edge], mesh.edges[y.edge], predicates);
+    const auto p = exact_ends(i), q = exact_ends(k);
+    const auto l = line_through<Rational>(p[0], p[1]);
+    return std::all_of(q.begin(), q.end(), [&](const auto& e) { return dot(l, e).sign() == Sign::zero; });
+  };
   std::vector<Equation> equations(drawn.size());
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(drawn.size()), 256),
                     [&](const auto& range) {
                       for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
-                        const Edge& e = edge_at(i);
-                        if (enclosed_equation(equations[i], at[e.a], at[e.b])) continue;
+                        const Carrier c = carrier_of(mesh, lines, line_at(i));
+                        if (c.is_edge() ? enclosed_equation(equations[i], at[c.a], at[c.b])
+                                        : enclosed_equation(equations[i], projection.at(c, c.meet.from),
+                                                            projection.at(c, c.meet.to)))
+                          continue;
                         equations[i] = {};
-                        exact_equation(equations[i], projection.exact(e.a), projection.exact(e.b));
+                        const auto ends = exact_ends(i);
+                        exact_equation(equations[i], ends[0], ends[1]);
                       }
                     });
 
@@ -127,7 +149,7 @@ ImageLines image_lines(const Projection& projection, const IndexedVector<VertexI
     bool found = false;
     for (const Candidate& o : open) {
       found = partition.find(o.position) == partition.find(c.position) ||
-              on_one_image_line(mesh, projection.view(), edge_at(o.position), edge_at(c.position), predicates);
+              on_one_line(o.position, c.position);
       if (!found) continue;
       partition.join(o.position, c.position);
       break;

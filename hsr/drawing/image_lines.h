@@ -8,7 +8,7 @@
 
 namespace hsr {
 
-/// Edges grouped by the straight line of the image that carries them.
+/// Lines grouped by the straight line of the image that carries them.
 struct ImageLines {
   std::vector<std::uint32_t> first = {0};  ///< group g has members[first[g]] ... members[first[g + 1] - 1]
   std::vector<std::uint32_t> members;      ///< indices of VisibleLines::lines; ascending in a group, groups by their first
@@ -20,11 +20,11 @@ struct ImageLines {
   }
 };
 
-/// Two edges are in one group iff both ends of one lie in the view plane of the other.
+/// Two are in one group iff both ends of one lie in the view plane of the other.
 ///
-/// `at` has the images of the vertices of these edges on the page.
-/// Exact: yes. Candidates are found by slope and intercept (enclosures; rationals where an edge is too short on the paper for
-/// them), predicates decide. Cost: O(n log n).
+/// `at` has the images of the vertices of the edges on the page.
+/// Exact: yes. Candidates are found by slope and intercept (enclosures; rationals where a line is too short on the paper for
+/// them), predicates decide, and for where faces pierce each other rationals. Cost: O(n log n).
 ImageLines image_lines(const Projection& projection, const IndexedVector<VertexId, HomogeneousPoint>& at,
                        const VisibleLines& lines, std::span<const std::uint32_t> drawn, Predicates& predicates);
 

@@ -46,7 +46,7 @@ void Overlay::append(const Overlay& other) {
 }
 
 void LineOverlay::add_single(std::uint32_t line, Overlay& result) const {
-  const LineOfEdge& l = lines_.lines[line];
+  const Line& l = lines_.lines[line];
   for (std::uint32_t k = 0; k < l.intervals(); ++k) {
     if (l.hidden(k) && !with_hidden_) continue;
     const auto source = static_cast<std::uint32_t>(result.sources.size());
@@ -58,8 +58,10 @@ void LineOverlay::add_single(std::uint32_t line, Overlay& result) const {
 
 void LineOverlay::add_group(std::span<const std::uint32_t> group, bool steep, Overlay& result) {
   steep_ = steep;
-  a_ = edge_of(group.front()).a;
-  b_ = edge_of(group.front()).b;
+  const auto edge = std::find_if(group.begin(), group.end(), [&](auto i) { return !lines_.lines[i].is_intersection(); });
+  const Carrier carrier = edge == group.end() ? Carrier() : carrier_of(*edge);
+  a_ = carrier.a;
+  b_ = carrier.b;
   axis_ = -1;
   collect(group);
   if (parts_.empty()) return;
@@ -71,13 +73,13 @@ void LineOverlay::collect(std::span<const std::uint32_t> group) {
   positions_.clear();
   parts_.clear();
   for (const std::uint32_t line : group) {
-    const LineOfEdge& l = lines_.lines[line];
+    const Line& l = lines_.lines[line];
     std::uint32_t last = 0xffffffffU;  // the cut that the last position is
     const auto position = [&](std::uint32_t cut) {
       if (cut != last) {
         Position p;
         p.place = {line, cut};
-        const HomogeneousPoint h = projection_.at(edge_of(line), lines_.cuts[cut]);
+        const HomogeneousPoint h = projection_.at(carrier_of(line), lines_.cuts[cut]);
         p.coordinate = (steep_ ? h.y : h.x) / h.w;
         positions_.push_back(std::move(p));
         last = cut;
@@ -96,13 +98,14 @@ VertexId LineOverlay::vertex_at(Position& p) {
   if (p.vertex_is_known) return p.vertex;
   p.vertex_is_known = true;
   const Cut& cut = cut_of(p.place);
-  const Edge& edge = edge_of(p.place.line);
+  const Carrier edge = carrier_of(p.place.line);
   const Mesh& mesh = projection_.mesh();
   const View& view = projection_.view();
   if (cut.kind == Cut::Kind::start) p.vertex = edge.a;
   if (cut.kind == Cut::Kind::end) p.vertex = edge.b;
   // A cut by the view plane of u v, or by the line of sight of u, is at the image of u if u is on this line of the image.
   const auto is_here = [&](VertexId u) {
+    if (!a_.is_valid()) return false;
     if (!projection_.at(u).w.is_positive()) return false;  // behind the eye it would be seen the other way
     return predicates_.side(Plane::of_sight(view.viewpoint, mesh.points[a_], mesh.points[b_]), mesh.points[u]) == Sign::zero;
   };
@@ -131,7 +134,7 @@ bool LineOverlay::at_one_place(VertexId v, VertexId w) {
 }
 
 const Rational& LineOverlay::exact_coordinate(Position& p) {
-  if (!p.exact) p.exact = projection_.exact(edge_of(p.place.line), cut_of(p.place))[steep_ ? 1 : 0];
+  if (!p.exact) p.exact = projection_.exact(carrier_of(p.place.line), cut_of(p.place))[steep_ ? 1 : 0];
   return *p.exact;
 }
 

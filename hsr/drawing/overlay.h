@@ -57,7 +57,7 @@ class LineOverlay {
     EdgeClass edge_class;
   };
 
-  const Edge& edge_of(std::uint32_t line) const { return projection_.mesh().edges[lines_.lines[line].edge]; }
+  Carrier carrier_of(std::uint32_t line) const { return hsr::carrier_of(projection_.mesh(), lines_, lines_.lines[line]); }
   const Cut& cut_of(const PlaceOnEdge& p) const { return lines_.cuts[p.cut]; }
   void collect(std::span<const std::uint32_t> group);
   void rank();
@@ -74,7 +74,7 @@ class LineOverlay {
 
   // Of the group at hand.
   bool steep_ = false;
-  VertexId a_, b_;  // two different vertices of its line
+  VertexId a_, b_;  // two different vertices of its line, if it carries an edge
   int axis_ = -1;   // a coordinate axis out of its view plane
   std::vector<Position> positions_;
   std::vector<Part> parts_;  // with positions instead of ranks until `rank`

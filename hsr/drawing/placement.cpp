@@ -57,15 +57,15 @@ struct Box {
 
 Wide wide(const Rational& x) { return enclose(x).middle; }
 
-void add_line(Box& box, const Projection& projection, const VisibleLines& lines, const LineOfEdge& line) {
-  const Edge& edge = projection.mesh().edges[line.edge];
+void add_line(Box& box, const Projection& projection, const VisibleLines& lines, const Line& line) {
+  const Carrier carrier = carrier_of(projection.mesh(), lines, line);
   for (const std::uint32_t cut : {line.first_cut, line.end_cut - 1}) {
-    const HomogeneousPoint h = projection.at(edge, lines.cuts[cut]);
+    const HomogeneousPoint h = projection.at(carrier, lines.cuts[cut]);
     const Enclosure p[2] = {h.x / h.w, h.y / h.w};
     if (p[0].is_finite() && p[1].is_finite()) {
       for (int k = 0; k < 2; ++k) box.add(k, p[k].middle);
     } else {
-      const auto exact = projection.exact(edge, lines.cuts[cut]);
+      const auto exact = projection.exact(carrier, lines.cuts[cut]);
       for (std::size_t k = 0; k < 2; ++k) box.add(static_cast<int>(k), wide(exact[k]));
     }
   }
@@ -88,7 +88,8 @@ Box box_of(const Projection& projection, const VisibleLines& lines, std::span<co
 /// A point in front of the eye.
 Point3 anchor_of(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
   for (const std::uint32_t i : drawn) {
-    const LineOfEdge& line = lines.lines[i];
+    const Line& line = lines.lines[i];
+    if (line.is_intersection()) continue;
     const Edge& edge = mesh.edges[line.edge];
     if (lines.cuts[line.first_cut].kind == Cut::Kind::start) return mesh.points[edge.a];
     if (lines.cuts[line.end_cut - 1].kind == Cut::Kind::end) return mesh.points[edge.b];

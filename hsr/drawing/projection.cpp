@@ -70,21 +70,24 @@ void Projection::enclose_rows() {
     for (std::size_t k = 0; k < 4; ++k) enclosed_[i][k] = enclose(rows_[i][k]);
 }
 
-HomogeneousPoint Projection::at(VertexId v) const {
-  const Point3& p = mesh_.points[v];
-  const Enclosure x = Enclosure::difference(p.x, anchor_.x), y = Enclosure::difference(p.y, anchor_.y),
-                  z = Enclosure::difference(p.z, anchor_.z);
+HomogeneousPoint Projection::at(const std::array<Enclosure, 3>& p) const {
   const auto row = [&](std::size_t i) {
-    return enclosed_[i][0] * x + enclosed_[i][1] * y + enclosed_[i][2] * z + enclosed_[i][3];
+    return enclosed_[i][0] * p[0] + enclosed_[i][1] * p[1] + enclosed_[i][2] * p[2] + enclosed_[i][3];
   };
   return {row(0), row(1), view_.viewpoint.is_direction ? Enclosure(1.0) : row(2)};
 }
 
-HomogeneousPoint Projection::at(const Edge& edge, const Cut& cut) const {
-  if (cut.kind == Cut::Kind::start) return at(edge.a);
-  if (cut.kind == Cut::Kind::end) return at(edge.b);
-  const HomogeneousPoint a = at(edge.a), b = at(edge.b);
-  const Enclosure t = enclosed_parameter(mesh_, view_, edge, cut);
+HomogeneousPoint Projection::at(VertexId v) const {
+  const Point3& p = mesh_.points[v];
+  return at({Enclosure::difference(p.x, anchor_.x), Enclosure::difference(p.y, anchor_.y), Enclosure::difference(p.z, anchor_.z)});
+}
+
+HomogeneousPoint Projection::at(const Carrier& carrier, const Cut& cut) const {
+  if (cut.kind == Cut::Kind::start) return at(carrier.a);
+  if (cut.kind == Cut::Kind::end) return at(carrier.b);
+  if (!carrier.is_edge()) return at(enclosed_point(mesh_, view_, carrier, cut, anchor_));
+  const HomogeneousPoint a = at(carrier.a), b = at(carrier.b);
+  const Enclosure t = enclosed_parameter(mesh_, view_, carrier, cut);
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
 }
 
@@ -97,24 +100,13 @@ std::array<Rational, 3> Projection::homogeneous(const std::array<Rational, 3>& p
 
 std::array<Rational, 3> Projection::exact(VertexId v) const { return homogeneous(rational(mesh_.points[v])); }
 
-std::array<Rational, 2> Projection::exact(const Edge& edge, const Cut& cut) const {
-  const RationalVector a = rational(mesh_.points[edge.a]), b = rational(mesh_.points[edge.b]);
-  RationalVector h;
-  if (cut.kind == Cut::Kind::start) {
-    h = homogeneous(a);
-  } else if (cut.kind == Cut::Kind::end) {
-    h = homogeneous(b);
-  } else {
-    const Rational t = parameter(mesh_, view_, edge, cut);
-    const RationalVector d = minus(b, a);
-    h = homogeneous(RationalVector{a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]});
-  }
-  return {h[0] / h[2], h[1] / h[2]};
+std::array<Rational, 2> Projection::exact(const Carrier& carrier, const Cut& cut) const {
+  return exact(exact_point(mesh_, view_, carrier, cut));
 }
 
-PaperPoint Projection::rounded(const Edge& edge, const Cut& cut, const HomogeneousPoint& at) const {
+PaperPoint Projection::rounded(const Carrier& carrier, const Cut& cut, const HomogeneousPoint& at) const {
   if (const auto known = rounded(at)) return *known;
-  return rounded(exact(edge, cut));
+  return rounded(exact(carrier, cut));
 }
 
 std::optional<PaperPoint> Projection::rounded(const HomogeneousPoint& at) {

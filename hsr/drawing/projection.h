@@ -29,14 +29,14 @@ class Projection {
   void place(const std::array<Rational, 2>& centre, const Rational& scale, double x, double y);
 
   HomogeneousPoint at(VertexId v) const;
-  HomogeneousPoint at(const Edge& edge, const Cut& cut) const;
+  HomogeneousPoint at(const Carrier& carrier, const Cut& cut) const;
 
   /// x / w and y / w of a cut, exactly.
-  std::array<Rational, 2> exact(const Edge& edge, const Cut& cut) const;
+  std::array<Rational, 2> exact(const Carrier& carrier, const Cut& cut) const;
   std::array<Rational, 3> exact(VertexId v) const;  ///< x, y, w
 
   /// The cut in thousandths of a unit, correctly rounded, halves away from zero. `at` is its enclosure.
-  PaperPoint rounded(const Edge& edge, const Cut& cut, const HomogeneousPoint& at) const;
+  PaperPoint rounded(const Carrier& carrier, const Cut& cut, const HomogeneousPoint& at) const;
 
   /// The same of any point: nothing where its enclosure leaves two answers.
   static std::optional<PaperPoint> rounded(const HomogeneousPoint& at);
@@ -48,6 +48,7 @@ class Projection {
   const View& view() const { return view_; }
 
  private:
+  HomogeneousPoint at(const std::array<Enclosure, 3>& p) const;  // relative to the anchor
   using Row = std::array<Rational, 4>;  // x, y, z of the point relative to the anchor, 1
   void enclose_rows();
   std::array<Rational, 3> homogeneous(const std::array<Rational, 3>& p) const;

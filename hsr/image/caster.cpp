@@ -10,8 +10,8 @@
 
 #include "geometry/box_tree.h"
 #include "hsr/image/sample_signs.h"
-#include "hsr/lines/occluders.h"
-#include "hsr/lines/parallel.h"
+#include "hsr/occluders.h"
+#include "hsr/parallel.h"
 #include "hsr/sight.h"
 
 namespace hsr {

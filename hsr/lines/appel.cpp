@@ -12,7 +12,7 @@
 #include "hsr/lines/layers.h"
 #include "hsr/lines/line_progress.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/occluders.h"
+#include "hsr/occluders.h"
 #include "hsr/lines/relative_counts.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/tiling.h"
@@ -130,6 +130,8 @@ void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
     Course course;
     if (is_hidden(k))
       course.is_hidden = true;
+    else if (requested_.is_part(order_[k]))
+      course.is_degenerate = true;
     else
       course = crossings.find(id, boxes[(k - begin) % group], part.changes);
     part.courses.push_back(course);
@@ -278,19 +280,19 @@ VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) 
   for (std::size_t k = begin; k < end; ++k) {
     const std::size_t i = k - begin;
     const EdgeId id = requested_.edges[order_[k]];
-    const EdgeClass edge_class = requested_.classes[order_[k]];
+    const RequestedPart line = requested_[order_[k]];
     const ImageBox& box = requested_.boxes[order_[k]];
     const Course& course = part.courses[i];
     if (course.is_hidden) {
-      tiling.add_whole(id, edge_class, true);
+      tiling.add_whole(line, true);
       continue;
     }
     if (course.is_degenerate) {
-      tiling.add_by_casting(id, edge_class, box, occluders_);
+      tiling.add_by_casting(line, box, occluders_);
       continue;
     }
     if (course.is_point) {
-      tiling.add_nothing(id, edge_class);
+      tiling.add_nothing(line);
       continue;
     }
     const Sides layers = start(part, i, sight_.mesh().edges[id], count);
@@ -298,7 +300,7 @@ VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) 
                                                part.changes.data() + part.first_change[i + 1]);
     const bool starts_hidden = layers.left > 0 || layers.right > 0;
     if (changes.empty() && (starts_hidden || layers_.cast().empty())) {
-      tiling.add_whole(id, edge_class, starts_hidden);
+      tiling.add_whole(line, starts_hidden);
       continue;
     }
     Shadows& shadows = tiling.shadows();
@@ -310,7 +312,7 @@ VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) 
       shadows.cast(layers_.cast()[t], hidden);
       return true;
     });
-    tiling.add(id, edge_class, hidden);
+    tiling.add(line, hidden);
   }
   VisibleLines lines = tiling.take();
   lines.decisions += count.decisions();

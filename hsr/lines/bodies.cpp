@@ -6,7 +6,7 @@
 #include <array>
 #include <atomic>
 
-#include "hsr/lines/parallel.h"
+#include "hsr/parallel.h"
 #include "hsr/lines/relative_counts.h"
 
 namespace hsr {

@@ -21,9 +21,9 @@ VisibleLines lines_of_convex_body(const Sight& sight, const RequestedEdges& requ
     const EdgeId id = requested.edges[i];
     const Edge& e = sight.mesh().edges[id];
     if (ImageLine(sight, e.a, e.b).is_point(tiling.exact()))
-      tiling.add_nothing(id, requested.classes[i]);
+      tiling.add_nothing(requested[i]);
     else
-      tiling.add_whole(id, requested.classes[i], is_hidden(id));
+      tiling.add_whole(requested[i], is_hidden(id));
   });
   all.decisions += requested.decisions;
   return all;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hsr/lines/layers.h"
-#include "hsr/lines/occluders.h"
+#include "hsr/occluders.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/sight.h"
 

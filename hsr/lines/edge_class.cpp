@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "geometry/plane_filter.h"
 #include "geometry/polynomials.h"
 #include "geometry/rational_arithmetic.h"
+#include "hsr/contacts/half_space.h"
 
 namespace hsr {
 
@@ -16,7 +19,8 @@ namespace {
 struct HalfPlane {
   TriangleId triangle;
   VertexId apex;
-  Sign side;  // of the edge's view plane; zero: seen edge-on
+  Sign side;             // of the edge's view plane; zero: seen edge-on
+  bool passes = false;   // of a face with the edge inside
 };
 
 Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
@@ -53,6 +57,23 @@ class HalfPlanes {
 
   HalfPlane of(TriangleId t) const { return {t, sight_.mesh().apex(t, edge_), sight_.side_of_edge(t, edge_)}; }
 
+  /// The halves of a triangle that the edge runs through, or the one that begins along its side.
+  void add(const EdgeContact& contact, std::vector<HalfPlane>& out) const {
+    const auto& c = sight_.mesh().triangles[contact.triangle];
+    const bool edge_on = sight_.facing(contact.triangle) == Sign::zero;
+    const Point3 &a = sight_.point(edge_.a), &b = sight_.point(edge_.b);
+    const Plane line =
+        edge_on ? Plane::along_axis(a, b, dropped_axis(sight_, contact.triangle, exact_)) : sight_.sight_plane(edge_.a, edge_.b);
+    bool has[2] = {false, false};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (contact.along < 3 && k != (contact.along + 2) % 3) continue;
+      const Sign s = exact_.side(line, sight_.point(c[k]));
+      if (s == Sign::zero || has[s == Sign::positive ? 0 : 1]) continue;
+      has[s == Sign::positive ? 0 : 1] = true;
+      out.push_back({contact.triangle, c[k], edge_on ? Sign::zero : s, true});
+    }
+  }
+
   Sign side(const HalfPlane& plane, const HalfPlane& other) const {
     return exact_.side(sight_.face_plane(plane.triangle), sight_.point(other.apex));
   }
@@ -80,30 +101,45 @@ class HalfPlanes {
   const Edge& edge_;
 };
 
-std::optional<EdgeClass> class_by_faces(const Sight& sight, Predicates& exact, EdgeId id, double crease) {
+/// Whether there are half-planes on both sides of the plane of this one.
+bool is_pierced(const HalfPlane& plane, std::span<const HalfPlane> all, const HalfPlanes& half_planes) {
+  bool positive = false, negative = false;
+  for (const HalfPlane& h : all) {
+    const Sign s = half_planes.side(plane, h);
+    positive = positive || s == Sign::positive;
+    negative = negative || s == Sign::negative;
+  }
+  return positive && negative;
+}
+
+std::optional<EdgeClass> class_by_faces(const Sight& sight, Predicates& exact, EdgeId id, double crease,
+                                        std::span<const EdgeContact> contacts) {
   const Edge& edge = sight.mesh().edges[id];
-  const auto triangles = sight.mesh().triangles_at(id);
   const bool only_diagonal = edge.diagonal && !edge.of_face;
   const HalfPlanes half_planes(sight, exact, edge);
+  std::vector<HalfPlane> all;
+  for (const TriangleId t : sight.mesh().triangles_at(id)) all.push_back(half_planes.of(t));
+  for (const EdgeContact& c : contacts) half_planes.add(c, all);
 
-  std::optional<HalfPlane> first, nearest[2];
+  std::optional<HalfPlane> nearest[2];
   bool differ = false;
-  for (const TriangleId t : triangles) {
-    const HalfPlane h = half_planes.of(t);
-    if (!first)
-      first = h;
-    else
-      differ = differ || !half_planes.coincide(*first, h);
+  for (const HalfPlane& h : all) {
+    differ = differ || !half_planes.coincide(all.front(), h);
     if (h.side == Sign::zero) continue;
     auto& best = nearest[h.side == Sign::positive ? 0 : 1];
-    if (!best || half_planes.is_nearer(h, *best)) best = h;
+    if (!best || half_planes.is_nearer(h, *best))
+      best = h;
+    else if (h.passes && half_planes.coincide(h, *best))
+      best->passes = true;
   }
   const bool one_side = nearest[0].has_value() != nearest[1].has_value();
   if (only_diagonal) return one_side ? std::optional(EdgeClass::outline) : std::nullopt;
-  if (!first) return std::nullopt;
+  if (all.empty()) return std::nullopt;
   if (!differ) return EdgeClass::boundary;
   if (one_side) return EdgeClass::outline;
   if (!nearest[0] || half_planes.side(*nearest[0], *nearest[1]) == Sign::zero) return EdgeClass::smooth;
+  for (const auto& n : nearest)
+    if (n->passes && is_pierced(*n, all, half_planes)) return EdgeClass::intersection;
   return deviation(sight, edge, nearest[0]->apex, nearest[1]->apex) > crease ? EdgeClass::sharp : EdgeClass::smooth;
 }
 
@@ -136,10 +172,11 @@ std::optional<EdgeClass> class_at_a_glance(const Sight& sight, EdgeId id, double
 
 }  // namespace
 
-std::optional<EdgeClass> edge_class(const Sight& sight, Predicates& exact, EdgeId edge, const Crease& crease) {
-  if (exact.arithmetic() == Arithmetic::staged)
+std::optional<EdgeClass> edge_class(const Sight& sight, Predicates& exact, EdgeId edge, const Crease& crease,
+                                    std::span<const EdgeContact> contacts) {
+  if (exact.arithmetic() == Arithmetic::staged && contacts.empty())
     if (const auto seen = class_at_a_glance(sight, edge, crease.cosine)) return seen;
-  const auto by_faces = class_by_faces(sight, exact, edge, crease.degrees);
+  const auto by_faces = class_by_faces(sight, exact, edge, crease.degrees, contacts);
   const bool plain = !by_faces || by_faces == EdgeClass::smooth;
   return sight.mesh().edges[edge].wire && plain ? EdgeClass::wire : by_faces;
 }

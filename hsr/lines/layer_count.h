@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "hsr/lines/layers.h"
-#include "hsr/lines/occluders.h"
+#include "hsr/occluders.h"
 #include "hsr/sight.h"
 
 namespace hsr {

@@ -6,7 +6,7 @@
 #include <atomic>
 
 #include "hsr/image_line.h"
-#include "hsr/lines/parallel.h"
+#include "hsr/parallel.h"
 
 namespace hsr {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hsr/lines/line_options.h"
-#include "hsr/lines/occluders.h"
+#include "hsr/occluders.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/sight.h"
@@ -20,5 +20,9 @@ VisibleLines appel(const Sight& sight, const RequestedEdges& requested, const La
 /// @pre bodies.is_one_convex_body()
 VisibleLines lines_of_convex_body(const Sight& sight, const RequestedEdges& requested, const Bodies& bodies,
                                   const LineOptions& options);
+
+/// The visible and the hidden parts of where faces pierce each other, numbered as in `united` (contacts/intersections.h).
+VisibleLines lines_of_intersections(const Sight& sight, const std::vector<Intersection>& united,
+                                    const std::vector<ImageBox>& boxes, const Occluders& occluders, const LineOptions& options);
 
 }  // namespace hsr

@@ -9,14 +9,16 @@
 #include <optional>
 #include <string>
 
+#include "geometry/error.h"
+#include "hsr/contacts/intersections.h"
 #include "hsr/image_line.h"
 #include "hsr/lines/bodies.h"
 #include "hsr/lines/hidden_tiles.h"
 #include "hsr/lines/image_mask.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/occluders.h"
-#include "hsr/lines/parallel.h"
+#include "hsr/occluders.h"
+#include "hsr/parallel.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/outside_frame.h"
 #include "hsr/sight.h"
@@ -46,10 +48,13 @@ class Plan {
   const LinePlan& outcome() const { return outcome_; }
 
  private:
+  void find_bodies();
+  void find_occluders();
+  void find_contacts();
   void leave_out_far_sides();
   void leave_out_hidden();
   void choose_method();
-  bool few_edges(std::size_t share) const { return requested_.edges.size() * share < sight_.mesh().triangles.size(); }
+  bool few_edges(std::size_t share) const { return requested_->edges.size() * share < sight_.mesh().triangles.size(); }
   std::vector<std::uint8_t> far_from_requested();
   /// Whether to run a stage that a request for few edges does not pay for; else says why not.
   bool wants(LineStage stage, const char* name);
@@ -59,7 +64,10 @@ class Plan {
   const LineOptions& options_;
   Sight sight_;
   std::optional<OutsideFrame> outside_;
-  RequestedEdges requested_;
+  std::optional<RequestedEdges> requested_;
+  Intersections intersections_;
+  std::vector<Intersection> united_;
+  std::vector<ImageBox> meet_boxes_;    // of these
   std::vector<ImageBox> boxes_;         // of the triangles
   std::vector<std::uint8_t> left_out_;  // by triangle: whole faces; empty: none
   std::optional<Bodies> bodies_;
@@ -74,21 +82,52 @@ std::optional<OutsideFrame> outside_frame(const Mesh& mesh, const View& view, co
 }
 
 Plan::Plan(const Mesh& mesh, const View& view, const LineOptions& options)
-    : options_(options),
-      sight_(mesh, view, options.arithmetic),
-      outside_(outside_frame(mesh, view, options)),
-      requested_(sight_, options, outside_ ? &*outside_ : nullptr) {
-  if (requested_.edges.size() < mesh.edges.size())
-    say("edges", of(mesh.edges.size() - requested_.edges.size(), mesh.edges.size(),
+    : options_(options), sight_(mesh, view, options.arithmetic), outside_(outside_frame(mesh, view, options)) {
+  find_bodies();
+  find_contacts();
+  requested_.emplace(sight_, options, outside_ ? &*outside_ : nullptr, occluders_ ? &*occluders_ : nullptr,
+                     intersections_.has_contact);
+  if (requested_->edges.size() < mesh.edges.size())
+    say("edges", of(mesh.edges.size() - requested_->edges.size(), mesh.edges.size(),
                     outside_ ? "edges are outside the picture, or of classes that are not asked for"
                              : "edges are of classes that are not asked for"));
   leave_out_far_sides();
   if (outcome_.method == "none") return;
-  boxes_.resize(mesh.triangles.size());
-  for_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = sight_.box(TriangleId(i)); });
+  if (!occluders_) find_occluders();  // a convex body, but it was not to be left at that
   leave_out_hidden();
-  occluders_.emplace(sight_, boxes_, far_from_requested());
+  const std::vector<std::uint8_t> far = far_from_requested();
+  if (count(far) > 0) occluders_.emplace(sight_, boxes_, far);
   choose_method();
+}
+
+/// What would make the search for contacts needless, too.
+void Plan::find_bodies() {
+  if (options_.why || options_.arithmetic != Arithmetic::staged) return;
+  if (options_.when(LineStage::back_faces) == When::never && options_.when(LineStage::convex_body) == When::never) return;
+  bodies_.emplace(sight_);
+}
+
+void Plan::find_occluders() {
+  boxes_.resize(sight_.mesh().triangles.size());
+  for_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = sight_.box(TriangleId(i)); });
+  occluders_.emplace(sight_, boxes_, left_out_);
+}
+
+void Plan::find_contacts() {
+  if (bodies_ && options_.when(LineStage::convex_body) != When::never && bodies_->is_one_convex_body()) {
+    say("intersections", "the faces of one convex body meet in their edges only");
+    return;
+  }
+  find_occluders();
+  intersections_ = find_intersections(sight_, *occluders_);
+  if (!options_.classes[static_cast<std::size_t>(EdgeClass::intersection)]) {
+    say("intersections", "they are not asked for");
+    return;
+  }
+  if (intersections_.segments.empty()) say("intersections", "no two faces pierce each other");
+  united_ = united(sight_, intersections_.segments);
+  meet_boxes_.resize(united_.size());
+  for_each(united_.size(), [&](std::size_t i) { meet_boxes_[i] = box_of(sight_, united_[i]); });
 }
 
 bool Plan::wants(LineStage stage, const char* name) {
@@ -107,7 +146,6 @@ void Plan::leave_out_far_sides() {
   const bool wants_back_faces = wants(LineStage::back_faces, "back faces");
   const bool wants_convex_body = wants(LineStage::convex_body, "convex body");
   if (!wants_back_faces && !wants_convex_body) return;
-  bodies_.emplace(sight_);
   const Bodies& bodies = *bodies_;
   if (wants_convex_body && bodies.is_one_convex_body()) {
     outcome_.method = "none";
@@ -121,11 +159,11 @@ void Plan::leave_out_far_sides() {
     return;
   }
   left_out_ = bodies.far_sides();
-  requested_.hidden.resize(requested_.edges.size());
-  for_each(requested_.edges.size(),
-           [&](std::size_t i) { requested_.hidden[i] = bodies.is_on_far_side(requested_.edges[i]) ? 1 : 0; });
+  requested_->hidden.resize(requested_->edges.size());
+  for_each(requested_->edges.size(),
+           [&](std::size_t i) { requested_->hidden[i] = bodies.is_on_far_side(requested_->edges[i]) ? 1 : 0; });
   say("back faces", of(count(left_out_), left_out_.size(), "triangles and ") +
-                        of(count(requested_.hidden), requested_.hidden.size(), "edges are far sides of ") +
+                        of(count(requested_->hidden), requested_->hidden.size(), "edges are far sides of ") +
                         std::to_string(bodies.count()) + (bodies.count() == 1 ? " closed body" : " closed bodies"));
 }
 
@@ -138,7 +176,7 @@ void Plan::leave_out_hidden() {
     say("hidden tiles", "no face is large and near enough to hide much");
     return;
   }
-  const std::size_t faces_before = count(left_out_), edges_before = count(requested_.hidden);
+  const std::size_t faces_before = count(left_out_), edges_before = count(requested_->hidden);
   // Whole faces: where the triangles of a planar face meet, the mesh has no edge.
   left_out_.resize(mesh.triangles.size(), 0);
   for_each(mesh.faces.size(), [&](std::size_t f) {
@@ -147,16 +185,16 @@ void Plan::leave_out_hidden() {
       if (sight_.reaches_before_near(TriangleId(t)) || !tiles.hides(mesh.triangles[TriangleId(t)], boxes_[t].nearest)) return;
     std::fill(left_out_.begin() + first, left_out_.begin() + end, std::uint8_t{1});
   });
-  requested_.hidden.resize(requested_.edges.size(), 0);
-  for_each(requested_.edges.size(), [&](std::size_t i) {
-    const Edge& e = mesh.edges[requested_.edges[i]];
+  requested_->hidden.resize(requested_->edges.size(), 0);
+  for_each(requested_->edges.size(), [&](std::size_t i) {
+    const Edge& e = mesh.edges[requested_->edges[i]];
     if (sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return;
-    if (!tiles.hides(std::array{e.a, e.b}, requested_.boxes[i].nearest)) return;
+    if (!tiles.hides(std::array{e.a, e.b}, requested_->boxes[i].nearest)) return;
     Predicates exact = sight_.predicates();
-    if (!ImageLine(sight_, e.a, e.b).is_point(exact)) requested_.hidden[i] = 1;
+    if (!ImageLine(sight_, e.a, e.b).is_point(exact)) requested_->hidden[i] = 1;
   });
   say("hidden tiles", of(count(left_out_) - faces_before, left_out_.size(), "triangles and ") +
-                          of(count(requested_.hidden) - edges_before, requested_.hidden.size(),
+                          of(count(requested_->hidden) - edges_before, requested_->hidden.size(),
                              "edges lie behind others that cover their part of the image"));
 }
 
@@ -168,7 +206,9 @@ std::vector<std::uint8_t> Plan::far_from_requested() {
     say("far faces", when == When::never ? "not asked for" : "too many edges are asked for");
     return left_out_;
   }
-  const ImageMask mask(requested_.boxes);
+  std::vector<ImageBox> asked_for = requested_->boxes;
+  asked_for.insert(asked_for.end(), meet_boxes_.begin(), meet_boxes_.end());
+  const ImageMask mask(asked_for);
   std::vector<std::uint8_t> far = left_out_;
   far.resize(boxes_.size(), 0);
   for_each(boxes_.size(), [&](std::size_t i) {
@@ -206,10 +246,30 @@ void Plan::choose_method() {
   outcome_.method = "appel";
 }
 
+void append(VisibleLines& all, const VisibleLines& more) {
+  const auto shift = [](std::size_t n) { return static_cast<std::uint32_t>(n); };
+  if (all.cuts.size() + more.cuts.size() > 0xffffffffU || all.occluders.size() + more.occluders.size() > 0xffffffffU)
+    throw InputError("the drawing has more than 2^32 - 1 interval ends, expected fewer");
+  for (Line line : more.lines) {
+    line.first_cut += shift(all.cuts.size());
+    line.end_cut += shift(all.cuts.size());
+    line.first_occluder += shift(all.occluders.size());
+    line.end_occluder += shift(all.occluders.size());
+    all.lines.push_back(line);
+  }
+  all.cuts.insert(all.cuts.end(), more.cuts.begin(), more.cuts.end());
+  all.occluders.insert(all.occluders.end(), more.occluders.begin(), more.occluders.end());
+  all.pairs += more.pairs;
+  all.decisions += more.decisions;
+}
+
 VisibleLines Plan::run() const {
-  VisibleLines all = outcome_.method == "none"    ? lines_of_convex_body(sight_, requested_, *bodies_, options_)
-                     : outcome_.method == "appel" ? appel(sight_, requested_, *layers_, *occluders_, options_)
-                                                  : roberts(sight_, requested_, *occluders_, options_);
+  VisibleLines all = outcome_.method == "none"    ? lines_of_convex_body(sight_, *requested_, *bodies_, options_)
+                     : outcome_.method == "appel" ? appel(sight_, *requested_, *layers_, *occluders_, options_)
+                                                  : roberts(sight_, *requested_, *occluders_, options_);
+  all.decisions += intersections_.decisions;
+  if (!united_.empty()) append(all, lines_of_intersections(sight_, united_, meet_boxes_, *occluders_, options_));
+  all.intersections = united_;
   all.plan = outcome_;
   return all;
 }

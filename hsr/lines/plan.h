@@ -20,7 +20,7 @@ struct LinePlan {
   std::vector<LeftOut> left_out;
 };
 
-/// What visible_lines() would do, without doing it. Cost: O(n), parallel, and O(m log m) for m occluding edges.
+/// What visible_lines() would do, without doing it. Cost: O(n log n + k) for k pairs of faces that nearly touch, parallel.
 LinePlan plan_lines(const Mesh& mesh, const View& view, const LineOptions& options = {});
 
 }  // namespace hsr

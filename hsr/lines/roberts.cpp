@@ -1,7 +1,7 @@
 #include "hsr/lines/roberts.h"
 
 #include "hsr/lines/methods.h"
-#include "hsr/lines/occluders.h"
+#include "hsr/occluders.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/tiling.h"
 #include "hsr/sight.h"
@@ -20,12 +20,19 @@ VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const 
   const std::vector<std::uint32_t> order = z_order(requested.boxes);
   VisibleLines all = tiled_in_blocks(sight, options, order, [&](Tiling& tiling, std::uint32_t i) {
     if (!requested.hidden.empty() && requested.hidden[i] != 0)
-      tiling.add_whole(requested.edges[i], requested.classes[i], true);
+      tiling.add_whole(requested[i], true);
     else
-      tiling.add_by_casting(requested.edges[i], requested.classes[i], requested.boxes[i], occluders);
+      tiling.add_by_casting(requested[i], requested.boxes[i], occluders);
   });
   all.decisions += requested.decisions;
   return all;
+}
+
+VisibleLines lines_of_intersections(const Sight& sight, const std::vector<Intersection>& united,
+                                    const std::vector<ImageBox>& boxes, const Occluders& occluders, const LineOptions& options) {
+  return tiled_in_blocks(sight, options, z_order(boxes), [&](Tiling& tiling, std::uint32_t i) {
+    tiling.add_by_casting(i, united[i], boxes[i], occluders);
+  });
 }
 
 }  // namespace hsr

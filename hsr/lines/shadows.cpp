@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/constructed_point.h"
+#include "hsr/cut_plane.h"
+#include "hsr/facet.h"
 #include "hsr/image_line.h"
-#include "hsr/lines/cut_plane.h"
 
 namespace hsr {
 
@@ -30,14 +32,17 @@ Shadows::Value Shadows::known(const ErrorBounded& x, Sign s) {
   return {x, s};
 }
 
-Shadows::Value Shadows::at(const PlaneFilter& filter, const Plane& plane, const Point3& p, bool on_plane) {
+Shadows::Value Shadows::at(const PlaneFilter& filter, const Plane& plane, const End& end, bool on_plane) {
   if (on_plane) return {{0, 0}, Sign::zero};
-  const ErrorBounded x = filter(p);
+  ErrorBounded x = filter(end.p);
+  if (end.error > 0)
+    x.error += (std::fabs(filter.nx) + std::fabs(filter.ny) + std::fabs(filter.nz) + 3 * filter.slope) * end.error * 1.01;
   if (x.is_certain()) {
     ++exact_.counts().filter;
     return {x, sign_of(x.value)};
   }
-  return known(x, exact_.side_beyond_filter(plane, p));
+  if (!is_edge()) return known(x, exact_.side(plane, s_plane_, t_plane_, end.cut));
+  return known(x, exact_.side_beyond_filter(plane, end.p));
 }
 
 Bound Shadows::bound(const Cut& cut, const Value& at_a, const Value& at_b) const {
@@ -53,7 +58,7 @@ Bound Shadows::bound(const Cut& cut, const Value& at_a, const Value& at_b) const
 Bound Shadows::place(const Cut& cut) {
   const Plane plane = cut_plane(sight_, cut);
   const PlaneFilter filter = sight_.filter(plane);
-  return bound(cut, at(filter, plane, pa_, false), at(filter, plane, pb_, false));
+  return bound(cut, at(filter, plane, a_, false), at(filter, plane, b_, false));
 }
 
 Sign Shadows::order(const Bound& x, const Bound& y) {
@@ -66,37 +71,90 @@ Sign Shadows::order(const Bound& x, const Bound& y) {
     ++exact_.counts().filter;
     return sign_of(gap);
   }
-  return -(x.fall * y.fall * exact_.cross(cut_plane(sight_, x.cut), cut_plane(sight_, y.cut), pa_, pb_));
+  const Plane x_plane = cut_plane(sight_, x.cut), y_plane = cut_plane(sight_, y.cut);
+  // Where y is, the value of x still has the sign that it falls from, if y comes first.
+  if (!is_edge()) return x.fall * exact_.side(x_plane, s_plane_, t_plane_, y_plane);
+  return -(x.fall * y.fall * exact_.cross(x_plane, y_plane, a_.p, b_.p));
 }
 
 bool Shadows::start(EdgeId id) {
   const Edge& edge = sight_.mesh().edges[id];
-  a_ = edge.a;
-  b_ = edge.b;
-  pa_ = sight_.point(a_);
-  pb_ = sight_.point(b_);
-  const Plane sight_plane = sight_.sight_plane(a_, b_);
+  a_ = {edge.a, sight_.point(edge.a), 0, {}};
+  b_ = {edge.b, sight_.point(edge.b), 0, {}};
+  const Plane sight_plane = sight_.sight_plane(edge.a, edge.b);
   edge_sight_ = sight_.filter(sight_plane);
 
   first_ = start_bound;
   last_ = end_bound;
-  const Sign near_a = sight_.beyond_near(a_), near_b = sight_.beyond_near(b_);
+  const Sign near_a = sight_.beyond_near(edge.a), near_b = sight_.beyond_near(edge.b);
   if (near_a != Sign::positive && near_b != Sign::positive && !(near_a == Sign::zero && near_b == Sign::zero)) return false;
   if (near_a * near_b == Sign::negative) {
     const Plane near = sight_.near_plane();
     const PlaneFilter filter = sight_.filter(near);
     (near_a == Sign::negative ? first_ : last_) =
-        bound(cut_of(Cut::Kind::near), known(filter(pa_), near_a), known(filter(pb_), near_b));
+        bound(cut_of(Cut::Kind::near), known(filter(a_.p), near_a), known(filter(b_.p), near_b));
   }
-  return !ImageLine(sight_, a_, b_).is_point(exact_);
+  return !ImageLine(sight_, edge.a, edge.b).is_point(exact_);
+}
+
+bool Shadows::start(EdgeId id, const Cut& from, const Cut& to) {
+  if (!start(id)) return false;
+  if (from.kind != Cut::Kind::start) first_ = place(from);
+  if (to.kind != Cut::Kind::end) last_ = place(to);
+  return true;
+}
+
+bool Shadows::start(const Intersection& meet) {
+  s_ = meet.s;
+  t_ = meet.t;
+  s_plane_ = sight_.face_plane(s_);
+  t_plane_ = sight_.face_plane(t_);
+  const auto end = [&](const Cut& cut) {
+    End e;
+    e.cut = cut_plane(sight_, cut);
+    const auto p = near_meet(s_plane_, t_plane_, e.cut);
+    e.p = {p[0].value, p[1].value, p[2].value};
+    e.error = std::max({p[0].error, p[1].error, p[2].error, 0x1p-1000});
+    // Beyond this a coordinate would break the bound of a filter.
+    if (!exact_.filter_is_proven() || !(std::fabs(e.p.x) + std::fabs(e.p.y) + std::fabs(e.p.z) < 0x1p100)) e.error = HUGE_VAL;
+    return e;
+  };
+  a_ = end(meet.from);
+  b_ = end(meet.to);
+  first_ = {meet.from, 0, 0, -exact_.turn(s_plane_, t_plane_, a_.cut)};
+  last_ = {meet.to, 1, 0, -exact_.turn(s_plane_, t_plane_, b_.cut)};
+  // Values fall from a to b; the line may run the other way.
+  if (first_.fall * exact_.side(a_.cut, s_plane_, t_plane_, b_.cut) == Sign::positive) {
+    first_.fall = -first_.fall;
+    last_.fall = -last_.fall;
+  }
+  return sight_.facing(s_) != Sign::zero || sight_.facing(t_) != Sign::zero;
+}
+
+bool Shadows::within(const std::array<HalfSpace, 3>& half_spaces, Bound& from, Bound& to, std::size_t& along) {
+  begin();
+  along = 3;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const HalfSpace& h = half_spaces[k];
+    const PlaneFilter filter = sight_.filter(h.plane);
+    const VertexId u(h.cut.u), v(h.cut.v);
+    const Value at_a = at(filter, h.plane, a_, a_.vertex == u || a_.vertex == v);
+    const Value at_b = at(filter, h.plane, b_, b_.vertex == u || b_.vertex == v);
+    if (at_a.sign == Sign::zero && at_b.sign == Sign::zero) along = k;
+    if (!clip(h.cut, at_a, at_b, h.inner, false)) return false;
+  }
+  from = from_;
+  to = to_;
+  return order(from_, to_) == Sign::negative;
 }
 
 /// True only if the corners that are not ends of the edge lie certainly on one side of its view plane: then the triangle's cone
 /// meets that plane in no more than a line of sight through an end.
 bool Shadows::misses(const std::array<VertexId, 3>& corners) const {
+  if (!is_edge()) return false;
   bool positive = false, negative = false;
   for (const VertexId c : corners) {
-    if (c == a_ || c == b_) continue;
+    if (is_end(c)) continue;
     const ErrorBounded x = edge_sight_(sight_.point(c));
     if (!x.is_certain()) return false;
     (x.value > 0 ? positive : negative) = true;
@@ -120,14 +178,20 @@ bool Shadows::clip(const Cut& cut, const Value& at_a, const Value& at_b, Sign wa
 
 bool Shadows::clip(const Cut& cut, const Plane& plane, bool a_on, bool b_on, Sign wanted, bool open) {
   const PlaneFilter filter = sight_.filter(plane);
-  return clip(cut, at(filter, plane, pa_, a_on), at(filter, plane, pb_, b_on), wanted, open);
+  if (!is_edge()) {
+    a_on = cut == first_.cut;
+    b_on = cut == last_.cut;
+  }
+  return clip(cut, at(filter, plane, a_, a_on), at(filter, plane, b_, b_on), wanted, open);
 }
 
 void Shadows::cast(TriangleId triangle, std::vector<Shadow>& shadows) {
   const auto& c = sight_.mesh().triangles[triangle];
   const Sign facing = sight_.facing(triangle);
-  const bool a_on = is_corner(a_, c), b_on = is_corner(b_, c);
-  if (facing != Sign::zero && a_on && b_on) return;  // nothing hides in its own plane, unless seen edge-on
+  const bool a_on = is_corner(a_.vertex, c), b_on = is_corner(b_.vertex, c);
+  // Nothing hides in its own plane, unless seen edge-on.
+  if (facing != Sign::zero && (a_on && b_on)) return;
+  if (facing != Sign::zero && !is_edge() && is_one(facet_of(sight_.mesh(), triangle))) return;
   if (misses(c)) return;
   if (facing == Sign::zero) {
     edge_on(triangle, shadows);
@@ -140,7 +204,7 @@ void Shadows::cast(TriangleId triangle, std::vector<Shadow>& shadows) {
     const VertexId u = c[k], v = c[(k + 1) % 3];
     // O(u, v, .) changes its sign with the order of u and v; the cut is named in one order.
     const Sign wanted = u < v ? facing : -facing;
-    if (!clip(sight_cut(u, v), sight_.sight_plane(std::min(u, v), std::max(u, v)), a_ == u || a_ == v, b_ == u || b_ == v,
+    if (!clip(sight_cut(u, v), sight_.sight_plane(std::min(u, v), std::max(u, v)), a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v,
               wanted, false))
       return;
   }
@@ -160,8 +224,8 @@ void Shadows::edge_on(TriangleId triangle, std::vector<Shadow>& shadows) {
   const auto& c = sight_.mesh().triangles[triangle];
   const Plane plane = sight_.face_plane(triangle);
   const PlaneFilter filter = sight_.filter(plane);
-  if (at(filter, plane, pa_, is_corner(a_, c)).sign != Sign::zero) return;
-  if (at(filter, plane, pb_, is_corner(b_, c)).sign != Sign::zero) return;
+  if (at(filter, plane, a_, is_corner(a_.vertex, c)).sign != Sign::zero) return;
+  if (at(filter, plane, b_, is_corner(b_.vertex, c)).sign != Sign::zero) return;
 
   int axis = 0;
   Sign inner = Sign::zero;  // the side of the line c0 c1 on which c2 lies
@@ -186,9 +250,9 @@ void Shadows::edge_on(TriangleId triangle, std::vector<Shadow>& shadows) {
     eye_side[k] = eye;
     if (eye == Sign::zero) continue;
     begin();
-    if (!clip(line_cut(u, v), line, a_ == u || a_ == v, b_ == u || b_ == v, -eye, true)) continue;
-    if (!clip(cut_of(Cut::Kind::sight_of_vertex, u.value, 0, axis), of_u, a_ == u, b_ == u, eye, false)) continue;
-    if (!clip(cut_of(Cut::Kind::sight_of_vertex, v.value, 0, axis), of_v, a_ == v, b_ == v, exact_.side(of_v, sight_.point(u)),
+    if (!clip(line_cut(u, v), line, a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v, -eye, true)) continue;
+    if (!clip(cut_of(Cut::Kind::sight_of_vertex, u.value, 0, axis), of_u, a_.vertex == u, b_.vertex == u, eye, false)) continue;
+    if (!clip(cut_of(Cut::Kind::sight_of_vertex, v.value, 0, axis), of_v, a_.vertex == v, b_.vertex == v, exact_.side(of_v, sight_.point(u)),
               false))
       continue;
     if (near_cuts &&
@@ -202,10 +266,10 @@ void Shadows::edge_on(TriangleId triangle, std::vector<Shadow>& shadows) {
     const VertexId u = c[k], v = c[(k + 1) % 3];
     const Plane line = Plane::along_axis(sight_.point(u), sight_.point(v), axis);
     const bool runs_outside = eye_side[k] * inner != Sign::positive;
-    if (!clip(line_cut(u, v), line, a_ == u || a_ == v, b_ == u || b_ == v, inner, runs_outside)) return;
+    if (!clip(line_cut(u, v), line, a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v, inner, runs_outside)) return;
   }
   // What of the edge lies in the near plane itself has nothing of T before it.
-  if (near_cuts && sight_.beyond_near(a_) == Sign::zero && sight_.beyond_near(b_) == Sign::zero) return;
+  if (near_cuts && is_edge() && sight_.beyond_near(a_.vertex) == Sign::zero && sight_.beyond_near(b_.vertex) == Sign::zero) return;
   add();
 }
 

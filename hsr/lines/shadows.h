@@ -1,32 +1,36 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "hsr/contacts/half_space.h"
+#include "hsr/contacts/intersection.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/sight.h"
 
 namespace hsr {
 
-/// A place on an edge with an approximate parameter, for sorting: the exact order is asked only where the errors overlap.
+/// A place on a line with an approximate parameter, for sorting: the exact order is asked only where the errors overlap.
 struct Bound {
   Cut cut;
   double t = 0, error = 0;
   Sign fall = Sign::positive;  ///< of x(a) - x(b), x the cutting plane
 };
 
-/// A part of an edge that one triangle hides.
+/// A part of a line that one triangle hides.
 struct Shadow {
   Bound from, to;
   FaceId face;
 };
 
-/// The shadows that triangles cast on one edge at a time. One object per thread.
+/// The shadows that triangles cast on one line at a time: an edge from a to b, or where two faces pierce each other, from the
+/// one end a to the other b. One object per thread.
 ///
 /// A point p is in the shadow of a triangle T, seen from the side, iff
 ///   p is strictly beyond the plane of T: facing * T(p) > 0;
 ///   p is in the closed cone of the eye and T: facing * O(t_i, t_i+1, p) >= 0 for its three sides;
 ///   the line of sight meets T beyond the near plane, where T reaches before it: -facing * near_line(p) >= 0.
-/// All of these are linear along the edge, so the shadow is an interval. A T seen edge-on hides only in its own plane, where it
+/// All of these are linear along the line, so the shadow is an interval. A T seen edge-on hides only in its own plane, where it
 /// acts by its three sides and its interior (see edge_on).
 class Shadows {
  public:
@@ -34,13 +38,19 @@ class Shadows {
 
   /// Turns to another edge. False: it is seen as a point, or nothing of it is beyond the near plane.
   bool start(EdgeId edge);
+  /// Turns to a part of an edge.
+  bool start(EdgeId edge, const Cut& from, const Cut& to);
+  /// Turns to where two facets, named by s and t, pierce each other. False: it is seen as a point.
+  bool start(const Intersection& meet);
+  /// The part of the line within half-spaces; false: a point or nothing. @param along the one on whose border the line runs, or 3
+  bool within(const std::array<HalfSpace, 3>& half_spaces, Bound& from, Bound& to, std::size_t& along);
   /// Appends the shadows of `triangle` on the edge, at most four.
   void cast(TriangleId triangle, std::vector<Shadow>& shadows);
 
-  /// Where the plane of `cut` crosses the edge. @pre it separates the ends of the edge
+  /// Where the plane of `cut` crosses the line. @pre it separates the ends of the line
   Bound place(const Cut& cut);
 
-  /// The ends of what is beyond the near plane.
+  /// The ends of the part that is looked at: beyond the near plane.
   const Bound& first() const { return first_; }
   const Bound& last() const { return last_; }
   bool covers_all(const Shadow& s) const { return s.from.cut == first_.cut && s.to.cut == last_.cut; }
@@ -55,8 +65,18 @@ class Shadows {
     ErrorBounded x;
     Sign sign;
   };
+  /// An end of the line: a vertex, or where a plane cuts the line of two others, and then known within `error`.
+  struct End {
+    VertexId vertex;
+    Point3 p;
+    double error = 0;
+    Plane cut;
+  };
   static Value known(const ErrorBounded& x, Sign s);
-  Value at(const PlaneFilter& filter, const Plane& plane, const Point3& p, bool on_plane);
+  Value at(const PlaneFilter& filter, const Plane& plane, const End& end, bool on_plane);
+  bool is_edge() const { return a_.vertex.is_valid(); }
+  bool is_one(TriangleId facet) const { return facet == s_ || facet == t_; }
+  bool is_end(VertexId v) const { return v == a_.vertex || v == b_.vertex; }
   bool is_corner(VertexId v, const std::array<VertexId, 3>& c) const { return v == c[0] || v == c[1] || v == c[2]; }
   bool misses(const std::array<VertexId, 3>& corners) const;
 
@@ -68,8 +88,9 @@ class Shadows {
 
   const Sight& sight_;
   Predicates exact_;
-  VertexId a_, b_;
-  Point3 pa_, pb_;
+  End a_, b_;
+  TriangleId s_, t_;  // the facets that pierce each other
+  Plane s_plane_, t_plane_;
   PlaneFilter edge_sight_;
   Bound first_, last_, from_, to_;
 };

@@ -82,36 +82,37 @@ void Tiling::sort_by_face() {
                    [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; });
 }
 
-LineOfEdge Tiling::begun(EdgeId edge, EdgeClass edge_class) const {
-  LineOfEdge line;
-  line.edge = edge;
-  line.edge_class = edge_class;
+Line Tiling::begun(const Tiled& tiled) const {
+  Line line;
+  line.edge = tiled.edge;
+  line.intersection = tiled.intersection;
+  line.edge_class = tiled.edge_class;
   line.first_cut = static_cast<std::uint32_t>(result_.cuts.size());
   line.first_occluder = static_cast<std::uint32_t>(result_.occluders.size());
   return line;
 }
 
-void Tiling::end(LineOfEdge line) {
+void Tiling::end(Line line) {
   check_countable(std::max(result_.cuts.size(), result_.occluders.size()), "interval ends of neighbouring edges");
   line.end_cut = static_cast<std::uint32_t>(result_.cuts.size());
   line.end_occluder = static_cast<std::uint32_t>(result_.occluders.size());
   result_.lines.push_back(line);
 }
 
-void Tiling::add_nothing(EdgeId edge, EdgeClass edge_class) { end(begun(edge, edge_class)); }
+void Tiling::add_nothing(const Tiled& tiled) { end(begun(tiled)); }
 
-void Tiling::add_whole(EdgeId edge, EdgeClass edge_class, bool is_hidden) {
-  LineOfEdge line = begun(edge, edge_class);
+void Tiling::add_whole(const Tiled& tiled, bool is_hidden) {
+  Line line = begun(tiled);
   line.starts_hidden = is_hidden;
-  result_.cuts.push_back({Cut::Kind::start});
-  result_.cuts.push_back({Cut::Kind::end});
+  result_.cuts.push_back(tiled.from);
+  result_.cuts.push_back(tiled.to);
   end(line);
 }
 
-void Tiling::add(EdgeId edge, EdgeClass edge_class, std::vector<Shadow>& cast) {
+void Tiling::add(const Tiled& tiled, std::vector<Shadow>& cast) {
   unite(cast);
   check_ascending(cast);
-  LineOfEdge line = begun(edge, edge_class);
+  Line line = begun(tiled);
   if (options_.why) name_occluders(cast, by_face_);
   auto& cuts = result_.cuts;
   cuts.push_back(shadows_.first().cut);
@@ -124,11 +125,22 @@ void Tiling::add(EdgeId edge, EdgeClass edge_class, std::vector<Shadow>& cast) {
   end(line);
 }
 
-void Tiling::add_by_casting(EdgeId edge, EdgeClass edge_class, const ImageBox& box, const Occluders& occluders) {
-  if (!shadows_.start(edge)) {
-    add_nothing(edge, edge_class);
-    return;
-  }
+void Tiling::add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders) {
+  if (shadows_.start(part.edge, part.from, part.to))
+    cast_all(part, box, occluders);
+  else
+    add_nothing(part);
+}
+
+void Tiling::add_by_casting(std::uint32_t i, const Intersection& meet, const ImageBox& box, const Occluders& occluders) {
+  const Tiled line(i, meet);
+  if (shadows_.start(meet))
+    cast_all(line, box, occluders);
+  else
+    add_nothing(line);
+}
+
+void Tiling::cast_all(const Tiled& line, const ImageBox& box, const Occluders& occluders) {
   cast_.clear();
   bool all_hidden = false;
   std::size_t united = 0;  // of cast_, when it was last united
@@ -152,7 +164,7 @@ void Tiling::add_by_casting(EdgeId edge, EdgeClass edge_class, const ImageBox& b
     cast_.resize(1);
   }
   if (options_.why) sort_by_face();
-  add(edge, edge_class, cast_);
+  add(line, cast_);
 }
 
 VisibleLines tiled_in_blocks(const Sight& sight, const LineOptions& options, std::span<const std::uint32_t> order,
@@ -206,7 +218,7 @@ VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<st
   for_each_block([&](std::size_t k, std::size_t begin, std::size_t end) {
     Start sum = {0, 0};
     for (std::size_t i = begin; i < end; ++i) {
-      const LineOfEdge& line = all.lines[i] = parts[place[i][0]].lines[place[i][1]];
+      const Line& line = all.lines[i] = parts[place[i][0]].lines[place[i][1]];
       sum.cut += line.end_cut - line.first_cut;
       sum.occluder += line.end_occluder - line.first_occluder;
     }
@@ -221,7 +233,7 @@ VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<st
     auto cut = all.cuts.begin() + static_cast<std::ptrdiff_t>(starts[k].cut);
     auto occluder = all.occluders.begin() + static_cast<std::ptrdiff_t>(starts[k].occluder);
     for (std::size_t i = begin; i < end; ++i) {
-      LineOfEdge& line = all.lines[i];
+      Line& line = all.lines[i];
       const VisibleLines& part = parts[place[i][0]];
       const auto its_cuts = part.cuts_of(line);
       const auto its_occluders = part.occluders_of(line);

@@ -6,26 +6,40 @@
 #include <vector>
 
 #include "hsr/lines/line_options.h"
-#include "hsr/lines/occluders.h"
+#include "hsr/occluders.h"
+#include "hsr/lines/requested_edges.h"
 #include "hsr/lines/shadows.h"
 #include "hsr/lines/visible_lines.h"
 
 namespace hsr {
 
-/// Sorts the shadows of one edge at a time along it, and of these makes the hidden and visible intervals. One object for each
-/// block of edges.
+/// What is tiled: an edge, or the part of one that is of one class; or where two faces pierce each other.
+struct Tiled {
+  EdgeId edge;
+  EdgeClass edge_class = EdgeClass::smooth;
+  Cut from{Cut::Kind::start}, to{Cut::Kind::end};
+  std::uint32_t intersection = 0;
+
+  Tiled(const RequestedPart& p) : edge(p.edge), edge_class(p.edge_class), from(p.from), to(p.to) {}  // NOLINT(google-explicit-constructor)
+  Tiled(std::uint32_t i, const Intersection& meet)
+      : edge_class(EdgeClass::intersection), from(meet.from), to(meet.to), intersection(i) {}
+};
+
+/// Sorts the shadows of one line at a time along it, and of these makes the hidden and visible intervals. One object for each
+/// block of lines.
 class Tiling {
  public:
   Tiling(const Sight& sight, const LineOptions& options) : options_(options), shadows_(sight) {}
 
-  /// The edge as all the triangles that overlap it in the image leave it.
-  void add_by_casting(EdgeId edge, EdgeClass edge_class, const ImageBox& box, const Occluders& occluders);
-  /// The edge with these shadows, which are sorted and united here. @pre shadows().start(edge) was true
-  void add(EdgeId edge, EdgeClass edge_class, std::vector<Shadow>& shadows);
-  /// An edge wholly beyond the near plane that is hidden, or visible, all along.
-  void add_whole(EdgeId edge, EdgeClass edge_class, bool is_hidden);
+  /// The line as all the triangles that overlap it in the image leave it.
+  void add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders);
+  void add_by_casting(std::uint32_t i, const Intersection& meet, const ImageBox& box, const Occluders& occluders);
+  /// The line with these shadows, which are sorted and united here. @pre shadows().start() of it was true
+  void add(const Tiled& line, std::vector<Shadow>& shadows);
+  /// A line wholly beyond the near plane that is hidden, or visible, all along.
+  void add_whole(const Tiled& line, bool is_hidden);
   /// An edge without parts: seen as a point, or before the near plane.
-  void add_nothing(EdgeId edge, EdgeClass edge_class);
+  void add_nothing(const Tiled& line);
 
   Shadows& shadows() { return shadows_; }
   Predicates& exact() { return shadows_.exact(); }
@@ -40,8 +54,9 @@ class Tiling {
   void check_ascending(std::span<const Shadow> hidden);
   void sort_by_face();
   void name_occluders(std::span<const Shadow> hidden, std::span<const Shadow> by_face);
-  LineOfEdge begun(EdgeId edge, EdgeClass edge_class) const;
-  void end(LineOfEdge line);
+  Line begun(const Tiled& tiled) const;
+  void cast_all(const Tiled& line, const ImageBox& box, const Occluders& occluders);
+  void end(Line line);
 
   const LineOptions& options_;
   Shadows shadows_;
@@ -54,7 +69,7 @@ class Tiling {
 VisibleLines tiled_in_blocks(const Sight& sight, const LineOptions& options, std::span<const std::uint32_t> order,
                              const std::function<void(Tiling&, std::uint32_t)>& add);
 
-/// The lines of all parts in the order of their edges. @param place where each edge's line is: part, and line in it
+/// The lines of all parts in order. @param place where each line is: part, and line in it
 /// @throws InputError beyond 2^32 - 1 interval ends
 VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<std::array<std::uint32_t, 2>>& place);
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hsr/lines/line_progress.h"
-#include "hsr/surfaces/facet.h"
+#include "hsr/facet.h"
 #include "hsr/surfaces/fragments.h"
 #include "hsr/surfaces/map_sight.h"
 #include "hsr/surfaces/rings.h"

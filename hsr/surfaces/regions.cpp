@@ -4,7 +4,7 @@
 #include <map>
 
 #include "geometry/disjoint_sets.h"
-#include "hsr/surfaces/facet.h"
+#include "hsr/facet.h"
 #include "hsr/surfaces/map_sight.h"
 #include "hsr/surfaces/rings.h"
 

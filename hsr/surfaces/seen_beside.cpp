@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "geometry/error.h"
-#include "hsr/surfaces/facet.h"
+#include "hsr/facet.h"
 
 namespace hsr {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "hsr/lines/occluders.h"
+#include "hsr/occluders.h"
 #include "hsr/surfaces/map_sight.h"
 #include "hsr/surfaces/triangle_sides.h"
 

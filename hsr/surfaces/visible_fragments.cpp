@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <optional>
 
-#include "hsr/lines/cut_plane.h"
+#include "hsr/cut_plane.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/occluders.h"
-#include "hsr/lines/parallel.h"
+#include "hsr/occluders.h"
+#include "hsr/parallel.h"
 #include "hsr/lines/requested_edges.h"
-#include "hsr/surfaces/facet.h"
+#include "hsr/facet.h"
 #include "hsr/surfaces/fragment_parts.h"
-#include "hsr/surfaces/intersections.h"
+#include "hsr/contacts/intersections.h"
 #include "hsr/surfaces/seen_beside.h"
 
 namespace hsr {
@@ -39,7 +39,7 @@ class SideFinder {
         left_(map_, occluders),
         right_(map_, occluders) {}
 
-  void add_edge(const VisibleLines& lines, const LineOfEdge& line);
+  void add_edge(const VisibleLines& lines, const Line& line);
   void add_intersection(const Intersection& crossing);
   void add_near_cut(TriangleId t);
 
@@ -100,7 +100,7 @@ MapPoint SideFinder::point_at(const Edge& edge, TriangleId beside, const Cut& cu
   throw InvariantError("visible_fragments: an edge cut within an edge-on plane, where no edge-on face was looked at");
 }
 
-void SideFinder::add_edge(const VisibleLines& lines, const LineOfEdge& line) {
+void SideFinder::add_edge(const VisibleLines& lines, const Line& line) {
   const Edge& edge = mesh_.edges[line.edge];
   const TriangleId left = only_triangle(line.edge, Sign::positive), right = only_triangle(line.edge, Sign::negative);
   if (left.is_valid() && right.is_valid() && facet_of(mesh_, left) == facet_of(mesh_, right)) return;
@@ -130,8 +130,14 @@ void SideFinder::add_edge(const VisibleLines& lines, const LineOfEdge& line) {
 }
 
 void SideFinder::add_intersection(const Intersection& crossing) {
-  add({crossing.line(), crossing.from, crossing.to, map_.point(crossing.from, crossing.s), map_.point(crossing.to, crossing.s)},
-      {}, {});
+  const MapLine line = MapLine::meet(crossing.s, crossing.t);
+  const auto point = [&](const Cut& cut) {
+    const bool is_near = cut.kind == Cut::Kind::near;
+    return MapPoint::crossing(line, is_near ? MapLine::near(crossing.s) : MapLine::edge(VertexId(cut.u), VertexId(cut.v)));
+  };
+  MapPoint from = point(crossing.from), to = point(crossing.to);
+  if (map_.order(line, from, to) == Sign::positive) std::swap(from, to);  // along its image, not in space
+  add({line, from, to, map_.point(from, crossing.s), map_.point(to, crossing.s)}, {}, {});
 }
 
 /// The part of a triangle in the near plane, where it has been cut; or its side there, which may be a diagonal of its face.

@@ -11,26 +11,40 @@ namespace hsr {
 
 namespace {
 
+void append_rational(std::string& out, const Rational& x, Numbers numbers) {
+  if (numbers == Numbers::exact)
+    out += '"' + x.to_string() + '"';
+  else
+    append_number(out, x.to_double(), numbers);
+}
+
 /// Writes one line after the other; one object per thread.
 class LineWriter {
  public:
   LineWriter(const Mesh& mesh, const View& view, const VisibleLines& lines, const JsonOptions& options)
       : mesh_(mesh), view_(view), lines_(lines), numbers_(options.numbers), why_(options.why) {}
 
-  void append(std::string& out, const LineOfEdge& line) {
-    const Edge& edge = mesh_.edges[line.edge];
-    out += "{\"edge\": [";
-    append_integer(out, edge.a.value);
-    out += ", ";
-    append_integer(out, edge.b.value);
+  void append(std::string& out, const Line& line) {
+    carrier_ = carrier_of(mesh_, lines_, line);
+    if (carrier_.is_edge()) {
+      out += "{\"edge\": [";
+      append_integer(out, carrier_.a.value);
+      out += ", ";
+      append_integer(out, carrier_.b.value);
+    } else {
+      out += "{\"points\": [";
+      append_point(out, exact_point(mesh_, view_, carrier_, carrier_.meet.from));
+      out += ", ";
+      append_point(out, exact_point(mesh_, view_, carrier_, carrier_.meet.to));
+    }
     out += "], \"class\": \"";
     out += name_of(line.edge_class);
     out += "\", \"faces\": [";
-    append_faces(out, line.edge);
+    append_faces(out, line);
     out += "], \"visible\": [";
-    append_intervals(out, line, edge, false);
+    append_intervals(out, line, false);
     out += "], \"hidden\": [";
-    append_intervals(out, line, edge, true);
+    append_intervals(out, line, true);
     out += ']';
     if (why_) {
       out += ", \"by\": [";
@@ -41,9 +55,9 @@ class LineWriter {
         out += '[';
         append_integer(out, o.face.value);
         out += ", ";
-        append_parameter(out, edge, o.from);
+        append_parameter(out, o.from);
         out += ", ";
-        append_parameter(out, edge, o.to);
+        append_parameter(out, o.to);
         out += ']';
       }
       out += ']';
@@ -52,9 +66,20 @@ class LineWriter {
   }
 
  private:
-  void append_faces(std::string& out, EdgeId e) {
+  void append_point(std::string& out, const std::array<Rational, 3>& p) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      out += axis == 0 ? "[" : ", ";
+      append_rational(out, p[axis], numbers_);
+    }
+    out += ']';
+  }
+
+  void append_faces(std::string& out, const Line& line) {
     faces_.clear();
-    for (const TriangleId t : mesh_.triangles_at(e)) faces_.push_back(mesh_.face_of[t].value);
+    if (line.is_intersection())
+      for (const TriangleId t : {carrier_.meet.s, carrier_.meet.t}) faces_.push_back(mesh_.face_of[t].value);
+    else
+      for (const TriangleId t : mesh_.triangles_at(line.edge)) faces_.push_back(mesh_.face_of[t].value);
     std::sort(faces_.begin(), faces_.end());
     faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
     const char* comma = "";
@@ -65,7 +90,7 @@ class LineWriter {
     }
   }
 
-  void append_intervals(std::string& out, const LineOfEdge& line, const Edge& edge, bool hidden) {
+  void append_intervals(std::string& out, const Line& line, bool hidden) {
     const auto cuts = lines_.cuts_of(line);
     const char* comma = "";
     for (std::uint32_t k = 0; k < line.intervals(); ++k) {
@@ -73,23 +98,21 @@ class LineWriter {
       out += comma;
       comma = ", ";
       out += '[';
-      append_parameter(out, edge, cuts[k]);
+      append_parameter(out, cuts[k]);
       out += ", ";
-      append_parameter(out, edge, cuts[k + 1]);
+      append_parameter(out, cuts[k + 1]);
       out += ']';
     }
   }
 
-  void append_parameter(std::string& out, const Edge& edge, const Cut& cut) {
+  void append_parameter(std::string& out, const Cut& cut) {
     const bool is_end = cut.kind == Cut::Kind::end;
     if (is_end || cut.kind == Cut::Kind::start) {
       out += numbers_ == Numbers::exact ? (is_end ? "\"1\"" : "\"0\"") : (is_end ? "1" : "0");
     } else if (numbers_ == Numbers::exact) {
-      out += '"';
-      out += parameter(mesh_, view_, edge, cut).to_string();
-      out += '"';
+      append_rational(out, parameter(mesh_, view_, carrier_, cut), numbers_);
     } else {
-      append_number(out, rounded_parameter(mesh_, view_, edge, cut), numbers_);
+      append_number(out, rounded_parameter(mesh_, view_, carrier_, cut), numbers_);
     }
   }
 
@@ -98,6 +121,7 @@ class LineWriter {
   const VisibleLines& lines_;
   Numbers numbers_;
   bool why_;
+  Carrier carrier_;  // of the line at hand
   std::vector<std::uint32_t> faces_;
 };
 
@@ -126,10 +150,7 @@ FragmentText fragment_text(const Mesh& mesh, const View& view, const VisibleFrag
       out.text += k == 0 ? "[" : ", [";
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (axis > 0) out.text += ", ";
-        if (numbers == Numbers::exact)
-          out.text += '"' + ring[k][axis].to_string() + '"';
-        else
-          append_number(out.text, ring[k][axis].to_double(), numbers);
+        append_rational(out.text, ring[k][axis], numbers);
       }
       out.text += ']';
     }

@@ -142,8 +142,7 @@ void append_path(std::string& out, const Drawing& drawing, const Polyline& p) {
   out += "<path d=\"";
   append_points(out, drawing.points_of(p));
   if (p.closed) out += 'Z';
-  out += "\" data-edge=\"";
-  const char* comma = "";
+  const char* comma = "\" data-edge=\"";  // where faces pierce each other there is no edge
   for (const auto& [i, j] : drawing.edges_of(p)) {
     out += comma;
     comma = ",";

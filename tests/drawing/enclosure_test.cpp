@@ -82,22 +82,17 @@ TEST_CASE("Parameters and places are the exact ones rounded, on random scenes", 
     const Point3 anchor = view.frame.origin;
     Projection projection(mesh, view, anchor);
     projection.place({Rational(0.125), Rational(0.5)}, Rational(7.25), 105, 148.5);
-    for (const LineOfEdge& line : lines.lines) {
-      const Edge& edge = mesh.edges[line.edge];
+    for (const Line& line : lines.lines) {
+      const Carrier carrier = carrier_of(mesh, lines, line);
       for (const Cut& cut : lines.cuts_of(line)) {
-        const Rational t = parameter(mesh, view, edge, cut);
-        REQUIRE(rounded_parameter(mesh, view, edge, cut) == t.to_double());
-        std::array<Rational, 3> p;
-        for (int k = 0; k < 3; ++k) {
-          const Rational a = mesh.points[edge.a][k], b = mesh.points[edge.b][k];
-          p[static_cast<std::size_t>(k)] = a + t * (b - a);
-        }
-        const auto seen = image(view, p);
+        const Rational t = parameter(mesh, view, carrier, cut);
+        REQUIRE(rounded_parameter(mesh, view, carrier, cut) == t.to_double());
+        const auto seen = image(view, exact_point(mesh, view, carrier, cut));
         const Rational x = Rational(105.0) + Rational(7.25) * (seen[0] - Rational(0.125));
         const Rational y = Rational(148.5) - Rational(7.25) * (seen[1] - Rational(0.5));
-        REQUIRE(projection.exact(edge, cut) == std::array<Rational, 2>{x, y});
-        const HomogeneousPoint h = projection.at(edge, cut);
-        const PaperPoint rounded_place = projection.rounded(edge, cut, h);
+        REQUIRE(projection.exact(carrier, cut) == std::array<Rational, 2>{x, y});
+        const HomogeneousPoint h = projection.at(carrier, cut);
+        const PaperPoint rounded_place = projection.rounded(carrier, cut, h);
         REQUIRE(std::to_string(rounded_place.x) == (x * Rational(1000.0)).to_decimal(0));
         REQUIRE(std::to_string(rounded_place.y) == (y * Rational(1000.0)).to_decimal(0));
       }

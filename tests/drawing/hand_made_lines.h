@@ -43,7 +43,7 @@ struct HandMadeLines {
         return std::min(a, b) == m.edges[EdgeId(e)].a && std::max(a, b) == m.edges[EdgeId(e)].b;
       };
       while (!is_edge(segments[s])) ++s;
-      LineOfEdge line;
+      Line line;
       line.edge = EdgeId(e);
       line.edge_class = classes[s];
       line.starts_hidden = hidden[s];

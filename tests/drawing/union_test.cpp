@@ -45,18 +45,12 @@ Lengths expected(const Mesh& mesh, const View& view, const VisibleLines& lines) 
     std::vector<Interval> visible, all;
   };
   std::map<std::array<Rational, 3>, OnLine> on_lines;
-  for (const LineOfEdge& line : lines.lines) {
-    const Edge& edge = mesh.edges[line.edge];
+  for (const Line& line : lines.lines) {
+    const Carrier carrier = carrier_of(mesh, lines, line);
     const auto cuts = lines.cuts_of(line);
     std::vector<ImagePoint> points;
     for (const Cut& cut : cuts) {
-      const Rational t = parameter(mesh, view, edge, cut);
-      std::array<Rational, 3> p;
-      for (int k = 0; k < 3; ++k) {
-        const Rational a = mesh.points[edge.a][k], b = mesh.points[edge.b][k];
-        p[static_cast<std::size_t>(k)] = a + t * (b - a);
-      }
-      points.push_back(image(view, p));
+      points.push_back(image(view, exact_point(mesh, view, carrier, cut)));
     }
     for (std::uint32_t k = 0; k < line.intervals(); ++k) {
       const auto l = line_of(points[k], points[k + 1]);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "geometry/mesh.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/view.h"
+#include "tests/oracle/visible_lines_oracle.h"
 
 namespace hsr::oracle {
 
@@ -14,8 +16,19 @@ struct ClassVerdict {
   bool is_near_crease = false;
 };
 
-/// The class of an edge by the definition, in rationals from the half-planes of the triangles at it; nothing if the edge is
-/// not listed (a diagonal that is no outline).
-std::optional<ClassVerdict> class_of(const Mesh& mesh, const View& view, EdgeId edge, double crease);
+/// A part of an edge of one class; no verdict: it is not listed (a diagonal that is no outline).
+struct ClassPart {
+  Interval part;
+  std::optional<ClassVerdict> verdict;
+};
+
+/// The classes along an edge by the definition, in rationals from the half-planes of the triangles at it, and of those that have
+/// it inside.
+/// @param beyond the part beyond the near plane; nothing: seen as a point, or not there. Then its own triangles alone count.
+std::vector<ClassPart> class_parts(const Mesh& mesh, const View& view, EdgeId edge, double crease,
+                                   const std::optional<Interval>& beyond);
+
+/// Whether the side of triangle t from corner k to the next is a diagonal within a planar face.
+bool is_within_face(const Mesh& mesh, TriangleId t, std::size_t k);
 
 }  // namespace hsr::oracle

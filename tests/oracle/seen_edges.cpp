@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "tests/oracle/edge_class_oracle.h"
+#include "tests/oracle/intersections_oracle.h"
 #include "tests/oracle/visible_lines_oracle.h"
 
 namespace hsr::oracle {
@@ -19,8 +21,39 @@ bool same_class(const SeenEdge& expected, const SeenEdge& found) {
   return found.edge_class == expected.edge_class || (expected.class_is_uncertain && found.edge_class == expected.other_class);
 }
 
+std::vector<Interval> clipped(const std::vector<Interval>& intervals, const Interval& part) {
+  std::vector<Interval> out;
+  for (const Interval& i : intervals) {
+    Interval x{std::max(i.from, part.from), std::min(i.to, part.to)};
+    if (x.from < x.to) out.push_back(std::move(x));
+  }
+  return out;
+}
+
+// What is seen of a part of a line.
+EdgeVisibility within(const EdgeVisibility& whole, const Interval& part) {
+  EdgeVisibility v = whole;
+  v.beyond = part;
+  v.hidden = clipped(whole.hidden, part);
+  v.visible = clipped(whole.visible, part);
+  v.shadows.clear();
+  for (const Shadow& s : whole.shadows)
+    for (Interval& i : clipped({s.interval}, part)) v.shadows.push_back({s.triangle, std::move(i)});
+  return v;
+}
+
+void fill_cuts(SeenEdge& e, const EdgeVisibility& v) {
+  e.cuts.push_back(v.beyond.from);
+  e.starts_hidden = !v.hidden.empty() && v.hidden.front().from == v.beyond.from;
+  std::vector<Interval> all = v.hidden;
+  all.insert(all.end(), v.visible.begin(), v.visible.end());
+  std::sort(all.begin(), all.end(), [](const Interval& p, const Interval& q) { return p.from < q.from; });
+  for (const Interval& part : all) e.cuts.push_back(part.to);
+}
+
 // What --why has to name: of the faces whose shadow covers the start, the one that reaches furthest, the lowest index first.
-std::string occluders_by_oracle(const Mesh& mesh, const EdgeVisibility& truth) {
+std::string occluders_by_oracle(const Mesh& mesh, const EdgeVisibility& whole, const Interval& part) {
+  const EdgeVisibility truth = within(whole, part);
   std::map<FaceId, std::vector<Interval>> of_face;
   for (const Shadow& s : truth.shadows) of_face[mesh.face_of[s.triangle]].push_back(s.interval);
   for (auto& [face, intervals] : of_face) intervals = united(intervals);
@@ -44,11 +77,11 @@ std::string occluders_by_oracle(const Mesh& mesh, const EdgeVisibility& truth) {
   return text;
 }
 
-std::string occluders_text(const Mesh& mesh, const View& view, const VisibleLines& lines, const LineOfEdge& line) {
+std::string occluders_text(const Mesh& mesh, const View& view, const VisibleLines& lines, const Line& line) {
   std::string text;
   for (const Occluder& o : lines.occluders_of(line)) {
-    const Q from = exact(parameter(mesh, view, mesh.edges[line.edge], o.from));
-    const Q to = exact(parameter(mesh, view, mesh.edges[line.edge], o.to));
+    const Carrier carrier = carrier_of(mesh, lines, line);
+    const Q from = exact(parameter(mesh, view, carrier, o.from)), to = exact(parameter(mesh, view, carrier, o.to));
     text += " face " + std::to_string(o.face.value) + " " + from.get_str() + " " + to.get_str();
   }
   return text;
@@ -84,7 +117,10 @@ std::string intervals_text(const SeenEdge& edge) {
 }
 
 std::string to_text(const SeenEdge& edge) {
-  return name(edge.a, edge.b) + " " + to_text(edge.edge_class) + ": " + intervals_text(edge);
+  if (edge.a.is_valid()) return name(edge.a, edge.b) + " " + to_text(edge.edge_class) + ": " + intervals_text(edge);
+  const auto point = [](const Vec& p) { return p.x.get_str() + "," + p.y.get_str() + "," + p.z.get_str(); };
+  return "triangles " + std::to_string(edge.s.value) + " x " + std::to_string(edge.t.value) + " " + point(edge.from) + " to " +
+         point(edge.to) + " " + to_text(edge.edge_class) + ": " + intervals_text(edge);
 }
 
 std::string to_text(const std::vector<SeenEdge>& edges) {
@@ -98,26 +134,32 @@ std::vector<SeenEdge> seen_by_oracle(const Mesh& mesh, const View& view, const L
   std::vector<SeenEdge> out;
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const EdgeId id(i);
-    const auto verdict = class_of(mesh, view, id, options.crease);
-    if (!verdict) continue;
-    SeenEdge e{mesh.edges[id].a, mesh.edges[id].b, verdict->edge_class, false, {}, verdict->is_near_crease, false, {}};
-    if (e.class_is_uncertain) {
-      e.other_class = mesh.edges[id].wire ? EdgeClass::wire : EdgeClass::smooth;
-      if (e.edge_class != EdgeClass::sharp) e.other_class = EdgeClass::sharp;
-    }
-    const bool is_asked = asked_for(options, e.edge_class);
-    const bool other_is_asked = e.class_is_uncertain && asked_for(options, e.other_class);
-    if (!is_asked && !other_is_asked) continue;
-    e.may_be_absent = e.class_is_uncertain && is_asked != other_is_asked;
     const EdgeVisibility v = oracle.visibility(id);
-    if (v.is_seen) {
-      e.cuts.push_back(v.beyond.from);
-      e.starts_hidden = !v.hidden.empty() && v.hidden.front().from == v.beyond.from;
-      std::vector<Interval> all = v.hidden;
-      all.insert(all.end(), v.visible.begin(), v.visible.end());
-      std::sort(all.begin(), all.end(), [](const Interval& p, const Interval& q) { return p.from < q.from; });
-      for (const Interval& part : all) e.cuts.push_back(part.to);
+    for (const ClassPart& part : class_parts(mesh, view, id, options.crease, v.is_seen ? std::optional(v.beyond) : std::nullopt)) {
+      const auto& verdict = part.verdict;
+      if (!verdict) continue;
+      SeenEdge e{mesh.edges[id].a, mesh.edges[id].b, verdict->edge_class, false, {}, verdict->is_near_crease};
+      if (e.class_is_uncertain) {
+        e.other_class = mesh.edges[id].wire ? EdgeClass::wire : EdgeClass::smooth;
+        if (e.edge_class != EdgeClass::sharp) e.other_class = EdgeClass::sharp;
+      }
+      const bool is_asked = asked_for(options, e.edge_class);
+      const bool other_is_asked = e.class_is_uncertain && asked_for(options, e.other_class);
+      if (!is_asked && !other_is_asked) continue;
+      e.may_be_absent = e.class_is_uncertain && is_asked != other_is_asked;
+      if (v.is_seen) fill_cuts(e, within(v, part.part));
+      out.push_back(std::move(e));
     }
+  }
+  if (!asked_for(options, EdgeClass::intersection)) return out;
+  for (const Piercing& p : piercings(mesh, view)) {
+    SeenEdge e{{}, {}, EdgeClass::intersection, false, {}};
+    e.s = p.s;
+    e.t = p.t;
+    e.from = p.from;
+    e.to = p.to;
+    const EdgeVisibility v = oracle.visibility(p.from, p.to);
+    if (v.is_seen) fill_cuts(e, v);
     out.push_back(std::move(e));
   }
   return out;
@@ -125,10 +167,20 @@ std::vector<SeenEdge> seen_by_oracle(const Mesh& mesh, const View& view, const L
 
 std::vector<SeenEdge> seen_edges(const Mesh& mesh, const View& view, const VisibleLines& lines) {
   std::vector<SeenEdge> out;
-  for (const LineOfEdge& line : lines.lines) {
-    const Edge& edge = mesh.edges[line.edge];
-    SeenEdge e{edge.a, edge.b, line.edge_class, line.starts_hidden, {}, false, false, {}};
-    for (const Cut& cut : lines.cuts_of(line)) e.cuts.push_back(exact(parameter(mesh, view, edge, cut)));
+  for (const Line& line : lines.lines) {
+    const Carrier carrier = carrier_of(mesh, lines, line);
+    SeenEdge e{carrier.a, carrier.b, line.edge_class, line.starts_hidden, {}};
+    if (line.is_intersection()) {
+      const auto point = [&](const Cut& cut) {
+        const auto p = exact_point(mesh, view, carrier, cut);
+        return Vec(exact(p[0]), exact(p[1]), exact(p[2]));
+      };
+      e.s = carrier.meet.s;
+      e.t = carrier.meet.t;
+      e.from = point(carrier.meet.from);
+      e.to = point(carrier.meet.to);
+    }
+    for (const Cut& cut : lines.cuts_of(line)) e.cuts.push_back(exact(parameter(mesh, view, carrier, cut)));
     out.push_back(std::move(e));
   }
   return out;
@@ -136,8 +188,12 @@ std::vector<SeenEdge> seen_edges(const Mesh& mesh, const View& view, const Visib
 
 std::vector<std::string> differences(const std::vector<SeenEdge>& expected, const std::vector<SeenEdge>& found) {
   std::vector<std::string> out;
-  const auto key = [](const SeenEdge& e) { return std::pair(e.a, e.b); };
-  std::map<std::pair<VertexId, VertexId>, const SeenEdge*> left;
+  // Edges by their vertices and along them, then intersections by their triangles and along them.
+  const auto key = [](const SeenEdge& e) {
+    const Q start = e.cuts.empty() ? Q(0) : e.cuts.front();
+    return std::tuple(e.a, e.b, e.s, e.t, e.from.x, e.from.y, e.from.z, e.to.x, e.to.y, e.to.z, start);
+  };
+  std::map<decltype(key(SeenEdge())), const SeenEdge*> left;
   for (const SeenEdge& e : expected) left[key(e)] = &e;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const SeenEdge& f = found[i];
@@ -162,12 +218,22 @@ std::vector<std::string> compare_with_oracle(const Mesh& mesh, const View& view,
   std::vector<std::string> out = differences(seen_by_oracle(mesh, view, options), seen_edges(mesh, view, lines));
   if (options.why) {
     const VisibleLinesOracle oracle(mesh, view);
-    for (const LineOfEdge& line : lines.lines) {
-      const Edge& edge = mesh.edges[line.edge];
+    for (const Line& line : lines.lines) {
+      const Carrier carrier = carrier_of(mesh, lines, line);
+      const auto end = [&](const Cut& cut) {
+        const auto p = exact_point(mesh, view, carrier, cut);
+        return Vec(exact(p[0]), exact(p[1]), exact(p[2]));
+      };
+      const EdgeVisibility whole = line.is_intersection() ? oracle.visibility(end(carrier.meet.from), end(carrier.meet.to))
+                                                          : oracle.visibility(line.edge);
+      Interval part;
+      if (line.intervals() > 0) {
+        part.from = exact(parameter(mesh, view, carrier, lines.cuts_of(line).front()));
+        part.to = exact(parameter(mesh, view, carrier, lines.cuts_of(line).back()));
+      }
       const std::string found = occluders_text(mesh, view, lines, line);
-      const std::string expected = occluders_by_oracle(mesh, oracle.visibility(line.edge));
-      if (found != expected)
-        out.push_back("occluders of " + name(edge.a, edge.b) + ": found" + found + "; expected" + expected);
+      const std::string expected = occluders_by_oracle(mesh, whole, part);
+      if (found != expected) out.push_back("occluders: found" + found + "; expected" + expected);
     }
   } else if (!lines.occluders.empty()) {
     out.push_back("occluders that were not asked for");

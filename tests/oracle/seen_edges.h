@@ -9,7 +9,7 @@
 
 namespace hsr::oracle {
 
-/// One listed edge with its exact parameters: the form in which results are compared and printed.
+/// One listed line with its exact parameters: the form in which results are compared and printed.
 struct SeenEdge {
   VertexId a, b;
   EdgeClass edge_class = EdgeClass::smooth;
@@ -18,6 +18,9 @@ struct SeenEdge {
   /// Only by the oracle: so near to the crease that doubles may decide either way.
   bool class_is_uncertain = false, may_be_absent = false;
   EdgeClass other_class = EdgeClass::smooth;
+  /// Where faces pierce each other, instead of a and b: the first triangles of both, and the ends.
+  TriangleId s = {}, t = {};
+  Vec from = {}, to = {};
 };
 
 const char* to_text(EdgeClass edge_class);

@@ -140,8 +140,11 @@ std::vector<Q> VisibleLinesOracle::candidates(const Triangle& t, const Vec& a, c
 }
 
 EdgeVisibility VisibleLinesOracle::visibility(EdgeId edge) const {
+  return visibility(Vec(mesh_.points[mesh_.edges[edge].a]), Vec(mesh_.points[mesh_.edges[edge].b]));
+}
+
+EdgeVisibility VisibleLinesOracle::visibility(const Vec& a, const Vec& b) const {
   EdgeVisibility out;
-  const Vec a(mesh_.points[mesh_.edges[edge].a]), b(mesh_.points[mesh_.edges[edge].b]);
   if (is_zero(cross(b - a, to_eye(a)))) return out;  // seen as a point
 
   out.beyond = {0, 1};

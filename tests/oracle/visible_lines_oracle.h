@@ -42,6 +42,7 @@ class VisibleLinesOracle {
   VisibleLinesOracle(const Mesh& mesh, const View& view);
 
   EdgeVisibility visibility(EdgeId edge) const;
+  EdgeVisibility visibility(const Vec& a, const Vec& b) const;  ///< of a segment
 
   /// Whether the triangle hides the point `p`, which is beyond the near plane or in it.
   bool hides(TriangleId triangle, const Vec& p) const;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+
 #include "geometry/mesh.h"
 
 namespace hsr {
@@ -13,6 +16,16 @@ inline TriangleId facet_of(const Mesh& mesh, TriangleId t) {
 inline TriangleId facet_end(const Mesh& mesh, TriangleId t) {
   const FaceId f = mesh.face_of[t];
   return mesh.faces[f] == FaceUse::planar ? TriangleId(mesh.first_triangle[FaceId(f.value + 1U)]) : TriangleId(t.value + 1U);
+}
+
+/// Whether the side of t from corner k to the next is a diagonal within its planar face: no edge of the face.
+inline bool is_inner_diagonal(const Mesh& mesh, TriangleId t, std::size_t k) {
+  if (facet_end(mesh, t).value - facet_of(mesh, t).value == 1) return false;
+  const auto& c = mesh.triangles[t];
+  const EdgeId e = mesh.find_edge(c[k], c[(k + 1) % 3]);
+  if (!e.is_valid()) return true;
+  const auto own = mesh.triangles_at(e);
+  return std::find(own.begin(), own.end(), t) == own.end();
 }
 
 }  // namespace hsr

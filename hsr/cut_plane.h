@@ -1,7 +1,9 @@
 #pragma once
 
 #include "geometry/error.h"
-#include "hsr/lines/visible_lines.h"
+#include "geometry/plane.h"
+#include "geometry/mesh.h"
+#include "hsr/cut.h"
 
 namespace hsr {
 

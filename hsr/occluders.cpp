@@ -1,6 +1,6 @@
-#include "hsr/lines/occluders.h"
+#include "hsr/occluders.h"
 
-#include "hsr/lines/parallel.h"
+#include "hsr/parallel.h"
 
 namespace hsr {
 

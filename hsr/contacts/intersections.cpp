@@ -1,0 +1,343 @@
+#include "hsr/contacts/intersections.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "geometry/constructed_point.h"
+#include "hsr/contacts/half_space.h"
+#include "hsr/cut_plane.h"
+#include "hsr/facet.h"
+#include "hsr/parallel.h"
+
+namespace hsr {
+
+namespace {
+
+class Finder {
+ public:
+  Finder(const Sight& sight, const Occluders& occluders, std::vector<std::uint8_t>& has_contact)
+      : sight_(sight), mesh_(sight.mesh()), occluders_(occluders), exact_(sight.predicates()), has_contact_(has_contact) {}
+
+  void look_around(TriangleId s, std::vector<Intersection>& found);
+  const DecisionCounts& decisions() { return exact_.counts(); }
+
+ private:
+  std::array<Sign, 3> sides(const PlaneFilter& filter, const Plane& plane, TriangleId s, TriangleId t);
+  void look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane, TriangleId t, std::vector<Intersection>& found);
+  void mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at);
+  bool may_lie_in(VertexId u, VertexId v, TriangleId t);
+  bool passes_through(TriangleId t, const std::array<Sign, 3>& at) const;
+  bool cross_beyond_common_corner(TriangleId s, TriangleId t);
+  std::optional<Intersection> segment(TriangleId s, TriangleId t);
+
+  const Sight& sight_;
+  const Mesh& mesh_;
+  const Occluders& occluders_;
+  Predicates exact_;
+  std::vector<std::uint8_t>& has_contact_;
+};
+
+std::array<Sign, 3> Finder::sides(const PlaneFilter& filter, const Plane& plane, TriangleId s, TriangleId t) {
+  const auto &c = mesh_.triangles[s], &d = mesh_.triangles[t];
+  std::array<Sign, 3> at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexId v = d[k];
+    if (v == c[0] || v == c[1] || v == c[2]) {
+      at[k] = Sign::zero;
+      continue;
+    }
+    const ErrorBounded x = filter(sight_.point(v));
+    at[k] = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(plane, sight_.point(v));
+  }
+  return at;
+}
+
+bool straddles(const std::array<Sign, 3>& at) {
+  const auto any = [&](Sign s) { return at[0] == s || at[1] == s || at[2] == s; };
+  return any(Sign::positive) && any(Sign::negative);
+}
+
+void Finder::look_around(TriangleId s, std::vector<Intersection>& found) {
+  const Plane plane = sight_.face_plane(s);
+  const PlaneFilter filter = sight_.filter(plane);
+  const TriangleId facet = facet_of(mesh_, s);
+  occluders_.tree.visit_touching(sight_.box(s), [&](std::uint32_t i) {
+    const TriangleId t = occluders_.triangles[i];
+    if (t > s && facet_of(mesh_, t) != facet) look_at(s, filter, plane, t, found);
+    return true;
+  });
+}
+
+void Finder::look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane, TriangleId t,
+                     std::vector<Intersection>& found) {
+  const std::array<Sign, 3> at_t = sides(filter, plane, s, t);
+  const auto zeros = [](const std::array<Sign, 3>& at) { return std::count(at.begin(), at.end(), Sign::zero); };
+  if (!straddles(at_t) && zeros(at_t) < 2) return;  // on one side but for a point
+  const Plane other = sight_.face_plane(t);
+  const std::array<Sign, 3> at_s = sides(sight_.filter(other), other, t, s);
+  if (zeros(at_t) >= 2) mark_contacts(s, t, at_t);
+  if (zeros(at_s) >= 2) mark_contacts(t, s, at_s);
+  if (!passes_through(t, at_t) || !passes_through(s, at_s)) return;
+  if (straddles(at_t) && straddles(at_s) && !cross_beyond_common_corner(s, t)) return;
+  if (const auto crossing = segment(s, t)) found.push_back(*crossing);
+}
+
+/// Marks the sides of t that lie in the plane of `flat` and may overlap it.
+void Finder::mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at) {
+  const auto &c = mesh_.triangles[t], &d = mesh_.triangles[flat];
+  const auto is_corner = [&](VertexId v) { return v == d[0] || v == d[1] || v == d[2]; };
+  const bool is_single = facet_end(mesh_, flat).value - facet_of(mesh_, flat).value == 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (at[k] != Sign::zero || at[(k + 1) % 3] != Sign::zero) continue;
+    const VertexId u = c[k], v = c[(k + 1) % 3];
+    if (is_single && is_corner(u) && is_corner(v)) continue;
+    if (!may_lie_in(u, v, flat)) continue;
+    // A diagonal inside a planar face is no edge of the mesh; an edge of `flat` is no contact with it.
+    const EdgeId e = mesh_.find_edge(u, v);
+    if (!e.is_valid()) continue;
+    const auto own = mesh_.triangles_at(e);
+    if (std::find(own.begin(), own.end(), flat) != own.end()) continue;
+    std::atomic_ref<std::uint8_t>(has_contact_[e.value]).store(1, std::memory_order_relaxed);
+  }
+}
+
+/// Whether the segment uv, in the plane of t, may have more than a point in common with t.
+bool Finder::may_lie_in(VertexId u, VertexId v, TriangleId t) {
+  const auto side = [&](const Plane& plane, const Cut& cut, VertexId p) {
+    return p.value == cut.u || p.value == cut.v ? Sign::zero : sight_.side(plane, p, exact_);
+  };
+  const auto half_spaces = hsr::half_spaces(sight_, t, exact_);
+  for (const HalfSpace& h : half_spaces) {
+    const Sign a = side(h.plane, h.cut, u) * h.inner, b = side(h.plane, h.cut, v) * h.inner;
+    if (a != Sign::positive && b != Sign::positive && !(a == Sign::zero && b == Sign::zero)) return false;
+  }
+  // All of t on one side of the segment, but for a point.
+  Cut cut = half_spaces[0].cut;
+  cut.u = u.value;
+  cut.v = v.value;
+  const Plane line = cut_plane(sight_, cut);
+  bool positive = false, negative = false;
+  int zeros = 0;
+  for (const VertexId w : mesh_.triangles[t]) {
+    const Sign s = side(line, cut, w);
+    zeros += s == Sign::zero ? 1 : 0;
+    positive = positive || s == Sign::positive;
+    negative = negative || s == Sign::negative;
+  }
+  return (positive && negative) || zeros >= 2;
+}
+
+/// Whether the face of t has points on both sides of a plane around t, t being on the sides `at` of it: where a diagonal lies
+/// in the plane the face goes on behind it.
+bool Finder::passes_through(TriangleId t, const std::array<Sign, 3>& at) const {
+  if (straddles(at)) return true;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (at[k] == Sign::zero && at[(k + 1) % 3] == Sign::zero && at[(k + 2) % 3] != Sign::zero) return is_inner_diagonal(mesh_, t, k);
+  return false;
+}
+
+/// Two triangles with a common corner v, each with points on both sides of the other's plane, pq and ab their other corners:
+/// both cross the line of both planes in a segment that starts at v, and they have more in common iff both run the same way.
+/// Where ab crosses the plane of vpq is on q's side of the line vp iff b is on q's side of the plane vpa.
+bool Finder::cross_beyond_common_corner(TriangleId s, TriangleId t) {
+  const auto &c = mesh_.triangles[s], &d = mesh_.triangles[t];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (c[i] != d[k]) continue;
+      const VertexId p = d[(k + 1) % 3], q = d[(k + 2) % 3], a = c[(i + 1) % 3], b = c[(i + 2) % 3];
+      const Plane plane = Plane::of_face(sight_.point(c[i]), sight_.point(p), sight_.point(a));
+      return sight_.side(plane, b, exact_) * sight_.side(plane, q, exact_) == Sign::positive;
+    }
+  return true;
+}
+
+/// A plane that crosses the line in which two others meet.
+struct Crossing {
+  Cut cut;
+  Plane plane;
+  Sign rise = Sign::zero;  // how its value changes along the line
+};
+
+/// The line in which two planes meet, and places on it.
+class MeetLine {
+ public:
+  MeetLine(const Plane& s, const Plane& t, Predicates& exact) : s_(s), t_(t), exact_(exact) {}
+
+  Sign rise(const Plane& plane) { return exact_.turn(s_, t_, plane); }
+  /// On which side of `plane` the place lies.
+  Sign side(const Plane& plane, const Crossing& place) { return exact_.side(plane, s_, t_, place.plane); }
+  /// Which comes first: negative, x.
+  Sign order(const Crossing& x, const Crossing& y) {
+    return x.cut == y.cut ? Sign::zero : -(side(x.plane, y) * x.rise);
+  }
+  std::array<ErrorBounded, 3> near_point(const Crossing& place) const { return near_meet(s_, t_, place.plane); }
+  std::array<Rational, 3> exact_point(const Crossing& place) const {
+    return ConstructedPoint::meet(s_, t_, place.plane).exact();
+  }
+
+ private:
+  Plane s_, t_;
+  Predicates& exact_;
+};
+
+/// Clips the line in which both planes meet to both triangles. @pre the face of each passes through the other's plane
+std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
+  MeetLine line(sight_.face_plane(s), sight_.face_plane(t), exact_);
+  struct Bound {
+    HalfSpace h;
+    bool goes_on;  // the face does, behind it
+  };
+  std::array<Bound, 7> bounds;
+  std::size_t n = 0;
+  bool near_cuts = false;
+  for (const TriangleId x : {s, t}) {
+    const auto half_spaces = hsr::half_spaces(sight_, x, exact_);
+    for (std::size_t k = 0; k < 3; ++k) bounds[n++] = {half_spaces[k], is_inner_diagonal(mesh_, x, k)};
+    near_cuts = near_cuts || sight_.reaches_before_near(x);
+  }
+  if (near_cuts) bounds[n++] = {{{Cut::Kind::near, 0, 0, 0}, sight_.near_plane(), Sign::positive}, false};
+  std::optional<Crossing> low, high;
+  for (std::size_t i = 0; i < n; ++i) {
+    const HalfSpace& h = bounds[i].h;
+    const Crossing here{h.cut, h.plane, line.rise(h.plane)};
+    if (here.rise == Sign::zero) continue;
+    if (here.rise * h.inner == Sign::positive) {
+      if (!low || line.order(*low, here) == Sign::negative) low = here;
+    } else {
+      if (!high || line.order(here, *high) == Sign::negative) high = here;
+    }
+  }
+  if (!low || !high || line.order(*low, *high) != Sign::negative) return std::nullopt;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto& [h, goes_on] = bounds[i];
+    if (line.rise(h.plane) != Sign::zero) continue;
+    const Sign at = line.side(h.plane, *low) * h.inner;
+    if (at == Sign::negative || (at == Sign::zero && !goes_on)) return std::nullopt;
+  }
+  return Intersection{s, t, low->cut, high->cut};
+}
+
+}  // namespace
+
+Intersections find_intersections(const Sight& sight, const Occluders& occluders) {
+  Intersections all;
+  all.has_contact.resize(sight.mesh().edges.size(), 0);
+  constexpr std::size_t block = 512;
+  const std::size_t n = occluders.triangles.size();
+  std::vector<std::vector<Intersection>> parts((n + block - 1) / block);
+  std::vector<DecisionCounts> counts(parts.size());
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
+    for (std::size_t part = range.begin(); part < range.end(); ++part) {
+      Finder finder(sight, occluders, all.has_contact);
+      const std::size_t end = std::min((part + 1) * block, n);
+      for (std::size_t i = part * block; i < end; ++i) finder.look_around(occluders.triangles[i], parts[part]);
+      counts[part] = finder.decisions();
+    }
+  });
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    all.segments.insert(all.segments.end(), parts[part].begin(), parts[part].end());
+    all.decisions += counts[part];
+  }
+  std::sort(all.segments.begin(), all.segments.end(),
+            [](const Intersection& x, const Intersection& y) { return std::pair(x.s, x.t) < std::pair(y.s, y.t); });
+  return all;
+}
+
+namespace {
+
+/// Whether the first place is the lexicographically smaller one.
+bool is_ascending(const MeetLine& line, const Crossing& from, const Crossing& to) {
+  const auto a = line.near_point(from), b = line.near_point(to);
+  std::optional<std::array<Rational, 3>> p, q;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ErrorBounded gap = b[k] - a[k];
+    if (gap.is_certain()) return gap.value > 0;
+    if (!p) {
+      p = line.exact_point(from);
+      q = line.exact_point(to);
+    }
+    if ((*p)[k] != (*q)[k]) return (*p)[k] < (*q)[k];
+  }
+  throw InvariantError("intersections: an empty segment");
+}
+
+struct Piece {
+  Crossing from, to;
+};
+
+/// A piece, running along the line.
+Piece piece(const Sight& sight, MeetLine& line, const Intersection& x) {
+  const auto crossing = [&](const Cut& cut) {
+    const Plane plane = cut_plane(sight, cut);
+    return Crossing{cut, plane, line.rise(plane)};
+  };
+  Piece p{crossing(x.from), crossing(x.to)};
+  if (line.order(p.from, p.to) == Sign::positive) std::swap(p.from, p.to);
+  return p;
+}
+
+void unite(MeetLine& line, std::vector<Piece>& parts) {
+  std::sort(parts.begin(), parts.end(),
+            [&](const Piece& x, const Piece& y) { return line.order(x.from, y.from) == Sign::negative; });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (line.order(parts[i].from, parts[last].to) == Sign::positive)
+      parts[++last] = parts[i];
+    else if (line.order(parts[last].to, parts[i].to) == Sign::negative)
+      parts[last].to = parts[i].to;
+  }
+  parts.resize(last + 1);
+  if (is_ascending(line, parts[0].from, parts[0].to)) return;
+  std::reverse(parts.begin(), parts.end());
+  for (Piece& p : parts) std::swap(p.from, p.to);
+}
+
+}  // namespace
+
+std::vector<Intersection> united(const Sight& sight, const std::vector<Intersection>& pieces) {
+  const Mesh& mesh = sight.mesh();
+  const auto facets = [&](const Intersection& x) { return std::pair(facet_of(mesh, x.s), facet_of(mesh, x.t)); };
+  std::vector<std::uint32_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), 0U);
+  tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) {
+    return std::pair(facets(pieces[i]), i) < std::pair(facets(pieces[k]), k);
+  });
+  std::vector<std::size_t> first;  // of each pair of facets
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (i == 0 || facets(pieces[order[i]]) != facets(pieces[order[i - 1]])) first.push_back(i);
+  first.push_back(order.size());
+  return collected<Intersection>(first.size() - 1, [&](std::size_t begin, std::size_t end, std::vector<Intersection>& out) {
+    Predicates exact = sight.predicates();
+    for (std::size_t g = begin; g < end; ++g) {
+      const auto [s, t] = facets(pieces[order[first[g]]]);
+      MeetLine line(sight.face_plane(s), sight.face_plane(t), exact);
+      std::vector<Piece> parts;
+      for (std::size_t i = first[g]; i < first[g + 1]; ++i) parts.push_back(piece(sight, line, pieces[order[i]]));
+      unite(line, parts);
+      for (const Piece& p : parts) out.push_back({s, t, p.from.cut, p.to.cut});
+    }
+  });
+}
+
+ImageBox box_of(const Sight& sight, const Intersection& meet) {
+  const Plane s = sight.face_plane(meet.s), t = sight.face_plane(meet.t);
+  ImageBox box = ImageBox::nothing();
+  for (const Cut& cut : {meet.from, meet.to}) {
+    const auto p = near_meet(s, t, cut_plane(sight, cut));
+    const double error = (p[0].error + p[1].error + p[2].error) * 1.01;
+    // The triangles' boxes will not do: the segment may run through all of a face.
+    if (!(error < HUGE_VAL) || !sight.predicates().filter_is_proven()) return ImageBox::everything();
+    box.add(sight.box({p[0].value, p[1].value, p[2].value}, error));
+  }
+  return box;
+}
+
+}  // namespace hsr

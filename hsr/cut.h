@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+namespace hsr {
+
+/// A place on a line of the scene (an edge, or where two faces pierce each other), kept as the symbol of what cuts the line
+/// there: never as a rounded number.
+struct Cut {
+  enum class Kind : std::uint8_t {
+    start,            ///< the first vertex of an edge, t = 0
+    end,              ///< the second vertex of an edge, t = 1
+    sight,            ///< the view plane of the vertices u and v
+    face,             ///< the plane of triangle u
+    near,             ///< the near plane
+    near_line,        ///< where triangle u is cut by the near plane, as seen from the eye
+    line,             ///< within an edge-on plane: the line of the vertices u and v; drop coordinate `axis`
+    sight_of_vertex,  ///< within an edge-on plane: the line of sight of vertex u; drop `axis`
+    near_line_end,    ///< within an edge-on plane: where the line of u and v is cut by the near plane; drop `axis`
+  };
+  Kind kind = Kind::start;
+  std::uint8_t axis = 0;
+  std::uint32_t u = 0, v = 0;
+
+  friend bool operator==(const Cut&, const Cut&) = default;
+};
+
+}  // namespace hsr

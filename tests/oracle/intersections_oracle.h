@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "hsr/view.h"
+#include "tests/oracle/exact_vector.h"
+
+namespace hsr::oracle {
+
+/// A segment along which two planar pieces, named by their first triangles, pierce each other; from the lexicographically
+/// smaller end.
+struct Piercing {
+  TriangleId s, t;  ///< s < t
+  Vec from, to;
+};
+
+/// All of them beyond the near plane, in rationals: where a point of the line of both planes is inside both pieces.
+std::vector<Piercing> piercings(const Mesh& mesh, const View& view);
+
+}  // namespace hsr::oracle
