@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes);
 /// Cost: build O(n log n), parallel; a query O(log n + k) on meshes. The same order of calls for any number of threads.
 ///
 /// Many queries close to one another share the way down: `leaves` finds the leaves that overlap all of them together, and
-/// `visit_leaf` looks for each query at one leaf.
+/// `visit_leaf` looks for each query at one leaf. `first`: leaves before it are passed over.
 class BoxTree {
  public:
   enum class Depth { hiding, touching };
@@ -60,7 +61,12 @@ class BoxTree {
 
   /// Appends the leaves that overlap the query, until there are `limit` of them. False: there are more.
   template <Depth depth>
-  bool leaves(const ImageBox& query, std::size_t limit, std::vector<std::uint32_t>& found) const;
+  bool leaves(const ImageBox& query, std::size_t limit, std::vector<std::uint32_t>& found, std::uint32_t first = 0) const;
+  std::uint32_t leaf_count() const { return static_cast<std::uint32_t>((order_.size() + width - 1) / width); }
+  /// Calls f(i, k) for every two boxes that touch, the one in this leaf and the other later in the tree: each pair once, over
+  /// all leaves. @param leaves for the search
+  template <class F>
+  void visit_pairs(std::uint32_t leaf, std::vector<std::uint32_t>& leaves, F&& f) const;
   /// False: f returned false.
   template <Depth depth, class F>
   bool visit_leaf(std::uint32_t leaf, const ImageBox& query, F&& f) const {
@@ -81,6 +87,10 @@ class BoxTree {
   static unsigned overlaps(const Node& node, const ImageBox& query);
   template <Depth depth, class F>
   void visit_boxes(const ImageBox& query, F& f) const;
+  ImageBox box(std::uint32_t leaf, std::size_t k) const {
+    const Node& n = nodes_[leaf];
+    return {{n.low[0][k], n.low[1][k]}, {n.high[0][k], n.high[1][k]}, n.farthest[k], n.nearest[k]};
+  }
 
   std::vector<Node> nodes_;                 // level upon level, the leaves' level first
   std::vector<std::uint32_t> level_begin_;  // of each level in nodes_
@@ -145,7 +155,8 @@ void BoxTree::visit_boxes(const ImageBox& query, F& f) const {
 }
 
 template <BoxTree::Depth depth>
-bool BoxTree::leaves(const ImageBox& query, std::size_t limit, std::vector<std::uint32_t>& found) const {
+bool BoxTree::leaves(const ImageBox& query, std::size_t limit, std::vector<std::uint32_t>& found,
+                     [[maybe_unused]] std::uint32_t first) const {
   if (nodes_.empty()) return true;
   const std::size_t end = found.size() + limit;
   std::array<std::pair<std::uint32_t, std::uint32_t>, 12 * width> stack;
@@ -153,6 +164,7 @@ bool BoxTree::leaves(const ImageBox& query, std::size_t limit, std::vector<std::
   stack[top++] = {static_cast<std::uint32_t>(level_begin_.size() - 1), 0};
   while (top > 0) {
     const auto [level, place] = stack[--top];
+    if ((std::uint64_t{place} + 1) << 3 * level <= first) continue;  // all of its leaves are before
     unsigned hit = overlaps<depth>(nodes_[level_begin_[level] + place], query);
     if (level == 0) {
       if (hit == 0) continue;
@@ -163,6 +175,29 @@ bool BoxTree::leaves(const ImageBox& query, std::size_t limit, std::vector<std::
         stack[top++] = {level - 1, place * width + static_cast<std::uint32_t>(__builtin_ctz(hit))};
   }
   return true;
+}
+
+template <class F>
+void BoxTree::visit_pairs(std::uint32_t leaf, std::vector<std::uint32_t>& found, F&& f) const {
+  const std::size_t count = std::min(width, order_.size() - leaf * width);
+  ImageBox all = ImageBox::nothing();
+  for (std::size_t k = 0; k < count; ++k) all.add(box(leaf, k));
+  constexpr std::size_t limit = 64, none = 0xffffffffU;
+  found.clear();
+  const bool shares = leaves<Depth::touching>(all, limit, found, leaf);
+  for (std::size_t k = 0; k < count; ++k) {
+    const ImageBox query = box(leaf, k);
+    if (!shares) {
+      found.clear();
+      leaves<Depth::touching>(query, none, found, leaf);
+    }
+    for (const std::uint32_t other : found) {
+      unsigned hit = overlaps<Depth::touching>(nodes_[other], query);
+      if (other == leaf) hit &= ~0U << (k + 1);
+      for (; hit != 0; hit &= hit - 1)
+        f(order_[leaf * width + k], order_[other * width + static_cast<unsigned>(__builtin_ctz(hit))]);
+    }
+  }
 }
 
 }  // namespace hsr

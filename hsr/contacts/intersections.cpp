@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "geometry/constructed_point.h"
+#include "geometry/meet_line.h"
 #include "hsr/contacts/half_space.h"
 #include "hsr/cut_plane.h"
 #include "hsr/facet.h"
@@ -25,7 +26,8 @@ class Finder {
   Finder(const Sight& sight, const Occluders& occluders, std::vector<std::uint8_t>& has_contact)
       : sight_(sight), mesh_(sight.mesh()), occluders_(occluders), exact_(sight.predicates()), has_contact_(has_contact) {}
 
-  void look_around(TriangleId s, std::vector<Intersection>& found);
+  /// Looks at the triangles of a leaf of the tree, with those that come later.
+  void look_around(std::uint32_t leaf, std::vector<Intersection>& found);
   const DecisionCounts& decisions() { return exact_.counts(); }
 
  private:
@@ -42,6 +44,7 @@ class Finder {
   const Occluders& occluders_;
   Predicates exact_;
   std::vector<std::uint8_t>& has_contact_;
+  std::vector<std::uint32_t> leaves_;
 };
 
 std::array<Sign, 3> Finder::sides(const PlaneFilter& filter, const Plane& plane, TriangleId s, TriangleId t) {
@@ -64,14 +67,19 @@ bool straddles(const std::array<Sign, 3>& at) {
   return any(Sign::positive) && any(Sign::negative);
 }
 
-void Finder::look_around(TriangleId s, std::vector<Intersection>& found) {
-  const Plane plane = sight_.face_plane(s);
-  const PlaneFilter filter = sight_.filter(plane);
-  const TriangleId facet = facet_of(mesh_, s);
-  occluders_.tree.visit_touching(sight_.box(s), [&](std::uint32_t i) {
-    const TriangleId t = occluders_.triangles[i];
-    if (t > s && facet_of(mesh_, t) != facet) look_at(s, filter, plane, t, found);
-    return true;
+void Finder::look_around(std::uint32_t leaf, std::vector<Intersection>& found) {
+  TriangleId turned_to;
+  Plane plane;
+  PlaneFilter filter;
+  occluders_.tree.visit_pairs(leaf, leaves_, [&](std::uint32_t i, std::uint32_t k) {
+    const TriangleId s = occluders_.triangles[i], t = occluders_.triangles[k];
+    if (facet_of(mesh_, s) == facet_of(mesh_, t)) return;
+    if (s != turned_to) {
+      turned_to = s;
+      plane = sight_.face_plane(s);
+      filter = sight_.filter(plane);
+    }
+    look_at(s, filter, plane, t, found);
   });
 }
 
@@ -86,7 +94,7 @@ void Finder::look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane
   if (zeros(at_s) >= 2) mark_contacts(t, s, at_s);
   if (!passes_through(t, at_t) || !passes_through(s, at_s)) return;
   if (straddles(at_t) && straddles(at_s) && !cross_beyond_common_corner(s, t)) return;
-  if (const auto crossing = segment(s, t)) found.push_back(*crossing);
+  if (const auto crossing = segment(std::min(s, t), std::max(s, t))) found.push_back(*crossing);
 }
 
 /// Marks the sides of t that lie in the plane of `flat` and may overlap it.
@@ -158,44 +166,27 @@ bool Finder::cross_beyond_common_corner(TriangleId s, TriangleId t) {
   return true;
 }
 
-/// A plane that crosses the line in which two others meet.
+/// A place on the line in which two planes meet, by name.
 struct Crossing {
   Cut cut;
-  Plane plane;
-  Sign rise = Sign::zero;  // how its value changes along the line
+  MeetLine::Place place;
 };
 
-/// The line in which two planes meet, and places on it.
-class MeetLine {
- public:
-  MeetLine(const Plane& s, const Plane& t, Predicates& exact) : s_(s), t_(t), exact_(exact) {}
-
-  Sign rise(const Plane& plane) { return exact_.turn(s_, t_, plane); }
-  /// On which side of `plane` the place lies.
-  Sign side(const Plane& plane, const Crossing& place) { return exact_.side(plane, s_, t_, place.plane); }
-  /// Which comes first: negative, x.
-  Sign order(const Crossing& x, const Crossing& y) {
-    return x.cut == y.cut ? Sign::zero : -(side(x.plane, y) * x.rise);
-  }
-  std::array<ErrorBounded, 3> near_point(const Crossing& place) const { return near_meet(s_, t_, place.plane); }
-  std::array<Rational, 3> exact_point(const Crossing& place) const {
-    return ConstructedPoint::meet(s_, t_, place.plane).exact();
-  }
-
- private:
-  Plane s_, t_;
-  Predicates& exact_;
-};
+/// Which comes first: negative, x.
+Sign order(const MeetLine& line, const Crossing& x, const Crossing& y) {
+  return x.cut == y.cut ? Sign::zero : line.order(x.place, y.place);
+}
 
 /// Clips the line in which both planes meet to both triangles. @pre the face of each passes through the other's plane
 std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
-  MeetLine line(sight_.face_plane(s), sight_.face_plane(t), exact_);
+  const MeetLine line(sight_.face_plane(s), sight_.face_plane(t), exact_);
   struct Bound {
     HalfSpace h;
     bool goes_on;  // the face does, behind it
   };
   std::array<Bound, 7> bounds;
-  std::size_t n = 0;
+  std::array<std::size_t, 7> parallel;
+  std::size_t n = 0, parallels = 0;
   bool near_cuts = false;
   for (const TriangleId x : {s, t}) {
     const auto half_spaces = hsr::half_spaces(sight_, x, exact_);
@@ -206,19 +197,20 @@ std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
   std::optional<Crossing> low, high;
   for (std::size_t i = 0; i < n; ++i) {
     const HalfSpace& h = bounds[i].h;
-    const Crossing here{h.cut, h.plane, line.rise(h.plane)};
-    if (here.rise == Sign::zero) continue;
-    if (here.rise * h.inner == Sign::positive) {
-      if (!low || line.order(*low, here) == Sign::negative) low = here;
+    const Crossing here{h.cut, line.place(h.plane)};
+    if (here.place.rise == Sign::zero) {
+      parallel[parallels++] = i;
+    } else if (here.place.rise * h.inner == Sign::positive) {
+      if (!low || order(line, *low, here) == Sign::negative) low = here;
     } else {
-      if (!high || line.order(here, *high) == Sign::negative) high = here;
+      if (!high || order(line, here, *high) == Sign::negative) high = here;
     }
+    if (low && high && order(line, *low, *high) != Sign::negative) return std::nullopt;
   }
-  if (!low || !high || line.order(*low, *high) != Sign::negative) return std::nullopt;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto& [h, goes_on] = bounds[i];
-    if (line.rise(h.plane) != Sign::zero) continue;
-    const Sign at = line.side(h.plane, *low) * h.inner;
+  if (!low || !high) return std::nullopt;
+  for (std::size_t i = 0; i < parallels; ++i) {
+    const auto& [h, goes_on] = bounds[parallel[i]];
+    const Sign at = line.side(h.plane, low->place) * h.inner;
     if (at == Sign::negative || (at == Sign::zero && !goes_on)) return std::nullopt;
   }
   return Intersection{s, t, low->cut, high->cut};
@@ -229,8 +221,8 @@ std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
 Intersections find_intersections(const Sight& sight, const Occluders& occluders) {
   Intersections all;
   all.has_contact.resize(sight.mesh().edges.size(), 0);
-  constexpr std::size_t block = 512;
-  const std::size_t n = occluders.triangles.size();
+  constexpr std::size_t block = 64;
+  const std::size_t n = occluders.tree.leaf_count();
   std::vector<std::vector<Intersection>> parts((n + block - 1) / block);
   std::vector<DecisionCounts> counts(parts.size());
   using Range = tbb::blocked_range<std::size_t>;
@@ -238,7 +230,8 @@ Intersections find_intersections(const Sight& sight, const Occluders& occluders)
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
       Finder finder(sight, occluders, all.has_contact);
       const std::size_t end = std::min((part + 1) * block, n);
-      for (std::size_t i = part * block; i < end; ++i) finder.look_around(occluders.triangles[i], parts[part]);
+      for (std::size_t leaf = part * block; leaf < end; ++leaf)
+        finder.look_around(static_cast<std::uint32_t>(leaf), parts[part]);
       counts[part] = finder.decisions();
     }
   });
@@ -255,14 +248,14 @@ namespace {
 
 /// Whether the first place is the lexicographically smaller one.
 bool is_ascending(const MeetLine& line, const Crossing& from, const Crossing& to) {
-  const auto a = line.near_point(from), b = line.near_point(to);
+  const auto a = line.near_point(from.place), b = line.near_point(to.place);
   std::optional<std::array<Rational, 3>> p, q;
   for (std::size_t k = 0; k < 3; ++k) {
     const ErrorBounded gap = b[k] - a[k];
     if (gap.is_certain()) return gap.value > 0;
     if (!p) {
-      p = line.exact_point(from);
-      q = line.exact_point(to);
+      p = line.exact_point(from.place);
+      q = line.exact_point(to.place);
     }
     if ((*p)[k] != (*q)[k]) return (*p)[k] < (*q)[k];
   }
@@ -274,24 +267,21 @@ struct Piece {
 };
 
 /// A piece, running along the line.
-Piece piece(const Sight& sight, MeetLine& line, const Intersection& x) {
-  const auto crossing = [&](const Cut& cut) {
-    const Plane plane = cut_plane(sight, cut);
-    return Crossing{cut, plane, line.rise(plane)};
-  };
+Piece piece(const Sight& sight, const MeetLine& line, const Intersection& x) {
+  const auto crossing = [&](const Cut& cut) { return Crossing{cut, line.place(cut_plane(sight, cut))}; };
   Piece p{crossing(x.from), crossing(x.to)};
-  if (line.order(p.from, p.to) == Sign::positive) std::swap(p.from, p.to);
+  if (order(line, p.from, p.to) == Sign::positive) std::swap(p.from, p.to);
   return p;
 }
 
-void unite(MeetLine& line, std::vector<Piece>& parts) {
+void unite(const MeetLine& line, std::vector<Piece>& parts) {
   std::sort(parts.begin(), parts.end(),
-            [&](const Piece& x, const Piece& y) { return line.order(x.from, y.from) == Sign::negative; });
+            [&](const Piece& x, const Piece& y) { return order(line, x.from, y.from) == Sign::negative; });
   std::size_t last = 0;
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    if (line.order(parts[i].from, parts[last].to) == Sign::positive)
+    if (order(line, parts[i].from, parts[last].to) == Sign::positive)
       parts[++last] = parts[i];
-    else if (line.order(parts[last].to, parts[i].to) == Sign::negative)
+    else if (order(line, parts[last].to, parts[i].to) == Sign::negative)
       parts[last].to = parts[i].to;
   }
   parts.resize(last + 1);
@@ -318,7 +308,7 @@ std::vector<Intersection> united(const Sight& sight, const std::vector<Intersect
     Predicates exact = sight.predicates();
     for (std::size_t g = begin; g < end; ++g) {
       const auto [s, t] = facets(pieces[order[first[g]]]);
-      MeetLine line(sight.face_plane(s), sight.face_plane(t), exact);
+      const MeetLine line(sight.face_plane(s), sight.face_plane(t), exact);
       std::vector<Piece> parts;
       for (std::size_t i = first[g]; i < first[g + 1]; ++i) parts.push_back(piece(sight, line, pieces[order[i]]));
       unite(line, parts);

@@ -77,6 +77,29 @@ TEST_CASE("the tree finds what a search of all boxes finds", "[geometry][box_tre
   }
 }
 
+TEST_CASE("the tree finds every two boxes that touch, once", "[geometry][box_tree]") {
+  std::mt19937_64 random(6);
+  const auto unit = [&] { return static_cast<double>(random() % 10007) / 10007; };
+  for (const std::size_t n : {0, 1, 2, 8, 9, 65, 600}) {
+    for (const double size : {0.02, 0.5}) {  // of the larger ones more leaves overlap than are shared
+      std::vector<ImageBox> boxes;
+      for (std::size_t i = 0; i < n; ++i)
+        boxes.push_back(random() % 200 == 0 ? ImageBox::everything() : box_at(unit(), unit(), unit(), size * unit()));
+      std::vector<std::pair<std::uint32_t, std::uint32_t>> expected, pairs;
+      for (std::uint32_t i = 0; i < n; ++i)
+        for (std::uint32_t k = i + 1; k < n; ++k)
+          if (overlap(boxes[i], boxes[k]) && boxes[i].nearest >= boxes[k].farthest && boxes[k].nearest >= boxes[i].farthest)
+            expected.emplace_back(i, k);
+      const BoxTree tree(boxes);
+      std::vector<std::uint32_t> scratch;
+      for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
+        tree.visit_pairs(leaf, scratch, [&](std::uint32_t i, std::uint32_t k) { pairs.emplace_back(std::min(i, k), std::max(i, k)); });
+      std::sort(pairs.begin(), pairs.end());
+      CHECK(pairs == expected);
+    }
+  }
+}
+
 TEST_CASE("a visit stops when it is told to", "[geometry][box_tree]") {
   const BoxTree tree(std::vector<ImageBox>(1000, box_at(0, 0, 0, 1)));
   int calls = 0;
