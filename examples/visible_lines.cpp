@@ -17,7 +17,7 @@ int main(int argc, char** argv) try {
   std::size_t visible = 0, hidden = 0;
   for (const hsr::Line& line : result.lines)
     for (std::uint32_t k = 0; k < line.intervals(); ++k) ++(line.hidden(k) ? hidden : visible);
-  std::cout << visible << " visible and " << hidden << " hidden segments on " << result.lines.size() << " edges\n";
+  std::cout << visible << " visible and " << hidden << " hidden segments on " << result.lines.size() << " lines\n";
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 2;

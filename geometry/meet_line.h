@@ -41,8 +41,8 @@ class MeetLine {
   Plane s_, t_;
   Predicates& exact_;
   Vector s_normal_, along_;
-  ErrorBounded t_at_s_;   // the value of t at the origin of s
-  std::size_t axis_ = 0;  // the coordinate that tells places apart
+  ErrorBounded t_at_s_;          // the value of t at the origin of s
+  std::size_t axis_ = 0;         // the coordinate that tells places apart
   Sign direction_ = Sign::zero;  // of that coordinate along the line; zero: doubles do not tell
 };
 

@@ -100,15 +100,16 @@ auto meet_point(const A& a, const Plane& p, const Plane& q, const Plane& r) {
 }
 
 /// x at the common point X of p, q and r, times meet_value(p, q, r). For any o, n_p . (X - o) = -p(o) (and so on), so by
-/// Cramer's rule X - o = -(p(o) n_q x n_r + q(o) n_r x n_p + r(o) n_p x n_q) / det(n_p, n_q, n_r), and x(X) = x(o) + n_x . (X - o).
+/// Cramer's rule X - o = -(p(o) n_q x n_r + q(o) n_r x n_p + r(o) n_p x n_q) / det(n_p, n_q, n_r), and x(X) = x(o) + n_x . (X -
+/// o).
 /// @pre p is a span
 template <class A>
 typename A::Number meet_side_value(const A& a, const Plane& x, const Plane& p, const Plane& q, const Plane& r) {
   const bool from_x = x.kind == Plane::Kind::span;  // then x(o) is zero
   const Point3& o = from_x ? x.o : p.o;
   const auto nx = gradient(a, x), np = gradient(a, p), nq = gradient(a, q), nr = gradient(a, r);
-  const auto change =
-      value(a, p, o) * dot(nx, cross(nq, nr)) + value(a, q, o) * dot(nx, cross(nr, np)) + value(a, r, o) * dot(nx, cross(np, nq));
+  const auto change = value(a, p, o) * dot(nx, cross(nq, nr)) + value(a, q, o) * dot(nx, cross(nr, np)) +
+                      value(a, r, o) * dot(nx, cross(np, nq));
   return from_x ? -change : value(a, x, o) * dot(np, cross(nq, nr)) - change;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "geometry/error.h"
-#include "geometry/plane.h"
 #include "geometry/mesh.h"
+#include "geometry/plane.h"
 #include "hsr/cut.h"
 
 namespace hsr {

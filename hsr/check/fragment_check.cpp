@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hsr/facet.h"
 #include "hsr/image/caster.h"
 #include "hsr/image/rasterizer.h"
 #include "hsr/sight.h"
-#include "hsr/facet.h"
 #include "hsr/surfaces/map_sight.h"
 
 namespace hsr {

@@ -33,6 +33,8 @@ class Finder {
  private:
   std::array<Sign, 3> sides(const PlaneFilter& filter, const Plane& plane, TriangleId s, TriangleId t);
   void look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane, TriangleId t, std::vector<Intersection>& found);
+  bool is_single(TriangleId t) const { return facet_end(mesh_, t).value - facet_of(mesh_, t).value == 1; }
+  bool meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId t) const;
   void mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at);
   bool may_lie_in(VertexId u, VertexId v, TriangleId t);
   bool passes_through(TriangleId t, const std::array<Sign, 3>& at) const;
@@ -83,8 +85,23 @@ void Finder::look_around(std::uint32_t leaf, std::vector<Intersection>& found) {
   });
 }
 
+/// Most pairs that touch are neighbours: two triangles with a common side, certainly not in one plane, have no more in common.
+bool Finder::meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId t) const {
+  const auto &c = mesh_.triangles[s], &d = mesh_.triangles[t];
+  std::size_t common = 0;
+  VertexId apex;
+  for (const VertexId v : d) {
+    if (v == c[0] || v == c[1] || v == c[2])
+      ++common;
+    else
+      apex = v;
+  }
+  return common == 2 && filter(sight_.point(apex)).is_certain() && is_single(s) && is_single(t);
+}
+
 void Finder::look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane, TriangleId t,
                      std::vector<Intersection>& found) {
+  if (meet_in_an_edge(s, filter, t)) return;
   const std::array<Sign, 3> at_t = sides(filter, plane, s, t);
   const auto zeros = [](const std::array<Sign, 3>& at) { return std::count(at.begin(), at.end(), Sign::zero); };
   if (!straddles(at_t) && zeros(at_t) < 2) return;  // on one side but for a point
@@ -101,11 +118,10 @@ void Finder::look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane
 void Finder::mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at) {
   const auto &c = mesh_.triangles[t], &d = mesh_.triangles[flat];
   const auto is_corner = [&](VertexId v) { return v == d[0] || v == d[1] || v == d[2]; };
-  const bool is_single = facet_end(mesh_, flat).value - facet_of(mesh_, flat).value == 1;
   for (std::size_t k = 0; k < 3; ++k) {
     if (at[k] != Sign::zero || at[(k + 1) % 3] != Sign::zero) continue;
     const VertexId u = c[k], v = c[(k + 1) % 3];
-    if (is_single && is_corner(u) && is_corner(v)) continue;
+    if (is_corner(u) && is_corner(v) && is_single(flat)) continue;
     if (!may_lie_in(u, v, flat)) continue;
     // A diagonal inside a planar face is no edge of the mesh; an edge of `flat` is no contact with it.
     const EdgeId e = mesh_.find_edge(u, v);
@@ -147,7 +163,8 @@ bool Finder::may_lie_in(VertexId u, VertexId v, TriangleId t) {
 bool Finder::passes_through(TriangleId t, const std::array<Sign, 3>& at) const {
   if (straddles(at)) return true;
   for (std::size_t k = 0; k < 3; ++k)
-    if (at[k] == Sign::zero && at[(k + 1) % 3] == Sign::zero && at[(k + 2) % 3] != Sign::zero) return is_inner_diagonal(mesh_, t, k);
+    if (at[k] == Sign::zero && at[(k + 1) % 3] == Sign::zero && at[(k + 2) % 3] != Sign::zero)
+      return is_inner_diagonal(mesh_, t, k);
   return false;
 }
 

@@ -24,8 +24,8 @@ struct Intersections {
 /// Source: Guigue & Devillers 2003 (signs of degree 3 first).
 Intersections find_intersections(const Sight& sight, const Occluders& occluders);
 
-/// The pieces of one line in which two facets meet as one where they abut, named by the first triangles of the facets; each from
-/// the lexicographically smaller end to the other. Ascending by (s, t), then by place.
+/// The pieces of one line in which two facets meet as one where they abut, named by the first triangles of the facets; each
+/// from the lexicographically smaller end to the other. Ascending by (s, t), then by place.
 std::vector<Intersection> united(const Sight& sight, const std::vector<Intersection>& pieces);
 
 /// A box of the image in which an intersection lies.

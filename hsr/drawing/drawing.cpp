@@ -85,9 +85,7 @@ class Placer {
  private:
   using Wide = Enclosure::Wide;
 
-  Carrier carrier_of(const PlaceOnEdge& p) const {
-    return hsr::carrier_of(projection_.mesh(), lines_, lines_.lines[p.line]);
-  }
+  Carrier carrier_of(const PlaceOnEdge& p) const { return hsr::carrier_of(projection_.mesh(), lines_, lines_.lines[p.line]); }
   HomogeneousPoint image(const PlaceOnEdge& p) const {
     const Cut& cut = lines_.cuts[p.cut];
     const Carrier carrier = carrier_of(p);

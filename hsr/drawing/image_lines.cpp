@@ -108,19 +108,18 @@ ImageLines image_lines(const Projection& projection, const IndexedVector<VertexI
     return std::all_of(q.begin(), q.end(), [&](const auto& e) { return dot(l, e).sign() == Sign::zero; });
   };
   std::vector<Equation> equations(drawn.size());
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(drawn.size()), 256),
-                    [&](const auto& range) {
-                      for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
-                        const Carrier c = carrier_of(mesh, lines, line_at(i));
-                        if (c.is_edge() ? enclosed_equation(equations[i], at[c.a], at[c.b])
-                                        : enclosed_equation(equations[i], projection.at(c, c.meet.from),
-                                                            projection.at(c, c.meet.to)))
-                          continue;
-                        equations[i] = {};
-                        const auto ends = exact_ends(i);
-                        exact_equation(equations[i], ends[0], ends[1]);
-                      }
-                    });
+  tbb::parallel_for(
+      tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(drawn.size()), 256), [&](const auto& range) {
+        for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
+          const Carrier c = carrier_of(mesh, lines, line_at(i));
+          if (c.is_edge() ? enclosed_equation(equations[i], at[c.a], at[c.b])
+                          : enclosed_equation(equations[i], projection.at(c, c.meet.from), projection.at(c, c.meet.to)))
+            continue;
+          equations[i] = {};
+          const auto ends = exact_ends(i);
+          exact_equation(equations[i], ends[0], ends[1]);
+        }
+      });
 
   // Each edge stands in every cell that its slope may lie in (one, seldom two): edges on one line share a cell.
   std::vector<Candidate> candidates;
@@ -148,8 +147,7 @@ ImageLines image_lines(const Projection& projection, const IndexedVector<VertexI
     std::erase_if(open, [&](const Candidate& o) { return o.high < c.low; });
     bool found = false;
     for (const Candidate& o : open) {
-      found = partition.find(o.position) == partition.find(c.position) ||
-              on_one_line(o.position, c.position);
+      found = partition.find(o.position) == partition.find(c.position) || on_one_line(o.position, c.position);
       if (!found) continue;
       partition.join(o.position, c.position);
       break;

@@ -79,7 +79,8 @@ HomogeneousPoint Projection::at(const std::array<Enclosure, 3>& p) const {
 
 HomogeneousPoint Projection::at(VertexId v) const {
   const Point3& p = mesh_.points[v];
-  return at({Enclosure::difference(p.x, anchor_.x), Enclosure::difference(p.y, anchor_.y), Enclosure::difference(p.z, anchor_.z)});
+  return at(
+      {Enclosure::difference(p.x, anchor_.x), Enclosure::difference(p.y, anchor_.y), Enclosure::difference(p.z, anchor_.z)});
 }
 
 HomogeneousPoint Projection::at(const Carrier& carrier, const Cut& cut) const {

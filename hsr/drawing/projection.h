@@ -49,7 +49,7 @@ class Projection {
 
  private:
   HomogeneousPoint at(const std::array<Enclosure, 3>& p) const;  // relative to the anchor
-  using Row = std::array<Rational, 4>;  // x, y, z of the point relative to the anchor, 1
+  using Row = std::array<Rational, 4>;                           // x, y, z of the point relative to the anchor, 1
   void enclose_rows();
   std::array<Rational, 3> homogeneous(const std::array<Rational, 3>& p) const;
 

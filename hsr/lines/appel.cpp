@@ -12,10 +12,10 @@
 #include "hsr/lines/layers.h"
 #include "hsr/lines/line_progress.h"
 #include "hsr/lines/methods.h"
-#include "hsr/occluders.h"
 #include "hsr/lines/relative_counts.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/tiling.h"
+#include "hsr/occluders.h"
 #include "hsr/sight.h"
 
 namespace hsr {

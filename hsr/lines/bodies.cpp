@@ -6,8 +6,8 @@
 #include <array>
 #include <atomic>
 
-#include "hsr/parallel.h"
 #include "hsr/lines/relative_counts.h"
+#include "hsr/parallel.h"
 
 namespace hsr {
 

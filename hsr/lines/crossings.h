@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "hsr/lines/layers.h"
-#include "hsr/occluders.h"
 #include "hsr/lines/visible_lines.h"
+#include "hsr/occluders.h"
 #include "hsr/sight.h"
 
 namespace hsr {

@@ -19,8 +19,8 @@ namespace {
 struct HalfPlane {
   TriangleId triangle;
   VertexId apex;
-  Sign side;             // of the edge's view plane; zero: seen edge-on
-  bool passes = false;   // of a face with the edge inside
+  Sign side;            // of the edge's view plane; zero: seen edge-on
+  bool passes = false;  // of a face with the edge inside
 };
 
 Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
@@ -62,8 +62,8 @@ class HalfPlanes {
     const auto& c = sight_.mesh().triangles[contact.triangle];
     const bool edge_on = sight_.facing(contact.triangle) == Sign::zero;
     const Point3 &a = sight_.point(edge_.a), &b = sight_.point(edge_.b);
-    const Plane line =
-        edge_on ? Plane::along_axis(a, b, dropped_axis(sight_, contact.triangle, exact_)) : sight_.sight_plane(edge_.a, edge_.b);
+    const Plane line = edge_on ? Plane::along_axis(a, b, dropped_axis(sight_, contact.triangle, exact_))
+                               : sight_.sight_plane(edge_.a, edge_.b);
     bool has[2] = {false, false};
     for (std::size_t k = 0; k < 3; ++k) {
       if (contact.along < 3 && k != (contact.along + 2) % 3) continue;

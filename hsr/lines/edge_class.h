@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <span>
 

@@ -16,8 +16,8 @@ struct EdgePart {
 
 /// The parts of an edge that lies, in part, in other faces: where it does, these count for its class.
 ///
-/// The parts tile the edge beyond the near plane; neighbours differ. An edge of which nothing is beyond it, or that is seen as a
-/// point, has one part from start to end, and its class by its own faces.
+/// The parts tile the edge beyond the near plane; neighbours differ. An edge of which nothing is beyond it, or that is seen as
+/// a point, has one part from start to end, and its class by its own faces.
 /// @param occluders all triangles that may contain it
 /// Exact: yes. Cost: O(k log k) for k triangles that overlap the edge in the image.
 std::vector<EdgePart> edge_parts(const Sight& sight, Shadows& shadows, EdgeId edge, const Crease& crease,

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "hsr/lines/line_options.h"
-#include "hsr/occluders.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/visible_lines.h"
+#include "hsr/occluders.h"
 #include "hsr/sight.h"
 
 // The methods over what they share, for visible_lines() to choose from.

@@ -17,10 +17,10 @@
 #include "hsr/lines/image_mask.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
-#include "hsr/occluders.h"
-#include "hsr/parallel.h"
 #include "hsr/lines/requested_edges.h"
+#include "hsr/occluders.h"
 #include "hsr/outside_frame.h"
+#include "hsr/parallel.h"
 #include "hsr/sight.h"
 
 // What a scene does not need is left out here, before the methods, and the method is chosen.

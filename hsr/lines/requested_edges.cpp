@@ -7,8 +7,8 @@
 
 #include "hsr/lines/edge_class.h"
 #include "hsr/lines/edge_parts.h"
-#include "hsr/parallel.h"
 #include "hsr/outside_frame.h"
+#include "hsr/parallel.h"
 
 namespace hsr {
 

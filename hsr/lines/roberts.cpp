@@ -1,9 +1,9 @@
 #include "hsr/lines/roberts.h"
 
 #include "hsr/lines/methods.h"
-#include "hsr/occluders.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/tiling.h"
+#include "hsr/occluders.h"
 #include "hsr/sight.h"
 
 namespace hsr {
@@ -29,10 +29,10 @@ VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const 
 }
 
 VisibleLines lines_of_intersections(const Sight& sight, const std::vector<Intersection>& united,
-                                    const std::vector<ImageBox>& boxes, const Occluders& occluders, const LineOptions& options) {
-  return tiled_in_blocks(sight, options, z_order(boxes), [&](Tiling& tiling, std::uint32_t i) {
-    tiling.add_by_casting(i, united[i], boxes[i], occluders);
-  });
+                                    const std::vector<ImageBox>& boxes, const Occluders& occluders,
+                                    const LineOptions& options) {
+  return tiled_in_blocks(sight, options, z_order(boxes),
+                         [&](Tiling& tiling, std::uint32_t i) { tiling.add_by_casting(i, united[i], boxes[i], occluders); });
 }
 
 }  // namespace hsr

@@ -204,8 +204,8 @@ void Shadows::cast(TriangleId triangle, std::vector<Shadow>& shadows) {
     const VertexId u = c[k], v = c[(k + 1) % 3];
     // O(u, v, .) changes its sign with the order of u and v; the cut is named in one order.
     const Sign wanted = u < v ? facing : -facing;
-    if (!clip(sight_cut(u, v), sight_.sight_plane(std::min(u, v), std::max(u, v)), a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v,
-              wanted, false))
+    if (!clip(sight_cut(u, v), sight_.sight_plane(std::min(u, v), std::max(u, v)), a_.vertex == u || a_.vertex == v,
+              b_.vertex == u || b_.vertex == v, wanted, false))
       return;
   }
   if (sight_.reaches_before_near(triangle) &&
@@ -252,8 +252,8 @@ void Shadows::edge_on(TriangleId triangle, std::vector<Shadow>& shadows) {
     begin();
     if (!clip(line_cut(u, v), line, a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v, -eye, true)) continue;
     if (!clip(cut_of(Cut::Kind::sight_of_vertex, u.value, 0, axis), of_u, a_.vertex == u, b_.vertex == u, eye, false)) continue;
-    if (!clip(cut_of(Cut::Kind::sight_of_vertex, v.value, 0, axis), of_v, a_.vertex == v, b_.vertex == v, exact_.side(of_v, sight_.point(u)),
-              false))
+    if (!clip(cut_of(Cut::Kind::sight_of_vertex, v.value, 0, axis), of_v, a_.vertex == v, b_.vertex == v,
+              exact_.side(of_v, sight_.point(u)), false))
       continue;
     if (near_cuts &&
         !clip(cut_of(Cut::Kind::near_line_end, u.value, v.value, axis), sight_.near_line(line), false, false, eye, false))
@@ -266,10 +266,12 @@ void Shadows::edge_on(TriangleId triangle, std::vector<Shadow>& shadows) {
     const VertexId u = c[k], v = c[(k + 1) % 3];
     const Plane line = Plane::along_axis(sight_.point(u), sight_.point(v), axis);
     const bool runs_outside = eye_side[k] * inner != Sign::positive;
-    if (!clip(line_cut(u, v), line, a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v, inner, runs_outside)) return;
+    if (!clip(line_cut(u, v), line, a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v, inner, runs_outside))
+      return;
   }
   // What of the edge lies in the near plane itself has nothing of T before it.
-  if (near_cuts && is_edge() && sight_.beyond_near(a_.vertex) == Sign::zero && sight_.beyond_near(b_.vertex) == Sign::zero) return;
+  if (near_cuts && is_edge() && sight_.beyond_near(a_.vertex) == Sign::zero && sight_.beyond_near(b_.vertex) == Sign::zero)
+    return;
   add();
 }
 

@@ -42,7 +42,8 @@ class Shadows {
   bool start(EdgeId edge, const Cut& from, const Cut& to);
   /// Turns to where two facets, named by s and t, pierce each other. False: it is seen as a point.
   bool start(const Intersection& meet);
-  /// The part of the line within half-spaces; false: a point or nothing. @param along the one on whose border the line runs, or 3
+  /// The part of the line within half-spaces; false: a point or nothing. @param along the one on whose border the line runs, or
+  /// 3
   bool within(const std::array<HalfSpace, 3>& half_spaces, Bound& from, Bound& to, std::size_t& along);
   /// Appends the shadows of `triangle` on the edge, at most four.
   void cast(TriangleId triangle, std::vector<Shadow>& shadows);

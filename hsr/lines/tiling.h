@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "hsr/lines/line_options.h"
-#include "hsr/occluders.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/shadows.h"
 #include "hsr/lines/visible_lines.h"
+#include "hsr/occluders.h"
 
 namespace hsr {
 
@@ -20,7 +20,8 @@ struct Tiled {
   Cut from{Cut::Kind::start}, to{Cut::Kind::end};
   std::uint32_t intersection = 0;
 
-  Tiled(const RequestedPart& p) : edge(p.edge), edge_class(p.edge_class), from(p.from), to(p.to) {}  // NOLINT(google-explicit-constructor)
+  Tiled(const RequestedPart& p)
+      : edge(p.edge), edge_class(p.edge_class), from(p.from), to(p.to) {}  // NOLINT(google-explicit-constructor)
   Tiled(std::uint32_t i, const Intersection& meet)
       : edge_class(EdgeClass::intersection), from(meet.from), to(meet.to), intersection(i) {}
 };

@@ -41,7 +41,7 @@ struct Line {
 };
 
 struct VisibleLines {
-  std::vector<Line> lines;  ///< ascending by edge, hence by (a, b), and along it; then the intersections
+  std::vector<Line> lines;                  ///< ascending by edge, hence by (a, b), and along it; then the intersections
   std::vector<Intersection> intersections;  ///< ascending by (s, t), s and t the first triangles of planar pieces
   std::vector<Cut> cuts;
   std::vector<Occluder> occluders;
@@ -49,9 +49,7 @@ struct VisibleLines {
   DecisionCounts decisions;
   LinePlan plan;
 
-  std::span<const Cut> cuts_of(const Line& line) const {
-    return {cuts.data() + line.first_cut, cuts.data() + line.end_cut};
-  }
+  std::span<const Cut> cuts_of(const Line& line) const { return {cuts.data() + line.first_cut, cuts.data() + line.end_cut}; }
   std::span<const Occluder> occluders_of(const Line& line) const {
     return {occluders.data() + line.first_occluder, occluders.data() + line.end_occluder};
   }
@@ -60,7 +58,8 @@ struct VisibleLines {
 /// The visible and the hidden parts of each edge of the classes asked for, and of each line where two faces pierce each other,
 /// by the method that the scene calls for.
 ///
-///   (1) the intervals of one edge tile it beyond the near plane, and none is empty; where an edge lies in other faces its class
+///   (1) the intervals of one edge tile it beyond the near plane, and none is empty; where an edge lies in other faces its
+///   class
 ///       may change along it, and each part of one class is a line
 ///   (2) removing a face never removes a visible point
 ///   (3) the result does not depend on the order of the faces, on the number of threads, nor on the method or the stages

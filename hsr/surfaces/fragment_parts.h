@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "hsr/lines/line_progress.h"
 #include "hsr/facet.h"
+#include "hsr/lines/line_progress.h"
 #include "hsr/surfaces/fragments.h"
 #include "hsr/surfaces/map_sight.h"
 #include "hsr/surfaces/rings.h"

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "hsr/facet.h"
 #include "hsr/occluders.h"
 #include "hsr/parallel.h"
 #include "hsr/sight.h"
-#include "hsr/facet.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/map_sight.h"
 #include "hsr/surfaces/rings.h"

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <optional>
 
+#include "hsr/contacts/intersections.h"
 #include "hsr/cut_plane.h"
+#include "hsr/facet.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
+#include "hsr/lines/requested_edges.h"
 #include "hsr/occluders.h"
 #include "hsr/parallel.h"
-#include "hsr/lines/requested_edges.h"
-#include "hsr/facet.h"
 #include "hsr/surfaces/fragment_parts.h"
-#include "hsr/contacts/intersections.h"
 #include "hsr/surfaces/seen_beside.h"
 
 namespace hsr {

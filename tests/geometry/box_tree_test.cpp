@@ -93,7 +93,8 @@ TEST_CASE("the tree finds every two boxes that touch, once", "[geometry][box_tre
       const BoxTree tree(boxes);
       std::vector<std::uint32_t> scratch;
       for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
-        tree.visit_pairs(leaf, scratch, [&](std::uint32_t i, std::uint32_t k) { pairs.emplace_back(std::min(i, k), std::max(i, k)); });
+        tree.visit_pairs(leaf, scratch,
+                         [&](std::uint32_t i, std::uint32_t k) { pairs.emplace_back(std::min(i, k), std::max(i, k)); });
       std::sort(pairs.begin(), pairs.end());
       CHECK(pairs == expected);
     }

@@ -14,7 +14,7 @@ namespace {
 // A half-plane that ends at the edge: the direction from the edge, square to it, into a triangle.
 struct HalfPlane {
   Vec into;
-  int side;   // of the edge's view plane; 0: seen edge-on
+  int side;     // of the edge's view plane; 0: seen edge-on
   bool thin;    // the apex is so near to the edge's line, seen from a, that doubles may not find the direction
   bool passes;  // of a face that has the edge inside
 };

@@ -22,8 +22,8 @@ struct ClassPart {
   std::optional<ClassVerdict> verdict;
 };
 
-/// The classes along an edge by the definition, in rationals from the half-planes of the triangles at it, and of those that have
-/// it inside.
+/// The classes along an edge by the definition, in rationals from the half-planes of the triangles at it, and of those that
+/// have it inside.
 /// @param beyond the part beyond the near plane; nothing: seen as a point, or not there. Then its own triangles alone count.
 std::vector<ClassPart> class_parts(const Mesh& mesh, const View& view, EdgeId edge, double crease,
                                    const std::optional<Interval>& beyond);

@@ -42,8 +42,7 @@ std::vector<Piece> pieces_of(const Mesh& mesh) {
     const bool goes_on = !all.empty() && mesh.face_of[all.back().first] == f && mesh.faces[f] == FaceUse::planar;
     if (!goes_on) all.push_back({t, normal, {}});
     std::array<Corner, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = {c[k], cross(normal, c[(k + 1) % 3] - c[k]), is_within_face(mesh, t, k)};
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = {c[k], cross(normal, c[(k + 1) % 3] - c[k]), is_within_face(mesh, t, k)};
     all.back().triangles.push_back(corners);
   }
   return all;

@@ -135,7 +135,8 @@ std::vector<SeenEdge> seen_by_oracle(const Mesh& mesh, const View& view, const L
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const EdgeId id(i);
     const EdgeVisibility v = oracle.visibility(id);
-    for (const ClassPart& part : class_parts(mesh, view, id, options.crease, v.is_seen ? std::optional(v.beyond) : std::nullopt)) {
+    for (const ClassPart& part :
+         class_parts(mesh, view, id, options.crease, v.is_seen ? std::optional(v.beyond) : std::nullopt)) {
       const auto& verdict = part.verdict;
       if (!verdict) continue;
       SeenEdge e{mesh.edges[id].a, mesh.edges[id].b, verdict->edge_class, false, {}, verdict->is_near_crease};
