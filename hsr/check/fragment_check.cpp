@@ -55,6 +55,43 @@ class FragmentSpans {
 
 }  // namespace
 
+namespace {
+
+/// Whether every corner of a fragment is in front of the eye as the samples are. Nearly always: only where the samples had to
+/// be placed far off the view's frame, or right beside the eye, is it not.
+bool all_in_front(const SampleSigns& signs, const VisibleFragments& all) {
+  const Sight& sight = signs.sight();
+  if (!sight.is_perspective()) return true;
+  const Mesh& mesh = sight.mesh();
+  Predicates exact = sight.predicates();
+  bool reaches_near = false;
+  std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
+  for (const Fragment& f : all.fragments)
+    for (TriangleId t = f.facet; t < facet_end(mesh, f.facet); t = TriangleId(t.value + 1U)) {
+      reaches_near = reaches_near || sight.reaches_before_near(t);
+      for (const VertexId v : mesh.triangles[t]) is_used[v.value] = 1;
+    }
+  for (std::size_t v = 0; v < is_used.size(); ++v)
+    if (is_used[v] != 0 && sight.beyond_near(VertexId(v)) != Sign::negative && !signs.is_in_front(VertexId(v), exact))
+      return false;
+  if (!reaches_near) return true;
+  // What the near plane cuts off has corners of its own.
+  const MapSight map(sight);
+  const auto is_in_front = [&](const MapPoint& p, TriangleId facet) {
+    const NearPoint near = map.point(p, facet);
+    const Sign certain = signs.certain_front(near.p, near.error);
+    if (certain != Sign::zero) return certain == Sign::positive;
+    return signs.is_in_front(exact_point(sight.camera(), map.plane(p.l), map.plane(p.m), sight.face_plane(facet)));
+  };
+  for (const Fragment& f : all.fragments)
+    for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r)
+      for (const MapCorner& c : all.ring(r))
+        if (!c.at.is_vertex && !is_in_front(c.at, f.facet)) return false;
+  return true;
+}
+
+}  // namespace
+
 Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
                         std::uint64_t& overlapping) {
   Image<TriangleId> image(samples.width, samples.height);
@@ -62,6 +99,7 @@ Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragmen
   if (fragments.fragments.empty()) return image;
   const Sight sight(mesh, view, Arithmetic::staged, samples.certificate());
   const SampleSigns signs(sight, samples);
+  require(all_in_front(signs, fragments), "paint: a part of the model is not in front of the eye as the samples are");
   constexpr std::size_t block = 1024;
   const std::size_t n = fragments.fragments.size();
   struct Part {

@@ -35,7 +35,7 @@ Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragmen
 /// Paints the fragments and compares each sample with the nearest face along its line of sight, edges and ties included: object
 /// space against image space.
 ///
-/// @throws PreconditionError as cast() does
+/// @throws PreconditionError as paint() does
 /// Exact: yes. Cost: that of cast() and of painting.
 FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples);
 

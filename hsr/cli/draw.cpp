@@ -20,6 +20,7 @@
 #include "hsr/lines/visible_lines.h"
 #include "hsr/read/read.h"
 #include "hsr/surfaces/regions.h"
+#include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "hsr/write/format.h"
 #include "hsr/write/json.h"
@@ -216,7 +217,10 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
     FragmentOptions fragment_options;
     fragment_options.arithmetic = line_options.arithmetic;
     fragment_options.progress = line_options.progress;
-    fragments = report.timed("fragments", [&] { return visible_fragments(mesh, chosen.view, fragment_options); });
+    fragments = report.timed("fragments", [&] {
+      return a.lines.method == "roberts" ? roberts_surfaces(mesh, chosen.view, fragment_options)
+                                         : visible_fragments(mesh, chosen.view, fragment_options);
+    });
     decisions += fragments->decisions;
     if (!a.report.empty())
       report["fragments"] = report.timed("areas", [&] { return areas_json(model, mesh, chosen.view, *fragments, a.exact); });

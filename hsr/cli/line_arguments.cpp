@@ -83,7 +83,10 @@ void LineArguments::add_to(CLI::App& app) {
       ->capture_default_str()
       ->type_name("DEG")
       ->group(group);
-  app.add_option("--method", method, "appel, roberts, or auto: whichever suits the model; the result is the same")
+  app.add_option(
+         "--method", method,
+         "appel, roberts, or auto: whichever suits the model; the result is the same. With --fill roberts also finds the "
+         "fragments, by subtracting shadows: slower")
       ->capture_default_str()
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "appel", "roberts"}))

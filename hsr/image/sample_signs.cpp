@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/error.h"
+#include "geometry/rational_vector.h"
 #include "geometry/slope.h"
 
 namespace hsr {
@@ -83,6 +84,19 @@ bool SampleSigns::is_in_front(VertexId v, Predicates& exact) const {
   if (x.is_certain()) return sign_of(x.value) == -turn_;
   const Plane paper = Plane::of_face(at(0, 0), at(1, 0), at(0, 1));
   return slope(paper, sight_->eye().at, sight_->point(v)) == -exact.side(paper, sight_->eye().at);
+}
+
+bool SampleSigns::is_in_front(const std::array<Rational, 3>& p) const {
+  const RationalVector n = cross(rational(grid_.down), rational(grid_.right));
+  return dot(n, minus(p, rational(sight_->eye().at))).sign() == -turn_;
+}
+
+Sign SampleSigns::certain_front(const Point3& p, double error) const {
+  if (!sight_->is_perspective()) return Sign::positive;
+  const PlaneFilter& f = row_.next;
+  ErrorBounded x = f(p);
+  x.error += (std::fabs(f.nx) + std::fabs(f.ny) + std::fabs(f.nz) + 3 * f.slope) * error * 1.01;
+  return x.is_certain() ? -(sign_of(x.value) * turn_) : Sign::zero;
 }
 
 int SampleSigns::rows_above(VertexId v, Predicates& exact) const {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "geometry/number.h"
 #include "geometry/plane_filter.h"
 #include "geometry/slope.h"
 #include "geometry/view_plane.h"
@@ -98,6 +100,10 @@ class SampleSigns {
   /// Whether a vertex is in front of the eye as the samples are: beyond the plane through the eye parallel to theirs. Always so
   /// in a parallel view, and for what is beyond the near plane and less than 89.9999 degrees off the middle of the picture.
   bool is_in_front(VertexId v, Predicates& exact) const;
+  /// The same for another point. @pre a perspective view
+  bool is_in_front(const std::array<Rational, 3>& p) const;
+  /// What doubles tell of a point within `error` of p in each coordinate: positive, it is in front; zero, nothing.
+  Sign certain_front(const Point3& p, double error) const;
   /// The plane of the viewpoint and row j; positive below it.
   Plane row_plane(int j) const;
   /// How many rows are above what is seen at a vertex: a side from a to b crosses the rows rows_above(a) ... rows_above(b) - 1,

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "geometry/error_bounded.h"
+#include "hsr/parallel.h"
 
 namespace hsr {
 
@@ -299,6 +300,17 @@ bool HiddenTiles::hides(std::size_t k, std::int32_t i, std::int32_t j, const std
     for (std::int32_t x = std::max(2 * i, range[0] >> (k - 1)); x <= std::min(2 * i + 1, range[1] >> (k - 1)); ++x)
       if (!hides(k - 1, x, y, range, nearest)) return false;
   return true;
+}
+
+void HiddenTiles::mark_hidden(std::span<const ImageBox> boxes, std::vector<std::uint8_t>& hidden) const {
+  const Mesh& mesh = sight_.mesh();
+  hidden.resize(mesh.triangles.size(), 0);
+  for_each(mesh.faces.size(), [&](std::size_t f) {
+    const std::uint32_t first = mesh.first_triangle[FaceId(f)], end = mesh.first_triangle[FaceId(f + 1)];
+    for (std::uint32_t t = first; t < end; ++t)
+      if (sight_.reaches_before_near(TriangleId(t)) || !hides(mesh.triangles[TriangleId(t)], boxes[t].nearest)) return;
+    std::fill(hidden.begin() + first, hidden.begin() + end, std::uint8_t{1});
+  });
 }
 
 }  // namespace hsr

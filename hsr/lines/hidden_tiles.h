@@ -35,6 +35,9 @@ class HiddenTiles {
   /// Whether the convex hull of these vertices is certainly hidden. @pre they lie beyond the near plane
   /// @param nearest not less than the nearness of any of them, as boxes have it
   bool hides(std::span<const VertexId> vertices, float nearest) const;
+  /// Marks, by triangle, the faces that are certainly hidden. Whole faces: where the triangles of a planar face meet, the mesh
+  /// has no edge.
+  void mark_hidden(std::span<const ImageBox> boxes, std::vector<std::uint8_t>& hidden) const;
 
  private:
   struct Rectangle {

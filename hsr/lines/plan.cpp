@@ -177,14 +177,7 @@ void Plan::leave_out_hidden() {
     return;
   }
   const std::size_t faces_before = count(left_out_), edges_before = count(requested_->hidden);
-  // Whole faces: where the triangles of a planar face meet, the mesh has no edge.
-  left_out_.resize(mesh.triangles.size(), 0);
-  for_each(mesh.faces.size(), [&](std::size_t f) {
-    const std::uint32_t first = mesh.first_triangle[FaceId(f)], end = mesh.first_triangle[FaceId(f + 1)];
-    for (std::uint32_t t = first; t < end; ++t)
-      if (sight_.reaches_before_near(TriangleId(t)) || !tiles.hides(mesh.triangles[TriangleId(t)], boxes_[t].nearest)) return;
-    std::fill(left_out_.begin() + first, left_out_.begin() + end, std::uint8_t{1});
-  });
+  tiles.mark_hidden(boxes_, left_out_);
   requested_->hidden.resize(requested_->edges.size(), 0);
   for_each(requested_->edges.size(), [&](std::size_t i) {
     const Edge& e = mesh.edges[requested_->edges[i]];

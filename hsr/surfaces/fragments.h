@@ -9,6 +9,7 @@
 #include "geometry/mesh.h"
 #include "geometry/number.h"
 #include "geometry/predicates.h"
+#include "hsr/lines/line_options.h"
 #include "hsr/surfaces/map_point.h"
 #include "hsr/view.h"
 
@@ -34,6 +35,9 @@ struct VisibleFragments {
 
 struct FragmentOptions {
   Arithmetic arithmetic = Arithmetic::staged;
+  /// Whether visible_fragments() leaves out, before any exact test, the far sides of closed bodies and what lies behind large
+  /// faces; automatic: where it pays. Changes no result.
+  When stages = When::automatic;
   std::function<void(double done)> progress;  ///< called now and then with the share done, 0 ... 1; may throw to cancel
 };
 

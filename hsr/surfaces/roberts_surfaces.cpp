@@ -9,6 +9,7 @@
 #include "hsr/occluders.h"
 #include "hsr/parallel.h"
 #include "hsr/sight.h"
+#include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/map_sight.h"
 #include "hsr/surfaces/rings.h"
@@ -171,13 +172,17 @@ VisibleFragments roberts_surfaces(const Mesh& mesh, const View& view, const Frag
     edge_on[i] = sight.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
   });
   const Occluders occluders(sight, boxes, edge_on);
-  return fragments_in_blocks(
+  const VisibleFragments all = fragments_in_blocks(
       mesh, options, [&] { return Subtraction(sight, occluders); },
       [](Subtraction& subtraction, TriangleId facet, FragmentParts& parts) {
         std::vector<MapSide> sides;
         subtraction.visible_sides(facet, sides);
         parts.add(facet, link_rings(subtraction.map(), sides));
       });
+#ifdef HSR_CHECKS
+  if (options.arithmetic != Arithmetic::double_only) check_invariants(sight, all);
+#endif
+  return all;
 }
 
 }  // namespace hsr

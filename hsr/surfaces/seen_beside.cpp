@@ -164,10 +164,23 @@ bool SeenBeside::clip(TriangleId t, Place& from, Place& to) {
   return clip(beyond_near(sight_, t), along(filter, false, false), from, to);
 }
 
+/// Whether the place is on an edge or at a vertex that both triangles have: most ties are, at outlines.
+bool SeenBeside::have_in_common(TriangleId s, TriangleId t, const MapPoint& p) const {
+  const auto &c = map_.mesh().triangles[s], &d = map_.mesh().triangles[t];
+  const auto is_common = [&](VertexId v) {
+    return (v == c[0] || v == c[1] || v == c[2]) && (v == d[0] || v == d[1] || v == d[2]);
+  };
+  if (p.is_vertex) return is_common(p.vertex);
+  const auto is_edge = [&](const MapLine& l) {
+    return l.kind == MapLine::Kind::edge && is_common(VertexId(l.u)) && is_common(VertexId(l.v));
+  };
+  return is_edge(p.l) || is_edge(p.m);
+}
+
 /// Whether s is nearer than what is seen along the part, at a place of it.
 Sign SeenBeside::nearer(TriangleId s, const Linear& of_s, const Part& part, const Place& place) {
   const ErrorBounded gap = at(of_s, place) - at(part.nearness, place);
-  if (!gap.is_certain()) return map_.nearer(s, part.seen, place.p);
+  if (!gap.is_certain()) return have_in_common(s, part.seen, place.p) ? Sign::zero : map_.nearer(s, part.seen, place.p);
   ++map_.exact().counts().filter;
   return sign_of(gap.value);
 }

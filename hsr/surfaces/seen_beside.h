@@ -63,6 +63,7 @@ class SeenBeside {
   ErrorBounded at(const Linear& f, const Place& place) const;
   Place crossing(const MapLine& other, const Linear& value) const;
   Sign order(const Place& x, const Place& y);
+  bool have_in_common(TriangleId s, TriangleId t, const MapPoint& p) const;
   Sign nearer(TriangleId s, const Linear& of_s, const Part& part, const Place& place);
   Sign nearer_beside(TriangleId s, TriangleId t);
   void add(const Place& from, const Place& to, TriangleId t, const Linear& nearness);

@@ -8,11 +8,14 @@
 #include "hsr/contacts/intersections.h"
 #include "hsr/cut_plane.h"
 #include "hsr/facet.h"
+#include "hsr/lines/bodies.h"
+#include "hsr/lines/hidden_tiles.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/occluders.h"
 #include "hsr/parallel.h"
+#include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/seen_beside.h"
 
@@ -200,6 +203,7 @@ class FragmentFinder {
   VisibleFragments fragments();
 
  private:
+  void leave_out_hidden(const std::vector<ImageBox>& boxes, std::vector<std::uint8_t>& left_out) const;
   void find_lines();
   void find_sides();
   template <class F>
@@ -216,6 +220,15 @@ class FragmentFinder {
   DecisionCounts decisions_;
 };
 
+/// What is certainly hidden hides nothing that what hides it does not.
+void FragmentFinder::leave_out_hidden(const std::vector<ImageBox>& boxes, std::vector<std::uint8_t>& left_out) const {
+  if (options_.stages == When::never || options_.arithmetic != Arithmetic::staged) return;
+  const Bodies bodies(sight_);
+  if (bodies.count() > 0) for_each(left_out.size(), [&](std::size_t i) { left_out[i] |= bodies.far_sides()[i]; });
+  const HiddenTiles tiles(sight_, boxes, options_.stages == When::always);
+  if (!tiles.is_empty()) tiles.mark_hidden(boxes, left_out);
+}
+
 /// A face that is seen edge-on has no area in the image: it is left out, and its edges with it.
 void FragmentFinder::find_lines() {
   std::vector<ImageBox> boxes(mesh_.triangles.size());
@@ -224,6 +237,7 @@ void FragmentFinder::find_lines() {
     boxes[i] = sight_.box(TriangleId(i));
     left_out[i] = sight_.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
   });
+  leave_out_hidden(boxes, left_out);
   occluders_.emplace(sight_, boxes, left_out);
   intersections_ = find_intersections(sight_, *occluders_);
   auto edges = collected<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
@@ -303,6 +317,9 @@ VisibleFragments FragmentFinder::fragments() {
   all.decisions += decisions_;
   all.decisions += lines_.decisions;
   all.decisions += intersections_.decisions;
+#ifdef HSR_CHECKS
+  if (options_.arithmetic != Arithmetic::double_only) check_invariants(sight_, all);  // it promises nothing
+#endif
   return all;
 }
 

@@ -33,7 +33,7 @@ void agrees_on(const std::string& name, std::uint64_t first_seed, int count) {
     if (wrong_with(scene, options).empty()) continue;
     ++failures;
     scene = scenes::shrunk(scene, [&](const scenes::TestScene& s) { return !wrong_with(s, options).empty(); });
-    FAIL_CHECK("For tests/lines/corpus:\n" << scenes::to_text(scene) << wrong_with(scene, options));
+    FAIL_CHECK("For tests/corpus:\n" << scenes::to_text(scene) << wrong_with(scene, options));
   }
   CHECK(failures == 0);
 }

@@ -3,22 +3,52 @@
 #include <algorithm>
 #include <exception>
 
+#include "geometry/error.h"
+#include "hsr/check/fragment_check.h"
+#include "hsr/image/samples.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "tests/oracle/surfaces_oracle.h"
 
 namespace hsr {
 
+namespace {
+
+/// At samples of the picture, many of them exactly on edges.
+std::string differences_to_caster(const Mesh& mesh, const View& view, const VisibleFragments& found) {
+  try {
+    const SampleGrid grid = sample_grid(view, paper_rectangle(mesh, view), 24, 24);
+    const FragmentCheck check = check_fragments(mesh, view, found, grid);
+    if (check.is_right()) return {};
+    return std::to_string(check.wrong) + " samples differ from the caster, " + std::to_string(check.overlapping) + " overlap";
+  } catch (const PreconditionError&) {
+    return {};  // the eye in the plane of the samples, or samples that are no doubles
+  } catch (const InputError&) {
+    return {};  // a picture beyond all doubles
+  }
+}
+
+}  // namespace
+
 std::string wrong_fragments(const scenes::TestScene& scene) {
   try {
     const Mesh mesh = scene.mesh();
     const oracle::SurfacesOracle truth(mesh, scene.view);
     std::string wrong;
-    const VisibleFragments reference = roberts_surfaces(mesh, scene.view), found = visible_fragments(mesh, scene.view);
+    const VisibleFragments reference = roberts_surfaces(mesh, scene.view);
     for (const std::string& line : truth.differences(reference)) wrong += "roberts: " + line + "\n";
-    for (const std::string& line : truth.differences(found)) wrong += "fragments: " + line + "\n";
-    const std::string expected = canonical(mesh, scene.view, reference), text = canonical(mesh, scene.view, found);
-    if (expected != text) wrong += "roberts:\n" + expected + "fragments:\n" + text;
+    const std::string expected = canonical(mesh, scene.view, reference);
+    for (const When stages : {When::never, When::always}) {
+      FragmentOptions options;
+      options.stages = stages;
+      const VisibleFragments found = visible_fragments(mesh, scene.view, options);
+      const std::string name = stages == When::always ? "fragments, stages" : "fragments";
+      for (const std::string& line : truth.differences(found)) wrong.append(name).append(": ").append(line).append("\n");
+      const std::string seen = differences_to_caster(mesh, scene.view, found);
+      if (!seen.empty()) wrong.append(name).append(": ").append(seen).append("\n");
+      const std::string text = canonical(mesh, scene.view, found);
+      if (expected != text) wrong.append("roberts:\n").append(expected).append(name).append(":\n").append(text);
+    }
     return wrong;
   } catch (const std::exception& e) {
     return std::string("exception: ") + e.what() + "\n";

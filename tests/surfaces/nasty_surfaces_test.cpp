@@ -6,6 +6,7 @@
 #include <random>
 
 #include "hsr/check/fragment_check.h"
+#include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "tests/surfaces/checked_surfaces.h"
@@ -230,6 +231,48 @@ TEST_CASE("the check finds fragments that are wrong", "[surfaces][check]") {
     line_to(before, before.at.vertex, outer);
     CHECK(old != outer);
     CHECK_FALSE(check(wrong).is_right());
+  }
+}
+
+TEST_CASE("the invariants find fragments that are wrong", "[surfaces][check]") {
+  scenes::TestScene scene = from_above();
+  scene.add_face({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}});
+  scene.add_face({{2, 2, 1}, {4, 2, 1}, {4, 4, 1}, {2, 4, 1}});
+  const Mesh mesh = scene.mesh();
+  const Sight sight(mesh, scene.view, Arithmetic::staged);
+  const VisibleFragments right = visible_fragments(mesh, scene.view);
+  CHECK_NOTHROW(check_invariants(sight, right));
+  VisibleFragments wrong = right;
+  SECTION("a fragment is there twice") {
+    wrong.fragments.push_back(wrong.fragments.back());
+    CHECK_THROWS_WITH(check_invariants(sight, wrong), Catch::Contains("run along one another"));
+  }
+  SECTION("a hole is a fragment of its own") {
+    wrong.fragments.push_back({TriangleId(0), wrong.fragments[0].first_ring + 1, wrong.fragments[0].end_ring});
+    wrong.fragments[0].end_ring = wrong.fragments[0].first_ring + 1;
+    CHECK_THROWS_WITH(check_invariants(sight, wrong), Catch::Contains("turns the wrong way"));
+  }
+  SECTION("a hole belongs to another fragment") {
+    wrong.fragments[0].end_ring = wrong.fragments[0].first_ring + 1;
+    // The square inside, with the outer one as what surrounds it: of the rings of fragment 0 the second is the hole.
+    const std::uint32_t hole = right.fragments[0].first_ring + 1;
+    std::vector<MapCorner> outer(right.ring(0).begin(), right.ring(0).end());
+    wrong.corners.insert(wrong.corners.end(), outer.begin(), outer.end());
+    CHECK(right.ring(hole).size() == 4);
+    std::reverse(outer.begin(), outer.end());
+    std::copy(outer.begin(), outer.end(), wrong.corners.begin() + wrong.first_corner[wrong.fragments[1].first_ring]);
+    CHECK_THROWS_AS(check_invariants(sight, wrong), InvariantError);
+  }
+  SECTION("a corner is somewhere else") {
+    MapCorner& corner = wrong.corners[wrong.first_corner[wrong.fragments[1].first_ring]];
+    const MapCorner& next = wrong.corners[wrong.first_corner[wrong.fragments[1].first_ring] + 1];
+    MapCorner& before = wrong.corners[wrong.first_corner[wrong.fragments[1].first_ring] + 3];
+    corner.at = MapPoint::of_vertex(VertexId(0));
+    corner.line = MapLine::edge(VertexId(0), next.at.vertex);
+    corner.reversed = false;
+    before.line = MapLine::edge(VertexId(0), before.at.vertex);
+    before.reversed = true;
+    CHECK_THROWS_AS(check_invariants(sight, wrong), InvariantError);
   }
 }
 

@@ -24,14 +24,16 @@ void agrees_on(const std::string& name, std::uint64_t first_seed, int count) {
     if (wrong_fragments(scene).empty()) continue;
     ++failures;
     scene = scenes::shrunk(scene, [&](const scenes::TestScene& s) { return !wrong_fragments(s).empty(); });
-    FAIL_CHECK("For tests/surfaces/corpus:\n" << scenes::to_text(scene) << wrong_fragments(scene));
+    FAIL_CHECK("For tests/corpus:\n" << scenes::to_text(scene) << wrong_fragments(scene));
   }
   CHECK(failures == 0);
 }
 
 TEST_CASE("fragments by both methods agree with the oracle on every family of scenes", "[surfaces][oracle]") {
   for (const scenes::Family& family : scenes::families()) {
-    DYNAMIC_SECTION(family.name) { agrees_on(family.name, 0, 60); }
+    // "triangles" are soups of small integers, in which everything is degenerate.
+    const bool is_soup = std::string(family.name) == "triangles";
+    DYNAMIC_SECTION(family.name) { agrees_on(family.name, 0, is_soup ? 200 : 60); }
   }
 }
 
