@@ -43,7 +43,7 @@ std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes);
 /// `visit_leaf` looks for each query at one leaf. `first`: leaves before it are passed over.
 class BoxTree {
  public:
-  enum class Depth { hiding, touching };
+  enum class Depth { hiding, touching, any };
 
   BoxTree() = default;
   explicit BoxTree(std::span<const ImageBox> boxes);
@@ -63,9 +63,9 @@ class BoxTree {
   template <Depth depth>
   bool leaves(const ImageBox& query, std::size_t limit, std::vector<std::uint32_t>& found, std::uint32_t first = 0) const;
   std::uint32_t leaf_count() const { return static_cast<std::uint32_t>((order_.size() + width - 1) / width); }
-  /// Calls f(i, k) for every two boxes that touch, the one in this leaf and the other later in the tree: each pair once, over
-  /// all leaves. @param leaves for the search
-  template <class F>
+  /// Calls f(i, k) for every two boxes that touch (any: in the image), the one in this leaf and the other later in the tree:
+  /// each pair once, over all leaves. @param leaves for the search
+  template <Depth depth = Depth::touching, class F>
   void visit_pairs(std::uint32_t leaf, std::vector<std::uint32_t>& leaves, F&& f) const;
   /// False: f returned false.
   template <Depth depth, class F>
@@ -105,7 +105,8 @@ unsigned BoxTree::overlaps(const Node& node, const ImageBox& query) {
     all = _mm_and_ps(all, _mm_cmpge_ps(_mm_load_ps(&node.high[0][k]), _mm_set1_ps(query.low[0])));
     all = _mm_and_ps(all, _mm_cmple_ps(_mm_load_ps(&node.low[1][k]), _mm_set1_ps(query.high[1])));
     all = _mm_and_ps(all, _mm_cmpge_ps(_mm_load_ps(&node.high[1][k]), _mm_set1_ps(query.low[1])));
-    all = _mm_and_ps(all, _mm_cmpge_ps(_mm_load_ps(&node.nearest[k]), _mm_set1_ps(query.farthest)));
+    if constexpr (depth != Depth::any)
+      all = _mm_and_ps(all, _mm_cmpge_ps(_mm_load_ps(&node.nearest[k]), _mm_set1_ps(query.farthest)));
     if constexpr (depth == Depth::touching)
       all = _mm_and_ps(all, _mm_cmple_ps(_mm_load_ps(&node.farthest[k]), _mm_set1_ps(query.nearest)));
     return static_cast<unsigned>(_mm_movemask_ps(all));
@@ -116,8 +117,8 @@ unsigned BoxTree::overlaps(const Node& node, const ImageBox& query) {
   for (unsigned k = 0; k < width; ++k) {
     // Without branches: every comparison is made, and all must hold.
     unsigned all = unsigned{node.low[0][k] <= query.high[0]} & unsigned{node.high[0][k] >= query.low[0]} &
-                   unsigned{node.low[1][k] <= query.high[1]} & unsigned{node.high[1][k] >= query.low[1]} &
-                   unsigned{node.nearest[k] >= query.farthest};
+                   unsigned{node.low[1][k] <= query.high[1]} & unsigned{node.high[1][k] >= query.low[1]};
+    if constexpr (depth != Depth::any) all &= unsigned{node.nearest[k] >= query.farthest};
     if constexpr (depth == Depth::touching) all &= unsigned{node.farthest[k] <= query.nearest};
     hit |= all << k;
   }
@@ -177,22 +178,22 @@ bool BoxTree::leaves(const ImageBox& query, std::size_t limit, std::vector<std::
   return true;
 }
 
-template <class F>
+template <BoxTree::Depth depth, class F>
 void BoxTree::visit_pairs(std::uint32_t leaf, std::vector<std::uint32_t>& found, F&& f) const {
   const std::size_t count = std::min(width, order_.size() - leaf * width);
   ImageBox all = ImageBox::nothing();
   for (std::size_t k = 0; k < count; ++k) all.add(box(leaf, k));
   constexpr std::size_t limit = 64, none = 0xffffffffU;
   found.clear();
-  const bool shares = leaves<Depth::touching>(all, limit, found, leaf);
+  const bool shares = leaves<depth>(all, limit, found, leaf);
   for (std::size_t k = 0; k < count; ++k) {
     const ImageBox query = box(leaf, k);
     if (!shares) {
       found.clear();
-      leaves<Depth::touching>(query, none, found, leaf);
+      leaves<depth>(query, none, found, leaf);
     }
     for (const std::uint32_t other : found) {
-      unsigned hit = overlaps<Depth::touching>(nodes_[other], query);
+      unsigned hit = overlaps<depth>(nodes_[other], query);
       if (other == leaf) hit &= ~0U << (k + 1);
       for (; hit != 0; hit &= hit - 1)
         f(order_[leaf * width + k], order_[other * width + static_cast<unsigned>(__builtin_ctz(hit))]);

@@ -8,8 +8,8 @@
 #include "hsr/facet.h"
 #include "hsr/image/caster.h"
 #include "hsr/image/rasterizer.h"
+#include "hsr/map/map_sight.h"
 #include "hsr/sight.h"
-#include "hsr/surfaces/map_sight.h"
 
 namespace hsr {
 

@@ -13,5 +13,6 @@ struct CheckFailed {};
 /// @param unfinished the files that an interrupt must remove
 void add_draw(CLI::App& app, UnfinishedFiles& unfinished);
 void add_info(CLI::App& app, UnfinishedFiles& unfinished);
+void add_order(CLI::App& app, UnfinishedFiles& unfinished);
 
 }  // namespace hsr::cli

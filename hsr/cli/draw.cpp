@@ -12,6 +12,7 @@
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/outputs.h"
+#include "hsr/cli/page_arguments.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
 #include "hsr/cli/view_options.h"
@@ -40,8 +41,7 @@ struct DrawArguments {
   std::string merge = "none";
   bool check = false;
   std::string hidden = "none";
-  std::string page = "A4", scale = "fit", unit = "mm", size;
-  double margin = 10;
+  PageArguments page;
   bool exact = false, why = false, quiet = false;
   std::optional<int> threads;
   std::string arithmetic = "staged", report;
@@ -136,7 +136,7 @@ void note_idle_options(const DrawArguments& a, const std::vector<Format>& format
   };
   if (a.why && !any(Format::json)) note("--why", "json");
   if (a.exact && !any(Format::json)) note("--exact", "json");
-  if (!a.size.empty() && !any(Format::png) && !a.check) note("--size", "png");
+  if (!a.page.size.empty() && !any(Format::png) && !a.check) note("--size", "png");
 }
 
 /// Why a drawing has no line, for one who wonders.
@@ -152,7 +152,7 @@ std::string empty_drawing(const DrawArguments& a, bool in_frame, const VisibleLi
     return "nothing of the model is beyond the near plane, or seen as more than a point: see --target and --near";
   if (nothing_ahead) return "every edge is seen as a point";
   if (drawing.short_dropped > 0)
-    return "every line is shorter than 0.01 mm at scale " + a.scale + ": --scale fit shows the whole";
+    return "every line is shorter than 0.01 mm at scale " + a.page.scale + ": --scale fit shows the whole";
   return "every line is hidden, or outside the frame: --hidden dashed shows what is hidden";
 }
 
@@ -163,25 +163,20 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   std::vector<std::string> files = a.outputs;
   files.push_back(a.report);
   check_outputs(a.model, files);
-  if (!(a.margin >= 0)) throw InputError(fmt::format("--margin: found {}, expected millimetres, 0 or more", a.margin));
   if (a.lines.method == "appel" && a.why)
     throw InputError(
         "--why: appel counts the faces that hide and does not know which they are, expected --method roberts or auto");
   LineOptions line_options = a.lines.options();
   line_options.why = a.why;
   line_options.arithmetic = parse_arithmetic(a.arithmetic);
-  DrawingOptions drawing_options;
-  drawing_options.page = parse_page(a.page);
-  drawing_options.page.margin = a.margin;
-  drawing_options.scale = parse_scale(a.scale);
-  drawing_options.unit = parse_unit(a.unit);
+  DrawingOptions drawing_options = a.page.options();
   drawing_options.hidden = a.hidden == "none"     ? HiddenLines::none
                            : a.hidden == "dashed" ? HiddenLines::dashed
                                                   : HiddenLines::solid;
   drawing_options.arithmetic = line_options.arithmetic;
   drawing_options.leave_out_near = true;
   std::optional<PixelSize> size;
-  if (!a.size.empty()) size = parse_size(a.size);
+  if (!a.page.size.empty()) size = parse_size(a.page.size);
   if (a.threads && *a.threads < 1) throw InputError("--threads: found " + std::to_string(*a.threads) + ", expected 1 or more");
   std::optional<tbb::global_control> threads;
   if (a.threads) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*a.threads));
@@ -264,8 +259,8 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
       fmt::print(stderr, "hsr: note: the drawing is empty: {}\n",
                  empty_drawing(a, line_options.frame.has_value(), lines, *drawing));
     if (!drawing->fits && !a.quiet)
-      fmt::print(stderr, "hsr: note: at scale {} the drawing is larger than the page {}: --scale fit makes it fit\n", a.scale,
-                 a.page);
+      fmt::print(stderr, "hsr: note: at scale {} the drawing is larger than the page {}: --scale fit makes it fit\n",
+                 a.page.scale, a.page.page);
   }
   report.set_decisions(decisions);
   if (!chosen.view.is_perspective()) report.leave_out("near plane", "a parallel view has none");
@@ -337,23 +332,7 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
          "Compare the visible fragments with the nearest face at each sample of --size [1024x1024]; exit status 1 if they "
          "differ")
       ->group(surfaces);
-  const std::string page = "Page";
-  sub->add_option("--page", a->page,
-                  "A0 ... A6 or letter, turned to suit the drawing, WIDTHxHEIGHTmm, or fit (cut to the drawing)")
-      ->capture_default_str()
-      ->type_name("PAGE")
-      ->group(page);
-  sub->add_option("--scale", a->scale, "Paper to model, such as 1:5 or 2:1 (perspective: at the target), or fit")
-      ->capture_default_str()
-      ->type_name("RATIO")
-      ->group(page);
-  sub->add_option("--unit", a->unit, "The model's unit: mm, cm, m or in")
-      ->capture_default_str()
-      ->type_name("UNIT")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
-      ->group(page);
-  sub->add_option("--margin", a->margin, "Around the drawing, mm")->capture_default_str()->type_name("MM")->group(page);
-  sub->add_option("--size", a->size, "PNG: pixels [150 to the inch]")->type_name("WxH")->group(page);
+  a->page.add_to(*sub);
   const std::string numbers = "Numbers";
   sub->add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"")->group(numbers);
   sub->add_option("--threads", a->threads, "At most this many threads [all]; the result is the same")

@@ -6,15 +6,18 @@
 
 namespace hsr {
 
-std::array<Enclosure, 3> enclosed_point(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut,
-                                        const Point3& origin) {
+std::array<Enclosure, 3> enclosed_meet(const Plane& s, const Plane& t, const Plane& u, const Point3& origin) {
   const EnclosureArithmetic a;
-  const auto [s, t] = planes_of(mesh, view, carrier);
-  const Plane plane = plane_of(mesh, view, cut);
-  const auto d = polynomials::meet_point(a, s, t, plane);
-  const Enclosure w = polynomials::meet_value(a, s, t, plane);
+  const auto d = polynomials::meet_point(a, s, t, u);
+  const Enclosure w = polynomials::meet_value(a, s, t, u);
   return {Enclosure::difference(s.o.x, origin.x) + d.x / w, Enclosure::difference(s.o.y, origin.y) + d.y / w,
           Enclosure::difference(s.o.z, origin.z) + d.z / w};
+}
+
+std::array<Enclosure, 3> enclosed_point(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut,
+                                        const Point3& origin) {
+  const auto [s, t] = planes_of(mesh, view, carrier);
+  return enclosed_meet(s, t, plane_of(mesh, view, cut), origin);
 }
 
 Enclosure enclosed_parameter(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut) {

@@ -10,6 +10,9 @@ namespace hsr {
 /// An enclosure of the parameter t of a cut; exact at the ends.
 Enclosure enclosed_parameter(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut);
 
+/// An enclosure of where three planes meet, relative to `origin`. @pre s is a span
+std::array<Enclosure, 3> enclosed_meet(const Plane& s, const Plane& t, const Plane& u, const Point3& origin);
+
 /// An enclosure of where a cut of an intersection is, relative to `origin`. @pre the carrier is one
 std::array<Enclosure, 3> enclosed_point(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut,
                                         const Point3& origin);

@@ -83,6 +83,10 @@ HomogeneousPoint Projection::at(VertexId v) const {
       {Enclosure::difference(p.x, anchor_.x), Enclosure::difference(p.y, anchor_.y), Enclosure::difference(p.z, anchor_.z)});
 }
 
+HomogeneousPoint Projection::at(const Plane& s, const Plane& t, const Plane& u) const {
+  return at(enclosed_meet(s, t, u, anchor_));
+}
+
 HomogeneousPoint Projection::at(const Carrier& carrier, const Cut& cut) const {
   if (cut.kind == Cut::Kind::start) return at(carrier.a);
   if (cut.kind == Cut::Kind::end) return at(carrier.b);

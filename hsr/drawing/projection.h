@@ -31,6 +31,9 @@ class Projection {
   HomogeneousPoint at(VertexId v) const;
   HomogeneousPoint at(const Carrier& carrier, const Cut& cut) const;
 
+  /// Where three planes meet. @pre s is a span
+  HomogeneousPoint at(const Plane& s, const Plane& t, const Plane& u) const;
+
   /// x / w and y / w of a cut, exactly.
   std::array<Rational, 2> exact(const Carrier& carrier, const Cut& cut) const;
   std::array<Rational, 3> exact(VertexId v) const;  ///< x, y, w

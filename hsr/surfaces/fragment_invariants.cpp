@@ -5,7 +5,7 @@
 
 #include "geometry/box_tree.h"
 #include "geometry/error.h"
-#include "hsr/surfaces/map_sight.h"
+#include "hsr/map/map_sight.h"
 
 namespace hsr {
 

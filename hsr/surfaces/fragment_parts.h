@@ -9,8 +9,8 @@
 
 #include "hsr/facet.h"
 #include "hsr/lines/line_progress.h"
+#include "hsr/map/map_sight.h"
 #include "hsr/surfaces/fragments.h"
-#include "hsr/surfaces/map_sight.h"
 #include "hsr/surfaces/rings.h"
 
 namespace hsr {

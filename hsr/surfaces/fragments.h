@@ -10,7 +10,7 @@
 #include "geometry/number.h"
 #include "geometry/predicates.h"
 #include "hsr/lines/line_options.h"
-#include "hsr/surfaces/map_point.h"
+#include "hsr/map/map_point.h"
 #include "hsr/view.h"
 
 namespace hsr {

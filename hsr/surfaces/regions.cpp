@@ -5,7 +5,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "hsr/facet.h"
-#include "hsr/surfaces/map_sight.h"
+#include "hsr/map/map_sight.h"
 #include "hsr/surfaces/rings.h"
 
 namespace hsr {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "hsr/surfaces/map_sight.h"
+#include "hsr/map/map_sight.h"
 
 namespace hsr {
 

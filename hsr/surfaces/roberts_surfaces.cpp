@@ -6,24 +6,19 @@
 #include <optional>
 
 #include "hsr/facet.h"
+#include "hsr/map/convex_piece.h"
+#include "hsr/map/map_sight.h"
+#include "hsr/map/triangle_sides.h"
 #include "hsr/occluders.h"
 #include "hsr/parallel.h"
 #include "hsr/sight.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
-#include "hsr/surfaces/map_sight.h"
 #include "hsr/surfaces/rings.h"
-#include "hsr/surfaces/triangle_sides.h"
 
 namespace hsr {
 
 namespace {
-
-/// A convex part of a facet in the image, counter-clockwise: side k runs along its line from point k to point k + 1.
-struct ConvexPiece {
-  std::vector<MapHalfPlane> lines;  // all inner to the left as the side runs
-  std::vector<MapPoint> points;
-};
 
 class Subtraction {
  public:
@@ -35,73 +30,13 @@ class Subtraction {
   MapSight& map() { return map_; }
 
  private:
-  ConvexPiece triangle(TriangleId t) const;
   bool shadow(TriangleId t, TriangleId facet, std::vector<MapHalfPlane>& half_planes);
-  /// Cuts the piece: what is inside the half-plane stays, what is outside is returned.
-  std::optional<ConvexPiece> cut(ConvexPiece& piece, const MapHalfPlane& h);
   void subtract(std::vector<ConvexPiece>& pieces, const std::vector<MapHalfPlane>& shadow);
 
   MapSight map_;
   const Sight& sight_;
   const Occluders& occluders_;
 };
-
-ConvexPiece Subtraction::triangle(TriangleId t) const {
-  const auto& c = sight_.mesh().triangles[t];
-  ConvexPiece piece;
-  const bool forward = sight_.facing(t) == Sign::negative;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = forward ? k : 2 - k;               // the side
-    const std::size_t from = forward ? k : (2 - k + 1) % 3;  // its first corner
-    piece.lines.push_back(side_of_triangle(sight_, t, i));
-    piece.points.push_back(MapPoint::of_vertex(c[from]));
-  }
-  return piece;
-}
-
-std::optional<ConvexPiece> Subtraction::cut(ConvexPiece& piece, const MapHalfPlane& h) {
-  const std::size_t n = piece.points.size();
-  std::vector<Sign> at;
-  bool inside = false, outside = false;
-  for (const MapPoint& p : piece.points) {
-    at.push_back(map_.side(h.line, p) * h.inner);
-    inside = inside || at.back() == Sign::positive;
-    outside = outside || at.back() == Sign::negative;
-  }
-  if (!outside) return std::nullopt;
-  if (!inside) {
-    ConvexPiece all = std::move(piece);
-    piece = {};
-    return all;
-  }
-  // The part of the piece on one side of the line: where it leaves, the line takes over until it comes back.
-  const auto part = [&](Sign wanted) {
-    ConvexPiece out;
-    for (std::size_t k = 0; k < n; ++k) {
-      const Sign here = at[k] * wanted, next = at[(k + 1) % n] * wanted;
-      const MapPoint crossing = MapPoint::crossing(piece.lines[k].line, h.line);
-      const MapHalfPlane border = {h.line, h.inner * wanted};
-      if (here == Sign::positive) {
-        out.points.push_back(piece.points[k]);
-        out.lines.push_back(piece.lines[k]);
-        if (next == Sign::negative) {
-          out.points.push_back(crossing);
-          out.lines.push_back(border);
-        }
-      } else if (here == Sign::zero) {
-        out.points.push_back(piece.points[k]);
-        out.lines.push_back(next == Sign::positive ? piece.lines[k] : border);
-      } else if (next == Sign::positive) {
-        out.points.push_back(crossing);
-        out.lines.push_back(piece.lines[k]);
-      }
-    }
-    return out;
-  };
-  ConvexPiece outer = part(Sign::negative);
-  piece = part(Sign::positive);
-  return outer;
-}
 
 /// Where t hides the facet: within t, where its plane is the nearer one, and beyond the near plane. False: nowhere, since of
 /// two in one plane the lower index is seen.
@@ -125,7 +60,7 @@ void Subtraction::subtract(std::vector<ConvexPiece>& pieces, const std::vector<M
     ConvexPiece rest = piece;
     std::vector<ConvexPiece> outside;
     for (const MapHalfPlane& h : shadow) {
-      if (auto part = cut(rest, h)) outside.push_back(std::move(*part));
+      if (auto part = cut(map_, rest, h)) outside.push_back(std::move(*part));
       if (rest.points.empty()) break;
     }
     if (rest.points.empty())
@@ -144,8 +79,8 @@ void Subtraction::visible_sides(TriangleId facet, std::vector<MapSide>& sides) {
   std::vector<MapHalfPlane> half_planes;
   for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
     if (!sight_.reaches_beyond_near(t)) continue;
-    pieces.assign(1, triangle(t));
-    if (sight_.reaches_before_near(t)) cut(pieces[0], beyond_near(sight_, t));
+    pieces.assign(1, convex_piece(sight_, t));
+    if (sight_.reaches_before_near(t)) cut(map_, pieces[0], beyond_near(sight_, t));
     if (pieces[0].points.empty()) continue;
     occluders_.tree.visit(sight_.box(t), [&](std::uint32_t i) {
       const TriangleId other = occluders_.triangles[i];

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "hsr/map/map_sight.h"
+#include "hsr/map/triangle_sides.h"
 #include "hsr/occluders.h"
-#include "hsr/surfaces/map_sight.h"
-#include "hsr/surfaces/triangle_sides.h"
 
 namespace hsr {
 

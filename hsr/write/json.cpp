@@ -11,13 +11,6 @@ namespace hsr {
 
 namespace {
 
-void append_rational(std::string& out, const Rational& x, Numbers numbers) {
-  if (numbers == Numbers::exact)
-    out += '"' + x.to_string() + '"';
-  else
-    append_number(out, x.to_double(), numbers);
-}
-
 /// Writes one line after the other; one object per thread.
 class LineWriter {
  public:

@@ -22,6 +22,13 @@ void append_number(std::string& out, double x, Numbers numbers) {
   out.append(text, end);
 }
 
+void append_rational(std::string& out, const Rational& x, Numbers numbers) {
+  if (numbers == Numbers::exact)
+    out += '"' + x.to_string() + '"';
+  else
+    append_number(out, x.to_double(), numbers);
+}
+
 void append_point(std::string& out, const Point3& p, Numbers numbers) {
   out += '[';
   for (int axis = 0; axis < 3; ++axis) {

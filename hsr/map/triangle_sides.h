@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "hsr/surfaces/map_sight.h"
+#include "hsr/map/map_sight.h"
 
 namespace hsr {
 
@@ -21,7 +21,7 @@ inline MapHalfPlane side_of_triangle(const Sight& sight, TriangleId t, std::size
   return {MapLine::edge(u, v), u < v ? left : -left};
 }
 
-/// What is beyond the near plane of a triangle that reaches before it.
+/// What is beyond the near plane, in the plane of a triangle that is not parallel to it.
 inline MapHalfPlane beyond_near(const Sight& sight, TriangleId t) { return {MapLine::near(t), sight.facing(t)}; }
 
 }  // namespace hsr

@@ -4,8 +4,8 @@
 
 #include "geometry/error_bounded.h"
 #include "geometry/view_plane.h"
+#include "hsr/map/map_point.h"
 #include "hsr/sight.h"
-#include "hsr/surfaces/map_point.h"
 
 namespace hsr {
 

@@ -1,4 +1,4 @@
-#include "hsr/surfaces/map_sight.h"
+#include "hsr/map/map_sight.h"
 
 #include <algorithm>
 #include <cmath>

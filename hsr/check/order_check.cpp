@@ -1,0 +1,26 @@
+#include "hsr/check/order_check.h"
+
+#include "hsr/facet.h"
+#include "hsr/image/caster.h"
+#include "hsr/image/painted_order.h"
+
+namespace hsr {
+
+OrderCheck check_order(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples) {
+  OrderCheck check;
+  const Image<std::uint32_t> painted = paint(mesh, view, order, samples);
+  const CastImage seen = cast(mesh, view, samples);
+  for (int j = 0; j < samples.height; ++j)
+    for (int i = 0; i < samples.width; ++i) {
+      const std::uint32_t piece = painted.at(i, j);
+      const TriangleId cast = seen.triangles.at(i, j);
+      ++check.samples;
+      if (cast.is_valid()) ++check.covered;
+      const TriangleId shown = piece == no_piece ? TriangleId() : order.pieces[piece].facet;
+      if (shown == (cast.is_valid() ? facet_of(mesh, cast) : cast)) continue;
+      if (check.wrong++ == 0) check.first_wrong = {i, j};
+    }
+  return check;
+}
+
+}  // namespace hsr

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hsr/drawing/drawing.h"
+#include "hsr/drawing/placement.h"
+#include "hsr/model.h"
+#include "hsr/painter/painters_order.h"
+
+namespace hsr {
+
+/// A piece on the page.
+struct PaintedPiece {
+  std::uint32_t face = 0;
+  Colour colour = {};
+  std::uint32_t first_point = 0, end_point = 0;
+};
+
+/// A painting order placed on a page, far to near.
+struct Painting {
+  double width = 0, height = 0;  ///< of the page, mm
+  double scale = 1;              ///< mm to a unit of the frame
+  bool fits = true;
+  std::optional<PaperFrame> frame;  ///< what is outside is cut off
+  std::vector<PaintedPiece> pieces;
+  std::vector<PaperPoint> points;
+  std::vector<std::uint8_t> is_line;  ///< by point: the side from here to the next corner is drawn as a line
+
+  std::span<const PaperPoint> points_of(const PaintedPiece& p) const {
+    return {points.data() + p.first_point, points.data() + p.end_point};
+  }
+};
+
+/// Places each corner, correctly rounded to 0.001 mm. A side is a line where it lies on an edge of the face that is of the
+/// classes asked for, whole or in part: sides that cuts made never are.
+Painting paint_on_page(const Mesh& mesh, const View& view, const PaintersOrder& order, const std::vector<Colour>& colours,
+                       const LineOptions& lines, const DrawingOptions& options);
+
+}  // namespace hsr

@@ -1,0 +1,86 @@
+#include "hsr/image/painted_order.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/constructed_point.h"
+#include "hsr/cut_plane.h"
+#include "hsr/image/rasterizer.h"
+
+namespace hsr {
+
+namespace {
+
+/// The spans of pieces. One object per block of them.
+class PieceSpans {
+ public:
+  PieceSpans(const SampleSigns& signs, const PaintersOrder& order)
+      : signs_(signs), sight_(signs.sight()), order_(order), rasterizer_(signs) {}
+
+  std::span<const SampleSpan> operator()(const OrderedPiece& piece) {
+    const auto corners = order_.corners_of(piece);
+    rows_.clear();
+    for (const PieceCorner& c : corners) rows_.push_back(rows_above(piece.facet, c));
+    sides_.clear();
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto [first, end] = std::minmax({rows_[k], rows_[(k + 1) % corners.size()]});
+      if (first < end) sides_.push_back({line(piece.facet, corners[k].side), first, end});
+    }
+    return rasterizer_.spans(sides_);
+  }
+
+ private:
+  /// The image of where a cut meets the facet's plane.
+  ViewPlane line(TriangleId facet, const Cut& cut) {
+    if (cut.kind == Cut::Kind::sight) return ViewPlane::of(cut_plane(sight_, cut));
+    const Plane face = sight_.face_plane(facet);
+    if (cut.kind == Cut::Kind::near) return ViewPlane::of(sight_.near_line(face));
+    const Plane plane = cut_plane(sight_, cut);
+    return sight_.facing(TriangleId(cut.u)) == Sign::zero ? ViewPlane::of(plane) : ViewPlane::of_meet(face, plane);
+  }
+  int rows_above(TriangleId facet, const PieceCorner& c) {
+    Predicates& exact = rasterizer_.exact();
+    if (c.vertex.is_valid()) return signs_.rows_above(c.vertex, exact);
+    const ViewPlane l = line(facet, c.a), m = line(facet, c.b);
+    const auto near = near_meet(sight_.face_plane(facet), cut_plane(sight_, c.a), cut_plane(sight_, c.b));
+    return signs_.rows_above(std::ceil(signs_.row_of({near[0].value, near[1].value, near[2].value})),
+                             [&](int j) { return exact.side(sight_.camera(), ViewPlane::of(signs_.row_plane(j)), l, m); });
+  }
+
+  const SampleSigns& signs_;
+  const Sight& sight_;
+  const PaintersOrder& order_;
+  Rasterizer rasterizer_;
+  std::vector<RasterSide> sides_;
+  std::vector<int> rows_;
+};
+
+}  // namespace
+
+Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples) {
+  Image<std::uint32_t> image(samples.width, samples.height, no_piece);
+  if (order.pieces.empty()) return image;
+  const Sight sight(mesh, view, Arithmetic::staged, samples.certificate());
+  const SampleSigns signs(sight, samples);
+  constexpr std::size_t block = 1024;
+  struct Part {
+    std::vector<SampleSpan> spans;
+    std::vector<std::uint32_t> piece;  // of each span
+  };
+  std::vector<Part> parts((order.pieces.size() + block - 1) / block);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    PieceSpans spans_of(signs, order);
+    for (std::size_t k = p * block; k < std::min((p + 1) * block, order.pieces.size()); ++k)
+      for (const SampleSpan& span : spans_of(order.pieces[k])) {
+        parts[p].spans.push_back(span);
+        parts[p].piece.push_back(static_cast<std::uint32_t>(k));
+      }
+  });
+  for (const Part& part : parts)
+    for (std::size_t s = 0; s < part.spans.size(); ++s) Rasterizer::paint(image, std::span(&part.spans[s], 1), part.piece[s]);
+  return image;
+}
+
+}  // namespace hsr

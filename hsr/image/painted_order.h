@@ -1,0 +1,18 @@
+#pragma once
+
+#include "hsr/image/image.h"
+#include "hsr/image/samples.h"
+#include "hsr/painter/painters_order.h"
+#include "hsr/view.h"
+
+namespace hsr {
+
+/// Paints the pieces one over the other, far to near: the piece that each sample shows in the end, or no_piece.
+///
+/// @throws PreconditionError as cast() does (caster.h)
+/// Exact: yes, with the rule for samples on edges (samples.h). Cost: O(pieces + samples painted).
+/// Source: Newell, Newell & Sancha 1972.
+Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples);
+constexpr std::uint32_t no_piece = 0xffffffffU;
+
+}  // namespace hsr

@@ -1,0 +1,125 @@
+#include "hsr/map/convex_piece.h"
+
+#include <algorithm>
+
+#include "hsr/facet.h"
+
+namespace hsr {
+
+ConvexPiece convex_piece(const Sight& sight, TriangleId t) {
+  const auto& c = sight.mesh().triangles[t];
+  ConvexPiece piece;
+  const bool forward = sight.facing(t) == Sign::negative;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = forward ? k : 2 - k;               // the side
+    const std::size_t from = forward ? k : (2 - k + 1) % 3;  // its first corner
+    piece.lines.push_back(side_of_triangle(sight, t, i));
+    piece.points.push_back(MapPoint::of_vertex(c[from]));
+  }
+  return piece;
+}
+
+namespace {
+
+/// The facet as one piece, if it is convex.
+std::optional<ConvexPiece> whole(MapSight& map, TriangleId facet) {
+  const Sight& sight = map.sight();
+  const Mesh& mesh = map.mesh();
+  struct Side {
+    VertexId from, to;
+    MapHalfPlane line;
+  };
+  std::vector<Side> sides;
+  std::size_t triangles = 0;
+  for (TriangleId t = facet; t < facet_end(mesh, facet); t = TriangleId(t.value + 1U), ++triangles) {
+    const auto& c = mesh.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (is_inner_diagonal(mesh, t, k)) continue;
+      const bool forward = sight.facing(t) == Sign::negative;
+      const VertexId u = c[k], v = c[(k + 1) % 3];
+      sides.push_back({forward ? u : v, forward ? v : u, side_of_triangle(sight, t, k)});
+    }
+  }
+  if (sides.size() != triangles + 2) return std::nullopt;  // a hole, or parts that only touch
+  ConvexPiece piece;
+  VertexId at = sides.front().from;
+  for (std::size_t n = 0; n < sides.size(); ++n) {
+    const auto next = std::find_if(sides.begin(), sides.end(), [&](const Side& s) { return s.from == at; });
+    if (next == sides.end()) return std::nullopt;
+    piece.points.push_back(MapPoint::of_vertex(at));
+    piece.lines.push_back(next->line);
+    at = next->to;
+    next->from = VertexId();  // used
+    // A turn to the right, or back.
+    const auto after = std::find_if(sides.begin(), sides.end(), [&](const Side& s) { return s.from == at; });
+    const VertexId beyond = after != sides.end() ? after->to : piece.points.size() > 1 ? piece.points[1].vertex : at;
+    if (map.side(next->line.line, beyond) * next->line.inner == Sign::negative) return std::nullopt;
+  }
+  return at == piece.points.front().vertex ? std::optional(std::move(piece)) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<ConvexPiece> convex_pieces(MapSight& map, TriangleId facet) {
+  const Sight& sight = map.sight();
+  const TriangleId end = facet_end(map.mesh(), facet);
+  std::vector<ConvexPiece> pieces;
+  if (end.value - facet.value > 1)
+    if (auto piece = whole(map, facet)) pieces.push_back(std::move(*piece));
+  if (pieces.empty())
+    for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U))
+      if (sight.reaches_beyond_near(t)) pieces.push_back(convex_piece(sight, t));
+  bool near_cuts = false;
+  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) near_cuts = near_cuts || sight.reaches_before_near(t);
+  if (near_cuts) {
+    for (ConvexPiece& piece : pieces) cut(map, piece, beyond_near(sight, facet));
+    std::erase_if(pieces, [](const ConvexPiece& p) { return p.points.empty(); });
+  }
+  return pieces;
+}
+
+std::optional<ConvexPiece> cut(MapSight& map, ConvexPiece& piece, const MapHalfPlane& h) {
+  const std::size_t n = piece.points.size();
+  std::vector<Sign> at;
+  bool inside = false, outside = false;
+  for (const MapPoint& p : piece.points) {
+    at.push_back(map.side(h.line, p) * h.inner);
+    inside = inside || at.back() == Sign::positive;
+    outside = outside || at.back() == Sign::negative;
+  }
+  if (!outside) return std::nullopt;
+  if (!inside) {
+    ConvexPiece all = std::move(piece);
+    piece = {};
+    return all;
+  }
+  // The part of the piece on one side of the line: where it leaves, the line takes over until it comes back.
+  const auto part = [&](Sign wanted) {
+    ConvexPiece out;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Sign here = at[k] * wanted, next = at[(k + 1) % n] * wanted;
+      const MapPoint crossing = MapPoint::crossing(piece.lines[k].line, h.line);
+      const MapHalfPlane border = {h.line, h.inner * wanted};
+      if (here == Sign::positive) {
+        out.points.push_back(piece.points[k]);
+        out.lines.push_back(piece.lines[k]);
+        if (next == Sign::negative) {
+          out.points.push_back(crossing);
+          out.lines.push_back(border);
+        }
+      } else if (here == Sign::zero) {
+        out.points.push_back(piece.points[k]);
+        out.lines.push_back(next == Sign::positive ? piece.lines[k] : border);
+      } else if (next == Sign::positive) {
+        out.points.push_back(crossing);
+        out.lines.push_back(piece.lines[k]);
+      }
+    }
+    return out;
+  };
+  ConvexPiece outer = part(Sign::negative);
+  piece = part(Sign::positive);
+  return outer;
+}
+
+}  // namespace hsr

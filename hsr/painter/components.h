@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hsr {
+
+/// A directed graph: node i leads to targets[first[i]] ... targets[first[i + 1] - 1].
+struct Graph {
+  std::vector<std::uint32_t> first = {0}, targets;
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(first.size() - 1); }
+  std::span<const std::uint32_t> operator[](std::uint32_t node) const {
+    return {targets.data() + first[node], targets.data() + first[node + 1]};
+  }
+};
+
+/// The nodes in an order in which each comes before all that it leads to; those in cycles, and what only they lead to, are left
+/// out. Of several that may come next, the one that could first. Cost: O(nodes + edges). Source: Kahn 1962.
+std::vector<std::uint32_t> topological_order(const Graph& graph);
+
+/// The strongly connected components of more than one node, each ascending. Never recursive. Cost: O(nodes + edges).
+/// Source: Tarjan 1972.
+std::vector<std::vector<std::uint32_t>> cyclic_components(const Graph& graph);
+
+/// A cycle through the node, as short as there is one; empty: none. Cost: O(nodes + edges).
+std::vector<std::uint32_t> shortest_cycle(const Graph& graph, std::uint32_t node);
+
+}  // namespace hsr

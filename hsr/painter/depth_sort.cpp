@@ -1,0 +1,326 @@
+#include "hsr/painter/depth_sort.h"
+
+#include <algorithm>
+#include <deque>
+#include <string>
+#include <unordered_map>
+
+#include "geometry/error.h"
+#include "hsr/painter/components.h"
+#include "hsr/painter/image_bsp.h"
+#include "hsr/painter/image_pieces.h"
+#include "hsr/painter/overlap_graph.h"
+
+namespace hsr {
+
+namespace {
+
+constexpr std::uint32_t none = 0xffffffffU;
+
+/// What overlaps a piece: `before` is painted before it.
+struct Neighbour {
+  std::uint32_t piece;
+  bool before;
+};
+
+class Sorter {
+ public:
+  Sorter(const Mesh& mesh, const View& view, const DepthSortOptions& options)
+      : options_(options), mesh_(mesh), sight_(mesh, view, options.arithmetic), overlaps_(sight_, options.classic) {}
+
+  DepthSort sort();
+
+ private:
+  void find_relations();
+  void resolve_piercing();
+  void resolve_cycles();
+  void resolve(std::vector<std::uint32_t> nodes);
+  bool cut_cycle(const std::vector<std::uint32_t>& cycle, std::vector<std::uint32_t>& nodes);
+  std::optional<MapHalfPlane> parting_line(std::uint32_t piece, std::uint32_t before, std::uint32_t after);
+  void order_by_planes(const std::vector<std::uint32_t>& component);
+  bool split(std::uint32_t piece, const MapHalfPlane& line);
+  void relate(std::uint32_t a, std::uint32_t b);
+  void count_pieces(std::size_t more);
+  template <class F>
+  void for_each_neighbour(std::uint32_t piece, const F& visit) const;
+  Graph graph_of(const std::vector<std::uint32_t>& nodes) const;
+  void emit();
+
+  const DepthSortOptions& options_;
+  const Mesh& mesh_;
+  Sight sight_;
+  Overlaps overlaps_;
+  std::vector<PieceOfFacet> pieces_;
+  std::vector<std::uint8_t> is_cut_;  // its parts stand for it
+  // The relations that were found first, by piece; those of parts of pieces.
+  std::vector<std::uint32_t> first_neighbour_;
+  std::vector<Neighbour> neighbours_;
+  std::unordered_map<std::uint32_t, std::vector<Neighbour>> more_neighbours_;
+  std::deque<std::array<std::uint32_t, 2>> piercing_;
+  // Components that planes have ordered: they are painted as one.
+  std::vector<std::uint32_t> block_of_;  // by piece, or none
+  std::vector<std::vector<PieceOfFacet>> blocks_;
+  mutable std::vector<std::uint32_t> place_;  // of a piece among some nodes
+  std::size_t most_ = 0;
+  DepthSort result_;
+};
+
+void Sorter::find_relations() {
+  OverlapGraph found = overlap_graph(sight_, pieces_, options_.classic);
+  DepthSortCounts& c = result_.counts;
+  c.candidates = found.candidates;
+  c.apart = found.counts.image_sides;
+  c.by_plane = found.counts.planes;
+  c.coplanar = found.counts.coplanar;
+  c.by_overlap = found.counts.intersection;
+  c.overlapping = found.pairs.size();
+  result_.order.decisions += found.decisions;
+  first_neighbour_.assign(pieces_.size() + 1, 0);
+  for (const Overlapping& pair : found.pairs) {
+    if (pair.piercing) {
+      ++c.piercing;
+      piercing_.push_back({std::min(pair.first, pair.second), std::max(pair.first, pair.second)});
+    }
+    ++first_neighbour_[pair.first + 1];
+    ++first_neighbour_[pair.second + 1];
+  }
+  std::sort(piercing_.begin(), piercing_.end());
+  for (std::size_t k = 1; k < first_neighbour_.size(); ++k) first_neighbour_[k] += first_neighbour_[k - 1];
+  neighbours_.resize(2 * found.pairs.size());
+  std::vector<std::uint32_t> next(first_neighbour_.begin(), first_neighbour_.end() - 1);
+  for (const Overlapping& pair : found.pairs) {
+    neighbours_[next[pair.first]++] = {pair.second, false};
+    neighbours_[next[pair.second]++] = {pair.first, true};
+  }
+}
+
+template <class F>
+void Sorter::for_each_neighbour(std::uint32_t piece, const F& visit) const {
+  if (piece + 1 < first_neighbour_.size())
+    for (std::uint32_t k = first_neighbour_[piece]; k < first_neighbour_[piece + 1]; ++k) visit(neighbours_[k]);
+  const auto more = more_neighbours_.find(piece);
+  if (more != more_neighbours_.end())
+    for (const Neighbour& n : more->second) visit(n);
+}
+
+void Sorter::relate(std::uint32_t a, std::uint32_t b) {
+  if (pieces_[a].facet == pieces_[b].facet) return;
+  const Overlap how = overlaps_.relation(pieces_[a], pieces_[b]);
+  if (how == Overlap::none) return;
+  if (how == Overlap::piercing) piercing_.push_back({std::min(a, b), std::max(a, b)});
+  more_neighbours_[a].push_back({b, how == Overlap::second_behind});
+  more_neighbours_[b].push_back({a, how != Overlap::second_behind});
+}
+
+void Sorter::count_pieces(std::size_t more) {
+  if (pieces_.size() + more > most_)
+    throw InputError("depth sort: this scene takes more than " + std::to_string(most_) +
+                     " pieces, expected fewer: --most-pieces allows more");
+}
+
+/// Cuts a piece in two along a line. False: it does not pass through it.
+bool Sorter::split(std::uint32_t piece, const MapHalfPlane& line) {
+  PieceOfFacet inside = pieces_[piece];
+  auto outside = cut(overlaps_.map(), inside.shape, line);
+  if (!outside || inside.shape.points.empty()) return false;
+  count_pieces(2);
+  const auto first = static_cast<std::uint32_t>(pieces_.size());
+  pieces_.push_back(std::move(inside));
+  pieces_.push_back({pieces_[piece].facet, std::move(*outside)});
+  is_cut_[piece] = 1;
+  is_cut_.resize(pieces_.size(), 0);
+  block_of_.resize(pieces_.size(), none);
+  std::vector<std::uint32_t> around;
+  for_each_neighbour(piece, [&](const Neighbour& n) {
+    if (is_cut_[n.piece] == 0) around.push_back(n.piece);
+  });
+  for (const std::uint32_t n : around) {
+    relate(first, n);
+    relate(first + 1, n);
+  }
+  return true;
+}
+
+void Sorter::resolve_piercing() {
+  while (!piercing_.empty()) {
+    const auto [a, b] = piercing_.front();
+    piercing_.pop_front();
+    if (is_cut_[a] != 0 || is_cut_[b] != 0) continue;  // their parts have been looked at
+    const MapHalfPlane line{MapLine::meet(pieces_[a].facet, pieces_[b].facet), Sign::positive};
+    if (!split(a, line) && !split(b, line)) throw InvariantError("depth_sort: pieces that pierce each other are not cut");
+    ++result_.counts.cuts_at_intersections;
+  }
+}
+
+Graph Sorter::graph_of(const std::vector<std::uint32_t>& nodes) const {
+  place_.resize(pieces_.size(), none);
+  for (std::uint32_t k = 0; k < nodes.size(); ++k) place_[nodes[k]] = k;
+  Graph graph;
+  graph.first.reserve(nodes.size() + 1);
+  for (const std::uint32_t node : nodes) {
+    for_each_neighbour(node, [&](const Neighbour& n) {
+      if (!n.before && place_[n.piece] != none) graph.targets.push_back(place_[n.piece]);
+    });
+    check_countable(graph.targets.size(), "overlaps");
+    graph.first.push_back(static_cast<std::uint32_t>(graph.targets.size()));
+  }
+  for (const std::uint32_t node : nodes) place_[node] = none;
+  return graph;
+}
+
+void Sorter::resolve_cycles() {
+  std::vector<std::uint32_t> alive;
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+    if (is_cut_[i] == 0) alive.push_back(i);
+  const Graph graph = graph_of(alive);
+  if (topological_order(graph).size() == alive.size()) return;
+  for (const std::vector<std::uint32_t>& component : cyclic_components(graph)) {
+    ++result_.counts.cyclic_components;
+    result_.counts.largest_component = std::max<std::uint64_t>(result_.counts.largest_component, component.size());
+    std::vector<std::uint32_t> nodes;
+    for (const std::uint32_t k : component) nodes.push_back(alive[k]);
+    resolve(std::move(nodes));
+  }
+}
+
+/// Cuts cycle after cycle, in a strongly connected component and what becomes of it.
+void Sorter::resolve(std::vector<std::uint32_t> nodes) {
+  constexpr std::size_t largest = 4096;  // beyond that to look for cycles one by one takes too long
+  std::vector<std::vector<std::uint32_t>> open = {std::move(nodes)};
+  std::size_t cuts_left = 4 * open.front().size() + 16;
+  while (!open.empty()) {
+    const std::vector<std::uint32_t> some = std::move(open.back());
+    open.pop_back();
+    const Graph graph = graph_of(some);
+    for (const std::vector<std::uint32_t>& component : cyclic_components(graph)) {
+      std::vector<std::uint32_t> part;
+      for (const std::uint32_t k : component) part.push_back(some[k]);
+      std::vector<std::uint32_t> cycle = shortest_cycle(graph, component.front());
+      for (std::uint32_t& k : cycle) k = some[k];
+      if (component.size() > largest || cuts_left == 0 || !cut_cycle(cycle, part)) {
+        order_by_planes(part);
+        continue;
+      }
+      --cuts_left;
+      open.push_back(std::move(part));
+    }
+  }
+}
+
+/// Cuts a piece of the cycle so that what comes before it and what comes after it overlap different parts.
+bool Sorter::cut_cycle(const std::vector<std::uint32_t>& cycle, std::vector<std::uint32_t>& nodes) {
+  for (std::size_t k = 0; k < cycle.size(); ++k) {
+    const std::uint32_t piece = cycle[k], before = cycle[(k + cycle.size() - 1) % cycle.size()],
+                        after = cycle[(k + 1) % cycle.size()];
+    const auto line = parting_line(piece, before, after);
+    if (!line || !split(piece, *line)) continue;
+    PaintersCycle found;
+    for (const std::uint32_t p : cycle) found.facets.push_back(pieces_[p].facet);
+    result_.cycles.push_back(std::move(found));
+    ++result_.counts.cuts_in_cycles;
+    std::erase(nodes, piece);
+    nodes.push_back(static_cast<std::uint32_t>(pieces_.size() - 2));
+    nodes.push_back(static_cast<std::uint32_t>(pieces_.size() - 1));
+    return true;
+  }
+  return false;
+}
+
+std::optional<MapHalfPlane> Sorter::parting_line(std::uint32_t piece, std::uint32_t before, std::uint32_t after) {
+  MapSight& map = overlaps_.map();
+  const auto low = overlaps_.common_part(pieces_[piece], pieces_[before]),
+             high = overlaps_.common_part(pieces_[piece], pieces_[after]);
+  if (!low || !high) return std::nullopt;
+  const auto all_on = [&](const ConvexPiece& part, const MapLine& line, Sign side) {
+    return std::all_of(part.points.begin(), part.points.end(),
+                       [&](const MapPoint& p) { return map.side(line, p) * side != Sign::negative; });
+  };
+  std::vector<MapHalfPlane> lines;
+  for (const std::uint32_t other : {before, after}) {
+    for (const MapHalfPlane& h : pieces_[other].shape.lines)
+      if (h.line.kind == MapLine::Kind::edge) lines.push_back(h);
+    const MapLine meet = MapLine::meet(pieces_[piece].facet, pieces_[other].facet);
+    if (!map.coplanar(pieces_[piece].facet, pieces_[other].facet)) lines.push_back({meet, Sign::positive});
+  }
+  for (const MapHalfPlane& h : lines)
+    for (const Sign side : {Sign::positive, Sign::negative})
+      if (all_on(*low, h.line, side) && all_on(*high, h.line, -side)) return h;
+  return std::nullopt;
+}
+
+void Sorter::order_by_planes(const std::vector<std::uint32_t>& component) {
+  std::vector<PieceOfFacet> pieces;
+  for (const std::uint32_t p : component) {
+    pieces.push_back(pieces_[p]);
+    block_of_[p] = static_cast<std::uint32_t>(blocks_.size());
+  }
+  blocks_.push_back(ordered_by_planes(overlaps_.map(), std::move(pieces),
+                                      most_ - std::min(most_, pieces_.size()) + component.size(),
+                                      result_.counts.cuts_in_cycles));
+}
+
+void Sorter::emit() {
+  // A node for each piece that is left, and for each block.
+  std::vector<std::uint32_t> node_of(pieces_.size(), none), of_block(blocks_.size(), none);
+  std::vector<std::uint32_t> piece_of;  // or none
+  std::vector<std::uint32_t> block_at;
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    if (is_cut_[i] != 0) continue;
+    const std::uint32_t block = block_of_[i];
+    if (block != none && of_block[block] != none) {
+      node_of[i] = of_block[block];
+      continue;
+    }
+    node_of[i] = static_cast<std::uint32_t>(piece_of.size());
+    if (block != none) of_block[block] = node_of[i];
+    piece_of.push_back(block == none ? i : none);
+    block_at.push_back(block);
+  }
+  std::vector<std::uint32_t> count(piece_of.size() + 1, 0);
+  const auto for_each_edge = [&](const auto& visit) {
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      if (node_of[i] == none) continue;
+      for_each_neighbour(i, [&](const Neighbour& n) {
+        if (!n.before && node_of[n.piece] != none && node_of[n.piece] != node_of[i]) visit(node_of[i], node_of[n.piece]);
+      });
+    }
+  };
+  for_each_edge([&](std::uint32_t from, std::uint32_t) { ++count[from + 1]; });
+  Graph graph;
+  for (std::size_t k = 1; k < count.size(); ++k) count[k] += count[k - 1];
+  graph.first = count;
+  graph.targets.resize(count.back());
+  for_each_edge([&](std::uint32_t from, std::uint32_t to) { graph.targets[count[from]++] = to; });
+  const std::vector<std::uint32_t> order = topological_order(graph);
+  if (order.size() != piece_of.size() && options_.arithmetic != Arithmetic::double_only)
+    throw InvariantError("depth_sort: a cycle is left");
+  for (const std::uint32_t node : order) {
+    if (piece_of[node] != none) {
+      append(mesh_, pieces_[piece_of[node]], result_.order);
+    } else {
+      for (const PieceOfFacet& piece : blocks_[block_at[node]]) append(mesh_, piece, result_.order);
+    }
+  }
+}
+
+DepthSort Sorter::sort() {
+  pieces_ = convex_pieces(sight_);
+  most_ = std::max<std::size_t>(100'000, pieces_.size() * options_.most_pieces_per_face);
+  is_cut_.assign(pieces_.size(), 0);
+  block_of_.assign(pieces_.size(), none);
+  find_relations();
+  resolve_piercing();
+  resolve_cycles();
+  emit();
+  result_.order.decisions += overlaps_.map().exact().counts();
+  return std::move(result_);
+}
+
+}  // namespace
+
+DepthSort depth_sort(const Mesh& mesh, const View& view, const DepthSortOptions& options) {
+  if (mesh.triangles.empty()) return {};
+  return Sorter(mesh, view, options).sort();
+}
+
+}  // namespace hsr

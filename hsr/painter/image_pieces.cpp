@@ -1,0 +1,77 @@
+#include "hsr/painter/image_pieces.h"
+
+#include <algorithm>
+
+#include "geometry/error.h"
+#include "hsr/facet.h"
+#include "hsr/parallel.h"
+
+namespace hsr {
+
+std::vector<PieceOfFacet> convex_pieces(const Sight& sight) {
+  const Mesh& mesh = sight.mesh();
+  return collected<PieceOfFacet>(mesh.triangles.size(), [&](std::size_t begin, std::size_t end, auto& part) {
+    MapSight map(sight);
+    for (std::size_t i = begin; i < end; ++i) {
+      const TriangleId t(i);
+      if (facet_of(mesh, t) != t || sight.facing(t) == Sign::zero) continue;
+      for (ConvexPiece& shape : convex_pieces(map, t)) part.push_back({t, std::move(shape)});
+    }
+  });
+}
+
+namespace {
+
+/// What cuts the facet's plane along a line of the map.
+Cut cut_of(const MapLine& line, TriangleId facet) {
+  switch (line.kind) {
+    case MapLine::Kind::edge:
+      return {Cut::Kind::sight, 0, line.u, line.v};
+    case MapLine::Kind::near:
+      return {Cut::Kind::near, 0, 0, 0};
+    case MapLine::Kind::meet:
+      break;
+  }
+  return {Cut::Kind::face, 0, line.u == facet.value ? line.v : line.u, 0};
+}
+
+/// Whether the line carries an edge of the face.
+bool is_original(const Mesh& mesh, TriangleId facet, const MapLine& line) {
+  if (line.kind != MapLine::Kind::edge) return false;
+  for (TriangleId t = facet; t < facet_end(mesh, facet); t = TriangleId(t.value + 1U)) {
+    const auto& c = mesh.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k)
+      if (MapLine::edge(c[k], c[(k + 1) % 3]) == line) {
+        if (is_inner_diagonal(mesh, t, k)) return false;
+        // A triangle of a face that was cut: its diagonal is no edge of the face.
+        const EdgeId e = mesh.find_edge(c[k], c[(k + 1) % 3]);
+        return !e.is_valid() || mesh.edges[e].of_face || !mesh.edges[e].diagonal;
+      }
+  }
+  return false;
+}
+
+}  // namespace
+
+void append(const Mesh& mesh, const PieceOfFacet& piece, PaintersOrder& order) {
+  OrderedPiece out{piece.facet, static_cast<std::uint32_t>(order.corners.size()), 0};
+  for (std::size_t k = 0; k < piece.shape.points.size(); ++k) {
+    const MapPoint& p = piece.shape.points[k];
+    const MapLine& line = piece.shape.lines[k].line;
+    PieceCorner c;
+    if (p.is_vertex) {
+      c.vertex = p.vertex;
+    } else {
+      c.a = cut_of(p.l, piece.facet);
+      c.b = cut_of(p.m, piece.facet);
+    }
+    c.side = cut_of(line, piece.facet);
+    c.original = is_original(mesh, piece.facet, line);
+    order.corners.push_back(c);
+  }
+  check_countable(order.corners.size(), "corners of a painting order");
+  out.end_corner = static_cast<std::uint32_t>(order.corners.size());
+  order.pieces.push_back(out);
+}
+
+}  // namespace hsr

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "geometry/number.h"
+#include "geometry/predicates.h"
+#include "hsr/cut.h"
+#include "hsr/view.h"
+
+namespace hsr {
+
+/// A corner of a piece, and the side that leaves it. Never a rounded number: on the plane of the piece's facet.
+struct PieceCorner {
+  VertexId vertex;  ///< whose place the corner is; not valid: where the planes of the cuts a and b meet the facet's
+  Cut a, b;
+  Cut side;               ///< the plane of the side from here to the next corner
+  bool original = false;  ///< that side lies on an edge of the face: it may be drawn
+};
+
+/// A convex part of a face, counter-clockwise as seen.
+struct OrderedPiece {
+  TriangleId facet;  ///< the planar piece of the face that it lies in: its first triangle
+  std::uint32_t first_corner = 0, end_corner = 0;
+};
+
+/// Convex pieces from far to near (docs/conventions.md, "Painter's order").
+struct PaintersOrder {
+  std::vector<OrderedPiece> pieces;
+  std::vector<PieceCorner> corners;
+  DecisionCounts decisions;
+
+  std::span<const PieceCorner> corners_of(const OrderedPiece& p) const {
+    return {corners.data() + p.first_corner, corners.data() + p.end_corner};
+  }
+};
+
+/// The corner in space, exactly.
+std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, TriangleId facet, const PieceCorner& corner);
+
+}  // namespace hsr

@@ -1,0 +1,42 @@
+#include "hsr/painter/z_sort.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hsr/painter/image_pieces.h"
+
+namespace hsr {
+
+PaintersOrder z_sort(const Mesh& mesh, const View& view, DepthKey key) {
+  PaintersOrder order;
+  if (mesh.triangles.empty()) return order;
+  const Sight sight(mesh, view, Arithmetic::staged);
+  const std::vector<PieceOfFacet> pieces = convex_pieces(sight);
+  const Camera camera = sight.camera();
+  const Point3& e = camera.eye.at;
+  // Along the direction in which the eye looks.
+  const Point3 away = camera.eye.is_direction ? Point3{-e.x, -e.y, -e.z}
+                                              : Point3{camera.target.x - e.x, camera.target.y - e.y, camera.target.z - e.z};
+  const auto depth = [&](const Point3& p) { return p.x * away.x + p.y * away.y + p.z * away.z; };
+  const MapSight map(sight);
+  struct Place {
+    double depth;
+    std::uint32_t piece;
+  };
+  std::vector<Place> places;
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    double farthest = -HUGE_VAL, sum = 0;
+    for (const MapPoint& p : pieces[i].shape.points) {
+      const double d = depth(p.is_vertex ? sight.point(p.vertex) : map.point(p, pieces[i].facet).p);
+      farthest = std::max(farthest, d);
+      sum += d;
+    }
+    places.push_back({key == DepthKey::centroid ? sum / static_cast<double>(pieces[i].shape.points.size()) : farthest, i});
+  }
+  std::sort(places.begin(), places.end(),
+            [](const Place& x, const Place& y) { return x.depth != y.depth ? x.depth > y.depth : x.piece > y.piece; });
+  for (const Place& p : places) append(mesh, pieces[p.piece], order);
+  return order;
+}
+
+}  // namespace hsr
