@@ -33,6 +33,10 @@ Plane Plane::along_axis(const Point3& c, const Point3& d, int axis) {
   return span(c, d, Support::point, unit(axis), Support::axis);
 }
 
+Plane Plane::across(const Point3& c, int axis) {
+  return span(c, unit((axis + 1) % 3), Support::axis, unit((axis + 2) % 3), Support::axis);
+}
+
 Plane Plane::of_sight_along_axis(const Viewpoint& e, const Point3& c, int axis) {
   return e.is_direction ? span(c, unit(axis), Support::axis, e.at, Support::direction) : along_axis(e.at, c, axis);
 }

@@ -32,6 +32,9 @@ struct Plane {
   /// The plane through c and d parallel to a coordinate axis: the line cd in the coordinates other than `axis`.
   static Plane along_axis(const Point3& c, const Point3& d, int axis);
 
+  /// The plane through c square to a coordinate axis; positive beyond it along the axis.
+  static Plane across(const Point3& c, int axis);
+
   /// The plane through the viewpoint and c parallel to a coordinate axis, signed like `along_axis(e, c, axis)`.
   static Plane of_sight_along_axis(const Viewpoint& e, const Point3& c, int axis);
 

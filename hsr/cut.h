@@ -16,6 +16,7 @@ struct Cut {
     near_line,        ///< where triangle u is cut by the near plane, as seen from the eye
     line,             ///< within an edge-on plane: the line of the vertices u and v; drop coordinate `axis`
     sight_of_vertex,  ///< within an edge-on plane: the line of sight of vertex u; drop `axis`
+    across,           ///< square to the coordinate axis `axis`, through vertex u
     near_line_end,    ///< within an edge-on plane: where the line of u and v is cut by the near plane; drop `axis`
   };
   Kind kind = Kind::start;

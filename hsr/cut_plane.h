@@ -26,6 +26,8 @@ Plane cut_plane(const Points& points, const Cut& cut) {
       return Plane::of_sight_along_axis(points.eye(), points.point(u), cut.axis);
     case Cut::Kind::near_line_end:
       return points.near_line(Plane::along_axis(points.point(u), points.point(v), cut.axis));
+    case Cut::Kind::across:
+      return Plane::across(points.point(u), cut.axis);
     case Cut::Kind::start:
     case Cut::Kind::end:
       break;

@@ -28,4 +28,12 @@ inline bool is_inner_diagonal(const Mesh& mesh, TriangleId t, std::size_t k) {
   return std::find(own.begin(), own.end(), t) == own.end();
 }
 
+/// Whether the side of t from corner k to the next is an edge of its face: no diagonal by which the face was cut.
+inline bool is_edge_of_face(const Mesh& mesh, TriangleId t, std::size_t k) {
+  if (is_inner_diagonal(mesh, t, k)) return false;
+  const auto& c = mesh.triangles[t];
+  const EdgeId e = mesh.find_edge(c[k], c[(k + 1) % 3]);
+  return !e.is_valid() || mesh.edges[e].of_face || !mesh.edges[e].diagonal;
+}
+
 }  // namespace hsr

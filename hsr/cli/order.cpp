@@ -18,6 +18,7 @@
 #include "hsr/drawing/painting.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/image/painted_order.h"
+#include "hsr/painter/bsp.h"
 #include "hsr/painter/depth_sort.h"
 #include "hsr/painter/z_sort.h"
 #include "hsr/read/read.h"
@@ -39,6 +40,7 @@ struct OrderArguments {
   std::string method = "depth-sort", cuts = "few";
   std::string edges = "outline,sharp,boundary,intersection,wire", report;
   double crease = 30, opacity = 1;
+  std::uint64_t seed = 1;
   bool exact = false, check = false, quiet = false;
   std::optional<int> threads;
 };
@@ -129,6 +131,13 @@ void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
     DepthSort sorted = report.timed("order", [&] { return depth_sort(mesh, chosen.view, options); });
     describe(report, sorted, mesh);
     order = std::move(sorted.order);
+  } else if (a.method == "bsp") {
+    BspOptions options;
+    options.seed = a.seed;
+    const BspTree tree = report.timed("build", [&] { return BspTree(mesh, options); });
+    order = report.timed("order", [&] { return tree.order(chosen.view); });
+    report["tree"] = {{"nodes", tree.nodes()}, {"depth", tree.depth()}, {"pieces", tree.pieces()}, {"splits", tree.splits()}, {"seed", a.seed}};
+    order.decisions += tree.decisions();
   } else {
     const DepthKey key = a.method == "naive" ? DepthKey::centroid : DepthKey::farthest_vertex;
     order = report.timed("order", [&] { return z_sort(mesh, chosen.view, key); });
@@ -191,11 +200,11 @@ void add_order(CLI::App& app, UnfinishedFiles& unfinished) {
   const std::string order = "Order";
   sub->add_option(
          "--method", a->method,
-         "depth-sort (exact; cuts faces only where no order of whole ones is right), or what most software does and may be "
+         "depth-sort (exact; cuts faces only where no order of whole ones is right), bsp (exact; a tree that orders any view), or what most software does and may be "
          "wrong: z-sort (by the farthest vertex), naive (by the middle)")
       ->capture_default_str()
       ->type_name("NAME")
-      ->check(CLI::IsMember({"depth-sort", "z-sort", "naive"}))
+      ->check(CLI::IsMember({"depth-sort", "bsp", "z-sort", "naive"}))
       ->group(order);
   sub->add_option("--cuts", a->cuts,
                   "few, or classic: cut every pair that no plane of the two separates, as the paper of 1972 does")
@@ -203,6 +212,7 @@ void add_order(CLI::App& app, UnfinishedFiles& unfinished) {
       ->type_name("WHICH")
       ->check(CLI::IsMember({"few", "classic"}))
       ->group(order);
+  sub->add_option("--seed", a->seed, "bsp: of the planes that are tried")->capture_default_str()->type_name("N")->group(order);
   sub->add_flag("--check", a->check,
                 "Compare the painting with the nearest face at each sample of --size [1024x1024]; exit status 1 if they differ")
       ->group(order);

@@ -34,11 +34,18 @@ class PieceSpans {
  private:
   /// The image of where a cut meets the facet's plane.
   ViewPlane line(TriangleId facet, const Cut& cut) {
-    if (cut.kind == Cut::Kind::sight) return ViewPlane::of(cut_plane(sight_, cut));
+    // A side of the face, however its plane is chosen.
+    if (cut.kind == Cut::Kind::sight || cut.kind == Cut::Kind::line)
+      return ViewPlane::of(sight_.sight_plane(VertexId(cut.u), VertexId(cut.v)));
     const Plane face = sight_.face_plane(facet);
     if (cut.kind == Cut::Kind::near) return ViewPlane::of(sight_.near_line(face));
     const Plane plane = cut_plane(sight_, cut);
-    return sight_.facing(TriangleId(cut.u)) == Sign::zero ? ViewPlane::of(plane) : ViewPlane::of_meet(face, plane);
+    return contains_viewpoint(cut) ? ViewPlane::of(plane) : ViewPlane::of_meet(face, plane);
+  }
+  bool contains_viewpoint(const Cut& cut) const {
+    if (cut.kind == Cut::Kind::face) return sight_.facing(TriangleId(cut.u)) == Sign::zero;
+    const double e = sight_.eye().at[cut.axis];
+    return e == (sight_.is_perspective() ? sight_.point(VertexId(cut.u))[cut.axis] : 0);
   }
   int rows_above(TriangleId facet, const PieceCorner& c) {
     Predicates& exact = rasterizer_.exact();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hsr/facet.h"
+#include "hsr/map/convex_ring.h"
 
 namespace hsr {
 
@@ -21,41 +22,16 @@ ConvexPiece convex_piece(const Sight& sight, TriangleId t) {
 
 namespace {
 
-/// The facet as one piece, if it is convex.
-std::optional<ConvexPiece> whole(MapSight& map, TriangleId facet) {
-  const Sight& sight = map.sight();
-  const Mesh& mesh = map.mesh();
-  struct Side {
-    VertexId from, to;
-    MapHalfPlane line;
-  };
-  std::vector<Side> sides;
-  std::size_t triangles = 0;
-  for (TriangleId t = facet; t < facet_end(mesh, facet); t = TriangleId(t.value + 1U), ++triangles) {
-    const auto& c = mesh.triangles[t];
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (is_inner_diagonal(mesh, t, k)) continue;
-      const bool forward = sight.facing(t) == Sign::negative;
-      const VertexId u = c[k], v = c[(k + 1) % 3];
-      sides.push_back({forward ? u : v, forward ? v : u, side_of_triangle(sight, t, k)});
-    }
-  }
-  if (sides.size() != triangles + 2) return std::nullopt;  // a hole, or parts that only touch
+/// A convex ring of vertices as it is seen.
+ConvexPiece piece_of_ring(const Sight& sight, TriangleId facet, std::vector<VertexId> ring) {
+  if (sight.facing(facet) == Sign::positive) std::reverse(ring.begin(), ring.end());
   ConvexPiece piece;
-  VertexId at = sides.front().from;
-  for (std::size_t n = 0; n < sides.size(); ++n) {
-    const auto next = std::find_if(sides.begin(), sides.end(), [&](const Side& s) { return s.from == at; });
-    if (next == sides.end()) return std::nullopt;
-    piece.points.push_back(MapPoint::of_vertex(at));
-    piece.lines.push_back(next->line);
-    at = next->to;
-    next->from = VertexId();  // used
-    // A turn to the right, or back.
-    const auto after = std::find_if(sides.begin(), sides.end(), [&](const Side& s) { return s.from == at; });
-    const VertexId beyond = after != sides.end() ? after->to : piece.points.size() > 1 ? piece.points[1].vertex : at;
-    if (map.side(next->line.line, beyond) * next->line.inner == Sign::negative) return std::nullopt;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const VertexId u = ring[k], v = ring[(k + 1) % ring.size()];
+    piece.points.push_back(MapPoint::of_vertex(u));
+    piece.lines.push_back({MapLine::edge(u, v), u < v ? Sign::positive : Sign::negative});
   }
-  return at == piece.points.front().vertex ? std::optional(std::move(piece)) : std::nullopt;
+  return piece;
 }
 
 }  // namespace
@@ -65,7 +41,8 @@ std::vector<ConvexPiece> convex_pieces(MapSight& map, TriangleId facet) {
   const TriangleId end = facet_end(map.mesh(), facet);
   std::vector<ConvexPiece> pieces;
   if (end.value - facet.value > 1)
-    if (auto piece = whole(map, facet)) pieces.push_back(std::move(*piece));
+    if (auto ring = convex_ring(sight, facet, map.exact()); !ring.empty())
+      pieces.push_back(piece_of_ring(sight, facet, std::move(ring)));
   if (pieces.empty())
     for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U))
       if (sight.reaches_beyond_near(t)) pieces.push_back(convex_piece(sight, t));

@@ -41,12 +41,7 @@ bool is_original(const Mesh& mesh, TriangleId facet, const MapLine& line) {
   for (TriangleId t = facet; t < facet_end(mesh, facet); t = TriangleId(t.value + 1U)) {
     const auto& c = mesh.triangles[t];
     for (std::size_t k = 0; k < 3; ++k)
-      if (MapLine::edge(c[k], c[(k + 1) % 3]) == line) {
-        if (is_inner_diagonal(mesh, t, k)) return false;
-        // A triangle of a face that was cut: its diagonal is no edge of the face.
-        const EdgeId e = mesh.find_edge(c[k], c[(k + 1) % 3]);
-        return !e.is_valid() || mesh.edges[e].of_face || !mesh.edges[e].diagonal;
-      }
+      if (MapLine::edge(c[k], c[(k + 1) % 3]) == line) return is_edge_of_face(mesh, t, k);
   }
   return false;
 }

@@ -1,0 +1,475 @@
+#include "hsr/painter/bsp.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "geometry/constructed_point.h"
+#include "geometry/error.h"
+#include "hsr/contacts/half_space.h"
+#include "hsr/cut_plane.h"
+#include "hsr/facet.h"
+#include "hsr/map/convex_ring.h"
+#include "hsr/sight.h"
+
+namespace hsr {
+
+namespace {
+
+constexpr std::size_t small_node = 24;  // faces: below it the planes of faces divide, above it mostly planes across axes
+constexpr std::size_t tested = 48;      // faces of a node that a plane is tried on
+
+View any_view() {
+  View view;
+  view.viewpoint = {{0, 0, 1}, true};
+  return view;
+}
+
+/// A convex part of a facet while the tree is built: corners as the facet runs.
+struct Part {
+  TriangleId facet;
+  std::uint32_t first = 0, end = 0;  // corners
+};
+
+enum class Side : std::uint8_t { behind, before, inside, both };
+
+}  // namespace
+
+class BspBuilder {
+ public:
+  BspBuilder(BspTree& tree, const Mesh& mesh, const BspOptions& options)
+      : tree_(tree), mesh_(mesh), options_(options), sight_(mesh, any_view(), Arithmetic::staged), exact_(sight_.predicates()) {}
+
+  void build();
+
+ private:
+  struct Task {
+    std::vector<std::uint32_t> parts;
+    std::uint32_t parent;
+    bool is_before;
+    std::uint32_t depth;
+  };
+  struct Divider {
+    Cut cut;
+    Plane plane;
+    PlaneFilter filter;
+    double at = 0;  // of a cut across an axis: the coordinate
+  };
+
+  void add_facets();
+  void add_facet(TriangleId facet);
+  void add_part(TriangleId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original);
+  Divider divider(const Cut& cut) const;
+  Sign side(const Divider& d, const PieceCorner& corner, TriangleId facet);
+  Side side(const Divider& d, const Part& part);
+  Divider choose(const std::vector<std::uint32_t>& parts);
+  std::size_t score(const Divider& d, const std::vector<std::uint32_t>& parts);
+  void divide(Task task);
+  std::array<std::uint32_t, 2> split(std::uint32_t part, const Divider& d);
+  std::uint64_t random() {  // splitmix64, Steele, Lea & Flood 2014
+    std::uint64_t z = (seed_ += 0x9e3779b97f4a7c15U);
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+  }
+  std::uint32_t any(const std::vector<std::uint32_t>& parts) {
+    return parts[static_cast<std::size_t>(random() % parts.size())];
+  }
+
+  BspTree& tree_;
+  const Mesh& mesh_;
+  const BspOptions& options_;
+  Sight sight_;  // of no view in particular: its points and planes
+  Predicates exact_;
+  std::uint64_t seed_ = 0;
+  std::vector<Part> parts_;
+  std::vector<PieceCorner> corners_;
+  std::vector<Task> waiting_;
+  std::vector<Sign> signs_;
+  std::size_t most_ = 0, alive_ = 0;
+};
+
+/// The sides of a facet as planes parallel to an axis: they do not depend on a view.
+void BspBuilder::add_part(TriangleId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original) {
+  Part part{facet, static_cast<std::uint32_t>(corners_.size()), 0};
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const VertexId u = ring[k], v = ring[(k + 1) % ring.size()];
+    PieceCorner c;
+    c.vertex = u;
+    c.side = {Cut::Kind::line, static_cast<std::uint8_t>(axis), std::min(u, v).value, std::max(u, v).value};
+    c.original = original[k] != 0;
+    corners_.push_back(c);
+  }
+  check_countable(corners_.size(), "corners of a BSP");
+  part.end = static_cast<std::uint32_t>(corners_.size());
+  parts_.push_back(part);
+}
+
+void BspBuilder::add_facet(TriangleId facet) {
+  const TriangleId end = facet_end(mesh_, facet);
+  const int axis = dropped_axis(sight_, facet, exact_);
+  std::vector<std::uint8_t> original(3, 1);
+  if (end.value - facet.value > 1) {
+    if (const std::vector<VertexId> ring = convex_ring(sight_, facet, exact_); !ring.empty()) {
+      original.assign(ring.size(), 1);
+      add_part(facet, ring, axis, original);
+      return;
+    }
+  }
+  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
+    for (std::size_t k = 0; k < 3; ++k) original[k] = is_edge_of_face(mesh_, t, k) ? 1 : 0;
+    add_part(facet, mesh_.triangles[t], axis, original);
+  }
+}
+
+void BspBuilder::add_facets() {
+  for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
+    if (facet_of(mesh_, TriangleId(i)) == TriangleId(i)) add_facet(TriangleId(i));
+}
+
+BspBuilder::Divider BspBuilder::divider(const Cut& cut) const {
+  Divider d;
+  d.cut = cut;
+  d.plane = cut_plane(sight_, cut);
+  if (cut.kind == Cut::Kind::across)
+    d.at = sight_.point(VertexId(cut.u))[cut.axis];
+  else
+    d.filter = sight_.filter(d.plane);
+  return d;
+}
+
+/// On which side of the plane a corner of a part lies.
+Sign BspBuilder::side(const Divider& d, const PieceCorner& corner, TriangleId facet) {
+  const bool across = d.cut.kind == Cut::Kind::across;
+  if (corner.vertex.is_valid()) {
+    const Point3& p = sight_.point(corner.vertex);
+    if (across) return sign_of(p[d.cut.axis] - d.at);
+    const auto& c = mesh_.triangles[TriangleId(d.cut.u)];
+    if (corner.vertex == c[0] || corner.vertex == c[1] || corner.vertex == c[2]) return Sign::zero;
+    const ErrorBounded x = d.filter(p);
+    return x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(d.plane, p);
+  }
+  if (corner.a == d.cut || corner.b == d.cut) return Sign::zero;
+  const Plane face = sight_.face_plane(facet), a = cut_plane(sight_, corner.a), b = cut_plane(sight_, corner.b);
+  const auto near = near_meet(face, a, b);
+  if (across) {
+    const ErrorBounded gap = near[d.cut.axis] - ErrorBounded{d.at, 0};
+    if (gap.is_certain()) return sign_of(gap.value);
+  } else if (exact_.filter_is_proven()) {
+    const double error = std::max({near[0].error, near[1].error, near[2].error});
+    ErrorBounded x = d.filter({near[0].value, near[1].value, near[2].value});
+    x.error += (std::fabs(d.filter.nx) + std::fabs(d.filter.ny) + std::fabs(d.filter.nz) + 3 * d.filter.slope) * error * 1.01;
+    const double size = std::fabs(near[0].value) + std::fabs(near[1].value) + std::fabs(near[2].value);
+    if (size < 0x1p100 && x.is_certain()) return sign_of(x.value);
+  }
+  return exact_.side(d.plane, face, a, b);
+}
+
+Side BspBuilder::side(const Divider& d, const Part& part) {
+  if (d.cut.kind == Cut::Kind::face && TriangleId(d.cut.u) == part.facet) return Side::inside;
+  bool before = false, behind = false;
+  for (std::uint32_t k = part.first; k < part.end; ++k) {
+    const Sign s = side(d, corners_[k], part.facet);
+    before = before || s == Sign::positive;
+    behind = behind || s == Sign::negative;
+    if (before && behind) return Side::both;
+  }
+  return before ? Side::before : behind ? Side::behind : Side::inside;
+}
+
+/// Little is good: cuts, and parts more on one side than on the other. As large as possible: the plane divides nothing.
+std::size_t BspBuilder::score(const Divider& d, const std::vector<std::uint32_t>& parts) {
+  std::array<std::size_t, 4> count = {0, 0, 0, 0};
+  const std::size_t n = std::min(tested, parts.size());
+  for (std::size_t k = 0; k < n; ++k) ++count[static_cast<std::size_t>(side(d, parts_[parts[k * parts.size() / n]]))];
+  const auto [behind, before, inside, both] = count;
+  const bool divides = (behind > 0 && before > 0) || inside > 0;
+  if (!divides || behind + both == n || before + both == n) return d.cut.kind == Cut::Kind::face ? 9 * n : ~std::size_t{0};
+  return 8 * both + (behind > before ? behind - before : before - behind);
+}
+
+BspBuilder::Divider BspBuilder::choose(const std::vector<std::uint32_t>& parts) {
+  Divider best;
+  std::size_t least = ~std::size_t{0};
+  const auto consider = [&](const Cut& cut) {
+    Divider d = divider(cut);
+    const std::size_t s = score(d, parts);
+    if (s >= least && least != ~std::size_t{0}) return;
+    if (s == ~std::size_t{0}) return;
+    least = s;
+    best = std::move(d);
+  };
+  const bool is_small = parts.size() <= small_node;
+  if (!is_small) {
+    // Vertices at quantiles of each coordinate.
+    std::vector<VertexId> sample;
+    for (std::size_t k = 0; k < 31; ++k) {
+      const Part& part = parts_[any(parts)];
+      for (std::uint32_t c = part.first; c < part.end; ++c)
+        if (corners_[c].vertex.is_valid()) {
+          sample.push_back(corners_[c].vertex);
+          break;
+        }
+    }
+    for (int axis = 0; axis < 3 && !sample.empty(); ++axis) {
+      std::sort(sample.begin(), sample.end(), [&](VertexId u, VertexId v) {
+        return std::pair(sight_.point(u)[axis], u) < std::pair(sight_.point(v)[axis], v);
+      });
+      for (const std::size_t tenths : {3U, 4U, 5U, 6U, 7U})
+        consider({Cut::Kind::across, static_cast<std::uint8_t>(axis), sample[sample.size() * tenths / 10].value, 0});
+    }
+  }
+  const std::size_t planes = is_small ? std::min<std::size_t>(8, parts.size()) : 4;
+  for (std::size_t k = 0; k < planes; ++k) {
+    const std::uint32_t part = is_small ? parts[k * parts.size() / planes] : any(parts);
+    consider({Cut::Kind::face, 0, parts_[part].facet.value, 0});
+  }
+  return best;
+}
+
+/// The parts behind and before the plane.
+std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t index, const Divider& d) {
+  const Part part = parts_[index];
+  const std::size_t n = part.end - part.first;
+  signs_.clear();
+  for (std::uint32_t k = part.first; k < part.end; ++k) signs_.push_back(side(d, corners_[k], part.facet));
+  std::array<std::uint32_t, 2> halves;
+  for (const Sign wanted : {Sign::negative, Sign::positive}) {
+    Part half{part.facet, static_cast<std::uint32_t>(corners_.size()), 0};
+    for (std::size_t k = 0; k < n; ++k) {
+      const PieceCorner corner = corners_[part.first + k];
+      const Sign here = signs_[k] * wanted, next = signs_[(k + 1) % n] * wanted;
+      PieceCorner crossing{{}, corner.side, d.cut, corner.side, corner.original};
+      PieceCorner border = corner;  // here the plane takes over
+      border.side = d.cut;
+      border.original = false;
+      if (here == Sign::positive) {
+        corners_.push_back(corner);
+        if (next != Sign::negative) continue;
+        crossing.side = d.cut;
+        crossing.original = false;
+        corners_.push_back(crossing);
+      } else if (here == Sign::zero) {
+        corners_.push_back(next == Sign::positive ? corner : border);
+      } else if (next == Sign::positive) {
+        corners_.push_back(crossing);
+      }
+    }
+    half.end = static_cast<std::uint32_t>(corners_.size());
+    halves[wanted == Sign::positive ? 1 : 0] = static_cast<std::uint32_t>(parts_.size());
+    parts_.push_back(half);
+  }
+  check_countable(corners_.size(), "corners of a BSP");
+  ++tree_.splits_;
+  if (++alive_ > most_)
+    throw InputError("bsp: this scene takes more than " + std::to_string(most_) +
+                     " pieces, expected fewer: --method depth-sort cuts less, --most-pieces allows more");
+  return halves;
+}
+
+void BspBuilder::divide(Task task) {
+  const Divider d = choose(task.parts);
+  const auto node = static_cast<std::uint32_t>(tree_.nodes_.size());
+  tree_.nodes_.push_back({d.cut, 0, 0, static_cast<std::uint32_t>(tree_.pieces_.size()), 0});
+  tree_.depth_ = std::max<std::size_t>(tree_.depth_, task.depth);
+  if (node > 0) (task.is_before ? tree_.nodes_[task.parent].before : tree_.nodes_[task.parent].behind) = node;
+  std::vector<std::uint32_t> behind, before, inside;
+  for (const std::uint32_t part : task.parts) switch (side(d, parts_[part])) {
+      case Side::behind:
+        behind.push_back(part);
+        break;
+      case Side::before:
+        before.push_back(part);
+        break;
+      case Side::inside:
+        inside.push_back(part);
+        break;
+      case Side::both: {
+        const auto halves = split(part, d);
+        behind.push_back(halves[0]);
+        before.push_back(halves[1]);
+        break;
+      }
+    }
+  std::stable_sort(inside.begin(), inside.end(),
+                   [&](std::uint32_t x, std::uint32_t y) { return parts_[x].facet < parts_[y].facet; });
+  for (const std::uint32_t part : inside) {
+    const auto first = static_cast<std::uint32_t>(tree_.corners_.size());
+    tree_.corners_.insert(tree_.corners_.end(), corners_.begin() + parts_[part].first, corners_.begin() + parts_[part].end);
+    tree_.pieces_.push_back({parts_[part].facet, first, static_cast<std::uint32_t>(tree_.corners_.size())});
+  }
+  tree_.nodes_[node].end_piece = static_cast<std::uint32_t>(tree_.pieces_.size());
+  if (!before.empty()) waiting_.push_back({std::move(before), node, true, task.depth + 1});
+  if (!behind.empty()) waiting_.push_back({std::move(behind), node, false, task.depth + 1});
+}
+
+void BspBuilder::build() {
+  add_facets();
+  alive_ = parts_.size();
+  most_ = std::max<std::size_t>(100'000, alive_ * options_.most_pieces_per_face);
+  Task all{{}, 0, false, 1};
+  for (std::uint32_t k = 0; k < parts_.size(); ++k) all.parts.push_back(k);
+  seed_ = options_.seed;
+  if (!all.parts.empty()) waiting_.push_back(std::move(all));
+  while (!waiting_.empty()) {
+    Task task = std::move(waiting_.back());
+    waiting_.pop_back();
+    divide(std::move(task));
+  }
+  tree_.decisions_ = exact_.counts();
+}
+
+BspTree::BspTree(const Mesh& mesh, const BspOptions& options) : mesh_(&mesh) {
+  if (!mesh.triangles.empty()) BspBuilder(*this, mesh, options).build();
+}
+
+namespace {
+
+/// On which side of a plane of the tree the viewpoint lies.
+class EyeSide {
+ public:
+  EyeSide(const Mesh& mesh, const View& view) : mesh_(mesh), sight_(mesh, view, Arithmetic::staged) {}
+
+  const Sight& sight() const { return sight_; }
+  Sign operator()(const Cut& plane) const {
+    if (plane.kind == Cut::Kind::face) return -sight_.facing(TriangleId(plane.u));
+    const Point3& e = sight_.eye().at;
+    if (sight_.eye().is_direction) return sign_of(e[plane.axis]);
+    const double at = sight_.point(VertexId(plane.u))[plane.axis];
+    return e[plane.axis] > at ? Sign::positive : e[plane.axis] < at ? Sign::negative : Sign::zero;
+  }
+
+ private:
+  const Mesh& mesh_;
+  Sight sight_;
+};
+
+/// Visits the nodes' pieces from far to near.
+template <class Nodes, class SideOf, class Visit>
+void walk_far_to_near(const Nodes& nodes, const SideOf& side_of, const Visit& visit) {
+  if (nodes.empty()) return;
+  // A node waits twice: to be entered, and for its own pieces.
+  struct Step {
+    std::uint32_t node;
+    bool is_entered;
+  };
+  std::vector<Step> waiting = {{0, false}};
+  while (!waiting.empty()) {
+    const Step step = waiting.back();
+    waiting.pop_back();
+    const auto& node = nodes[step.node];
+    if (step.is_entered) {
+      visit(node);
+      continue;
+    }
+    const bool is_before = side_of(node.plane) == Sign::positive;
+    const std::uint32_t near = is_before ? node.before : node.behind, far = is_before ? node.behind : node.before;
+    if (near != 0) waiting.push_back({near, false});
+    if (node.first_piece < node.end_piece) waiting.push_back({step.node, true});
+    if (far != 0) waiting.push_back({far, false});
+  }
+}
+
+}  // namespace
+
+void BspTree::walk(const View& view, std::vector<std::uint32_t>& far_to_near) const {
+  far_to_near.clear();
+  if (nodes_.empty()) return;
+  const EyeSide side_of(*mesh_, view);
+  far_to_near.reserve(pieces_.size());
+  walk_far_to_near(nodes_, side_of, [&](const Node& node) {
+    // Of coplanar pieces the higher facet comes first.
+    for (std::uint32_t k = node.end_piece; k-- > node.first_piece;) far_to_near.push_back(k);
+  });
+}
+
+namespace {
+
+/// A piece as seen: counter-clockwise, and cut by the near plane.
+class PieceWriter {
+ public:
+  PieceWriter(const Sight& sight, PaintersOrder& order) : sight_(sight), exact_(sight.predicates()), order_(order) {}
+
+  void append(TriangleId facet, std::span<const PieceCorner> corners) {
+    if (sight_.facing(facet) == Sign::zero) return;
+    ring_.assign(corners.begin(), corners.end());
+    if (sight_.facing(facet) == Sign::positive) reverse();
+    if (sight_.is_perspective() && !clip_near(facet)) return;
+    const auto first = static_cast<std::uint32_t>(order_.corners.size());
+    order_.corners.insert(order_.corners.end(), ring_.begin(), ring_.end());
+    check_countable(order_.corners.size(), "corners of a painting order");
+    order_.pieces.push_back({facet, first, static_cast<std::uint32_t>(order_.corners.size())});
+  }
+  const DecisionCounts& decisions() const { return exact_.counts(); }
+
+ private:
+  void reverse() {
+    std::reverse(ring_.begin(), ring_.end());
+    // The side that left a corner now arrives there.
+    const PieceCorner first = ring_.front();
+    for (std::size_t k = 0; k < ring_.size(); ++k) {
+      const PieceCorner& next = k + 1 < ring_.size() ? ring_[k + 1] : first;
+      ring_[k].side = next.side;
+      ring_[k].original = next.original;
+    }
+  }
+
+  Sign beyond(TriangleId facet, const PieceCorner& c) {
+    if (c.vertex.is_valid()) return sight_.beyond_near(c.vertex);
+    return exact_.side(sight_.near_plane(), sight_.face_plane(facet), cut_plane(sight_, c.a), cut_plane(sight_, c.b));
+  }
+
+  bool clip_near(TriangleId facet) {
+    signs_.clear();
+    bool is_cut = false;
+    for (const PieceCorner& c : ring_) {
+      signs_.push_back(beyond(facet, c));
+      is_cut = is_cut || signs_.back() == Sign::negative;
+    }
+    if (!is_cut) return true;
+    const Cut near{Cut::Kind::near, 0, 0, 0};
+    const std::vector<PieceCorner> all = ring_;
+    ring_.clear();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const Sign here = signs_[k], next = signs_[(k + 1) % all.size()];
+      PieceCorner border = all[k];
+      border.side = near;
+      border.original = false;
+      if (here == Sign::positive) {
+        ring_.push_back(all[k]);
+        if (next == Sign::negative) ring_.push_back({{}, all[k].side, near, near, false});
+      } else if (here == Sign::zero) {
+        ring_.push_back(next == Sign::positive ? all[k] : border);
+      } else if (next == Sign::positive) {
+        ring_.push_back({{}, all[k].side, near, all[k].side, all[k].original});
+      }
+    }
+    return ring_.size() > 2 && std::any_of(signs_.begin(), signs_.end(), [](Sign s) { return s == Sign::positive; });
+  }
+
+  const Sight& sight_;
+  Predicates exact_;
+  PaintersOrder& order_;
+  std::vector<PieceCorner> ring_;
+  std::vector<Sign> signs_;
+};
+
+}  // namespace
+
+PaintersOrder BspTree::order(const View& view) const {
+  PaintersOrder order;
+  if (nodes_.empty()) return order;
+  const EyeSide side_of(*mesh_, view);
+  PieceWriter writer(side_of.sight(), order);
+  walk_far_to_near(nodes_, side_of, [&](const Node& node) {
+    for (std::uint32_t k = node.end_piece; k-- > node.first_piece;) {
+      const OrderedPiece& p = pieces_[k];
+      writer.append(p.facet, {corners_.data() + p.first_corner, corners_.data() + p.end_corner});
+    }
+  });
+  order.decisions = writer.decisions();
+  return order;
+}
+
+}  // namespace hsr
