@@ -26,6 +26,13 @@ View any_view() {
   return view;
 }
 
+/// A corner and about where it is: within `error` in each coordinate, infinite where doubles tell nothing.
+struct PlacedCorner {
+  PieceCorner corner;
+  Point3 p;
+  double error = 0;
+};
+
 /// A convex part of a facet while the tree is built: corners as the facet runs.
 struct Part {
   TriangleId facet;
@@ -61,7 +68,9 @@ class BspBuilder {
   void add_facet(TriangleId facet);
   void add_part(TriangleId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original);
   Divider divider(const Cut& cut) const;
-  Sign side(const Divider& d, const PieceCorner& corner, TriangleId facet);
+  Sign side(const Divider& d, const PlacedCorner& placed, TriangleId facet);
+  bool is_side_of(const Cut& cut, const Cut& face) const;
+  PlacedCorner placed(const PieceCorner& corner, TriangleId facet) const;
   Side side(const Divider& d, const Part& part);
   Divider choose(const std::vector<std::uint32_t>& parts);
   std::size_t score(const Divider& d, const std::vector<std::uint32_t>& parts);
@@ -84,7 +93,7 @@ class BspBuilder {
   Predicates exact_;
   std::uint64_t seed_ = 0;
   std::vector<Part> parts_;
-  std::vector<PieceCorner> corners_;
+  std::vector<PlacedCorner> corners_;
   std::vector<Task> waiting_;
   std::vector<Sign> signs_;
   std::size_t most_ = 0, alive_ = 0;
@@ -99,7 +108,7 @@ void BspBuilder::add_part(TriangleId facet, std::span<const VertexId> ring, int 
     c.vertex = u;
     c.side = {Cut::Kind::line, static_cast<std::uint8_t>(axis), std::min(u, v).value, std::max(u, v).value};
     c.original = original[k] != 0;
-    corners_.push_back(c);
+    corners_.push_back({c, sight_.point(u), 0});
   }
   check_countable(corners_.size(), "corners of a BSP");
   part.end = static_cast<std::uint32_t>(corners_.size());
@@ -139,31 +148,48 @@ BspBuilder::Divider BspBuilder::divider(const Cut& cut) const {
   return d;
 }
 
+PlacedCorner BspBuilder::placed(const PieceCorner& corner, TriangleId facet) const {
+  PlacedCorner out{corner, {}, HUGE_VAL};
+  const auto at = near_meet(sight_.face_plane(facet), cut_plane(sight_, corner.a), cut_plane(sight_, corner.b));
+  const double error = std::max({at[0].error, at[1].error, at[2].error});
+  out.p = {at[0].value, at[1].value, at[2].value};
+  // Beyond this a coordinate would break the bound of a filter.
+  const double size = std::fabs(out.p.x) + std::fabs(out.p.y) + std::fabs(out.p.z);
+  if (exact_.filter_is_proven() && size < 0x1p100 && error < 0x1p100) out.error = std::max(error, 0x1p-1000);
+  return out;
+}
+
+/// Whether a cut is by an edge of the facet that is also one of the other face: then a corner on it lies in that face's plane.
+bool BspBuilder::is_side_of(const Cut& cut, const Cut& face) const {
+  if (cut.kind != Cut::Kind::line) return false;
+  const auto& c = mesh_.triangles[TriangleId(face.u)];
+  const auto has = [&](std::uint32_t v) { return v == c[0].value || v == c[1].value || v == c[2].value; };
+  return has(cut.u) && has(cut.v);
+}
+
 /// On which side of the plane a corner of a part lies.
-Sign BspBuilder::side(const Divider& d, const PieceCorner& corner, TriangleId facet) {
+Sign BspBuilder::side(const Divider& d, const PlacedCorner& placed, TriangleId facet) {
+  const PieceCorner& corner = placed.corner;
   const bool across = d.cut.kind == Cut::Kind::across;
   if (corner.vertex.is_valid()) {
-    const Point3& p = sight_.point(corner.vertex);
-    if (across) return sign_of(p[d.cut.axis] - d.at);
+    if (across) return sign_of(placed.p[d.cut.axis] - d.at);
     const auto& c = mesh_.triangles[TriangleId(d.cut.u)];
     if (corner.vertex == c[0] || corner.vertex == c[1] || corner.vertex == c[2]) return Sign::zero;
-    const ErrorBounded x = d.filter(p);
-    return x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(d.plane, p);
+    const ErrorBounded x = d.filter(placed.p);
+    return x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(d.plane, placed.p);
   }
   if (corner.a == d.cut || corner.b == d.cut) return Sign::zero;
-  const Plane face = sight_.face_plane(facet), a = cut_plane(sight_, corner.a), b = cut_plane(sight_, corner.b);
-  const auto near = near_meet(face, a, b);
+  if (!across && (is_side_of(corner.a, d.cut) || is_side_of(corner.b, d.cut))) return Sign::zero;
+  ErrorBounded x;
   if (across) {
-    const ErrorBounded gap = near[d.cut.axis] - ErrorBounded{d.at, 0};
-    if (gap.is_certain()) return sign_of(gap.value);
-  } else if (exact_.filter_is_proven()) {
-    const double error = std::max({near[0].error, near[1].error, near[2].error});
-    ErrorBounded x = d.filter({near[0].value, near[1].value, near[2].value});
-    x.error += (std::fabs(d.filter.nx) + std::fabs(d.filter.ny) + std::fabs(d.filter.nz) + 3 * d.filter.slope) * error * 1.01;
-    const double size = std::fabs(near[0].value) + std::fabs(near[1].value) + std::fabs(near[2].value);
-    if (size < 0x1p100 && x.is_certain()) return sign_of(x.value);
+    x = ErrorBounded{placed.p[d.cut.axis], placed.error} - ErrorBounded{d.at, 0};
+  } else {
+    x = d.filter(placed.p);
+    x.error +=
+        (std::fabs(d.filter.nx) + std::fabs(d.filter.ny) + std::fabs(d.filter.nz) + 3 * d.filter.slope) * placed.error * 1.01;
   }
-  return exact_.side(d.plane, face, a, b);
+  if (x.is_certain()) return sign_of(x.value);
+  return exact_.side(d.plane, sight_.face_plane(facet), cut_plane(sight_, corner.a), cut_plane(sight_, corner.b));
 }
 
 Side BspBuilder::side(const Divider& d, const Part& part) {
@@ -207,8 +233,8 @@ BspBuilder::Divider BspBuilder::choose(const std::vector<std::uint32_t>& parts) 
     for (std::size_t k = 0; k < 31; ++k) {
       const Part& part = parts_[any(parts)];
       for (std::uint32_t c = part.first; c < part.end; ++c)
-        if (corners_[c].vertex.is_valid()) {
-          sample.push_back(corners_[c].vertex);
+        if (corners_[c].corner.vertex.is_valid()) {
+          sample.push_back(corners_[c].corner.vertex);
           break;
         }
     }
@@ -238,22 +264,23 @@ std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t index, const Divide
   for (const Sign wanted : {Sign::negative, Sign::positive}) {
     Part half{part.facet, static_cast<std::uint32_t>(corners_.size()), 0};
     for (std::size_t k = 0; k < n; ++k) {
-      const PieceCorner corner = corners_[part.first + k];
+      const PlacedCorner corner = corners_[part.first + k];
       const Sign here = signs_[k] * wanted, next = signs_[(k + 1) % n] * wanted;
-      PieceCorner crossing{{}, corner.side, d.cut, corner.side, corner.original};
-      PieceCorner border = corner;  // here the plane takes over
-      border.side = d.cut;
-      border.original = false;
+      const auto along_cut = [&](PlacedCorner c) {  // here the plane takes over
+        c.corner.side = d.cut;
+        c.corner.original = false;
+        return c;
+      };
+      const auto crossing = [&] {
+        return placed({{}, corner.corner.side, d.cut, corner.corner.side, corner.corner.original}, part.facet);
+      };
       if (here == Sign::positive) {
         corners_.push_back(corner);
-        if (next != Sign::negative) continue;
-        crossing.side = d.cut;
-        crossing.original = false;
-        corners_.push_back(crossing);
+        if (next == Sign::negative) corners_.push_back(along_cut(crossing()));
       } else if (here == Sign::zero) {
-        corners_.push_back(next == Sign::positive ? corner : border);
+        corners_.push_back(next == Sign::positive ? corner : along_cut(corner));
       } else if (next == Sign::positive) {
-        corners_.push_back(crossing);
+        corners_.push_back(crossing());
       }
     }
     half.end = static_cast<std::uint32_t>(corners_.size());
@@ -296,7 +323,7 @@ void BspBuilder::divide(Task task) {
                    [&](std::uint32_t x, std::uint32_t y) { return parts_[x].facet < parts_[y].facet; });
   for (const std::uint32_t part : inside) {
     const auto first = static_cast<std::uint32_t>(tree_.corners_.size());
-    tree_.corners_.insert(tree_.corners_.end(), corners_.begin() + parts_[part].first, corners_.begin() + parts_[part].end);
+    for (std::uint32_t k = parts_[part].first; k < parts_[part].end; ++k) tree_.corners_.push_back(corners_[k].corner);
     tree_.pieces_.push_back({parts_[part].facet, first, static_cast<std::uint32_t>(tree_.corners_.size())});
   }
   tree_.nodes_[node].end_piece = static_cast<std::uint32_t>(tree_.pieces_.size());
