@@ -1,7 +1,10 @@
 #include "hsr/painter/bsp.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -45,9 +48,19 @@ enum class Side : std::uint8_t { behind, before, inside, both };
 
 class BspBuilder {
  public:
-  BspBuilder(BspTree& tree, const Mesh& mesh, const BspOptions& options)
-      : tree_(tree), mesh_(mesh), options_(options), sight_(mesh, any_view(), Arithmetic::staged), exact_(sight_.predicates()) {}
+  /// What all builders of one tree share.
+  struct Shared {
+    const Sight& sight;  // of no view in particular: its points and planes
+    std::size_t most = 0;
+    std::atomic<std::size_t> pieces = 0;
+  };
 
+  BspBuilder(BspTree& tree, Shared& shared, std::uint64_t seed)
+      : tree_(tree), mesh_(shared.sight.mesh()), shared_(shared), sight_(shared.sight), exact_(sight_.predicates()), seed_(seed) {}
+
+  /// All facets, their count first.
+  void add_facets();
+  std::size_t parts() const { return parts_.size(); }
   void build();
 
  private:
@@ -64,7 +77,9 @@ class BspBuilder {
     double at = 0;  // of a cut across an axis: the coordinate
   };
 
-  void add_facets();
+  void build_subtrees(std::vector<Task> tasks);
+  void take_parts(const BspBuilder& from, const std::vector<std::uint32_t>& parts);
+  void take_subtree(BspTree&& part, const Task& task);
   void add_facet(TriangleId facet);
   void add_part(TriangleId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original);
   Divider divider(const Cut& cut) const;
@@ -88,15 +103,14 @@ class BspBuilder {
 
   BspTree& tree_;
   const Mesh& mesh_;
-  const BspOptions& options_;
-  Sight sight_;  // of no view in particular: its points and planes
+  Shared& shared_;
+  const Sight& sight_;
   Predicates exact_;
-  std::uint64_t seed_ = 0;
+  std::uint64_t seed_;
   std::vector<Part> parts_;
   std::vector<PlacedCorner> corners_;
   std::vector<Task> waiting_;
   std::vector<Sign> signs_;
-  std::size_t most_ = 0, alive_ = 0;
 };
 
 /// The sides of a facet as planes parallel to an axis: they do not depend on a view.
@@ -289,8 +303,8 @@ std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t index, const Divide
   }
   check_countable(corners_.size(), "corners of a BSP");
   ++tree_.splits_;
-  if (++alive_ > most_)
-    throw InputError("bsp: this scene takes more than " + std::to_string(most_) +
+  if (++shared_.pieces > shared_.most)
+    throw InputError("bsp: this scene takes more than " + std::to_string(shared_.most) +
                      " pieces, expected fewer: --method depth-sort cuts less, --most-pieces allows more");
   return halves;
 }
@@ -331,24 +345,81 @@ void BspBuilder::divide(Task task) {
   if (!behind.empty()) waiting_.push_back({std::move(behind), node, false, task.depth + 1});
 }
 
+/// The top of the tree first, then what is below it in parallel: where it is parted does not depend on the threads.
 void BspBuilder::build() {
-  add_facets();
-  alive_ = parts_.size();
-  most_ = std::max<std::size_t>(100'000, alive_ * options_.most_pieces_per_face);
+  constexpr std::size_t least = 16'384, share = 32;
+  const std::size_t small = std::max(least, parts_.size() / share);
+  std::vector<Task> subtrees;
   Task all{{}, 0, false, 1};
   for (std::uint32_t k = 0; k < parts_.size(); ++k) all.parts.push_back(k);
-  seed_ = options_.seed;
   if (!all.parts.empty()) waiting_.push_back(std::move(all));
+  const bool is_large = parts_.size() > small;
   while (!waiting_.empty()) {
     Task task = std::move(waiting_.back());
     waiting_.pop_back();
-    divide(std::move(task));
+    if (is_large && task.parts.size() <= small)
+      subtrees.push_back(std::move(task));
+    else
+      divide(std::move(task));
   }
-  tree_.decisions_ = exact_.counts();
+  build_subtrees(std::move(subtrees));
+  tree_.decisions_ += exact_.counts();
+}
+
+void BspBuilder::take_parts(const BspBuilder& from, const std::vector<std::uint32_t>& parts) {
+  for (const std::uint32_t p : parts) {
+    const Part& part = from.parts_[p];
+    const auto first = static_cast<std::uint32_t>(corners_.size());
+    corners_.insert(corners_.end(), from.corners_.begin() + part.first, from.corners_.begin() + part.end);
+    parts_.push_back({part.facet, first, static_cast<std::uint32_t>(corners_.size())});
+  }
+}
+
+void BspBuilder::build_subtrees(std::vector<Task> tasks) {
+  std::vector<BspTree> built(tasks.size(), BspTree());
+  const std::uint64_t seed = seed_;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks.size(), 1), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k != range.end(); ++k) {
+      BspBuilder builder(built[k], shared_, seed + k);
+      builder.take_parts(*this, tasks[k].parts);
+      builder.build();
+    }
+  });
+  for (std::size_t k = 0; k < tasks.size(); ++k) take_subtree(std::move(built[k]), tasks[k]);
+}
+
+void BspBuilder::take_subtree(BspTree&& part, const Task& task) {
+  const auto node = static_cast<std::uint32_t>(tree_.nodes_.size()), piece = static_cast<std::uint32_t>(tree_.pieces_.size()),
+             corner = static_cast<std::uint32_t>(tree_.corners_.size());
+  (task.is_before ? tree_.nodes_[task.parent].before : tree_.nodes_[task.parent].behind) = node;
+  for (BspTree::Node n : part.nodes_) {
+    if (n.before != 0) n.before += node;
+    if (n.behind != 0) n.behind += node;
+    n.first_piece += piece;
+    n.end_piece += piece;
+    tree_.nodes_.push_back(n);
+  }
+  for (OrderedPiece p : part.pieces_) {
+    p.first_corner += corner;
+    p.end_corner += corner;
+    tree_.pieces_.push_back(p);
+  }
+  tree_.corners_.insert(tree_.corners_.end(), part.corners_.begin(), part.corners_.end());
+  check_countable(tree_.corners_.size(), "corners of a BSP");
+  tree_.depth_ = std::max(tree_.depth_, part.depth_ + task.depth - 1);
+  tree_.splits_ += part.splits_;
+  tree_.decisions_ += part.decisions_;
 }
 
 BspTree::BspTree(const Mesh& mesh, const BspOptions& options) : mesh_(&mesh) {
-  if (!mesh.triangles.empty()) BspBuilder(*this, mesh, options).build();
+  if (mesh.triangles.empty()) return;
+  const Sight sight(mesh, any_view(), Arithmetic::staged);
+  BspBuilder::Shared shared{sight};
+  BspBuilder builder(*this, shared, options.seed);
+  builder.add_facets();
+  shared.pieces = builder.parts();
+  shared.most = std::max<std::size_t>(100'000, builder.parts() * options.most_pieces_per_face);
+  builder.build();
 }
 
 namespace {

@@ -22,7 +22,7 @@ struct BspOptions {
 ///
 ///   (1) order(view) is a painter's order (docs/conventions.md): along every line of sight the farther piece comes first
 ///   (2) the pieces of a face cover it exactly once
-///   (3) the same tree for the same seed
+///   (3) the same tree for the same seed, and for any number of threads
 ///
 /// @throws InputError beyond the most pieces
 /// Exact: yes. Cost: build O(n log n) where planes divide well, O(n^2) pieces at worst, never recursive; an order is linear in
@@ -44,13 +44,14 @@ class BspTree {
 
  private:
   friend class BspBuilder;
+  BspTree() = default;
   struct Node {
     Cut plane;
     std::uint32_t behind = 0, before = 0;  ///< children on the negative and the positive side; 0: nothing
     std::uint32_t first_piece = 0, end_piece = 0;  ///< in the plane, ascending by facet
   };
 
-  const Mesh* mesh_;
+  const Mesh* mesh_ = nullptr;
   std::vector<Node> nodes_;  // the root first
   std::vector<OrderedPiece> pieces_;  // in the order of the nodes; corners as the face runs
   std::vector<PieceCorner> corners_;
