@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/constructed_point.h"
+#include "geometry/error.h"
 #include "hsr/cut_plane.h"
 #include "hsr/image/rasterizer.h"
 
@@ -18,6 +19,20 @@ class PieceSpans {
  public:
   PieceSpans(const SampleSigns& signs, const PaintersOrder& order)
       : signs_(signs), sight_(signs.sight()), order_(order), rasterizer_(signs) {}
+
+  /// Whether every corner is in front of the eye as the samples are.
+  bool is_in_front(const OrderedPiece& piece) {
+    const auto corners = order_.corners_of(piece);
+    return std::all_of(corners.begin(), corners.end(), [&](const PieceCorner& c) {
+      if (c.vertex.is_valid()) return signs_.is_in_front(c.vertex, rasterizer_.exact());
+      const Plane face = sight_.face_plane(piece.facet), a = cut_plane(sight_, c.a), b = cut_plane(sight_, c.b);
+      const auto near = near_meet(face, a, b);
+      const Sign certain = signs_.certain_front({near[0].value, near[1].value, near[2].value},
+                                                std::max({near[0].error, near[1].error, near[2].error}));
+      if (certain != Sign::zero) return certain == Sign::positive;
+      return signs_.is_in_front(ConstructedPoint::meet(face, a, b).exact());
+    });
+  }
 
   std::span<const SampleSpan> operator()(const OrderedPiece& piece) {
     const auto corners = order_.corners_of(piece);
@@ -79,11 +94,14 @@ Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrd
   std::vector<Part> parts((order.pieces.size() + block - 1) / block);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
     PieceSpans spans_of(signs, order);
-    for (std::size_t k = p * block; k < std::min((p + 1) * block, order.pieces.size()); ++k)
+    for (std::size_t k = p * block; k < std::min((p + 1) * block, order.pieces.size()); ++k) {
+      require(!sight.is_perspective() || spans_of.is_in_front(order.pieces[k]),
+              "paint: a part of the model is not in front of the eye as the samples are");
       for (const SampleSpan& span : spans_of(order.pieces[k])) {
         parts[p].spans.push_back(span);
         parts[p].piece.push_back(static_cast<std::uint32_t>(k));
       }
+    }
   });
   for (const Part& part : parts)
     for (std::size_t s = 0; s < part.spans.size(); ++s) Rasterizer::paint(image, std::span(&part.spans[s], 1), part.piece[s]);

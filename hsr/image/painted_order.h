@@ -9,7 +9,7 @@ namespace hsr {
 
 /// Paints the pieces one over the other, far to near: the piece that each sample shows in the end, or no_piece.
 ///
-/// @throws PreconditionError as cast() does (caster.h)
+/// @throws PreconditionError as cast() does (caster.h), and if a corner is not in front of the eye as the samples are
 /// Exact: yes, with the rule for samples on edges (samples.h). Cost: O(pieces + samples painted).
 /// Source: Newell, Newell & Sancha 1972.
 Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples);

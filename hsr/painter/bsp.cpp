@@ -56,7 +56,12 @@ class BspBuilder {
   };
 
   BspBuilder(BspTree& tree, Shared& shared, std::uint64_t seed)
-      : tree_(tree), mesh_(shared.sight.mesh()), shared_(shared), sight_(shared.sight), exact_(sight_.predicates()), seed_(seed) {}
+      : tree_(tree),
+        mesh_(shared.sight.mesh()),
+        shared_(shared),
+        sight_(shared.sight),
+        exact_(sight_.predicates()),
+        seed_(seed) {}
 
   /// All facets, their count first.
   void add_facets();
@@ -114,7 +119,8 @@ class BspBuilder {
 };
 
 /// The sides of a facet as planes parallel to an axis: they do not depend on a view.
-void BspBuilder::add_part(TriangleId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original) {
+void BspBuilder::add_part(TriangleId facet, std::span<const VertexId> ring, int axis,
+                          const std::vector<std::uint8_t>& original) {
   Part part{facet, static_cast<std::uint32_t>(corners_.size()), 0};
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const VertexId u = ring[k], v = ring[(k + 1) % ring.size()];
@@ -305,7 +311,7 @@ std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t index, const Divide
   ++tree_.splits_;
   if (++shared_.pieces > shared_.most)
     throw InputError("bsp: this scene takes more than " + std::to_string(shared_.most) +
-                     " pieces, expected fewer: --method depth-sort cuts less, --most-pieces allows more");
+                     " pieces, expected fewer: --method depth-sort cuts less");
   return halves;
 }
 
@@ -418,7 +424,7 @@ BspTree::BspTree(const Mesh& mesh, const BspOptions& options) : mesh_(&mesh) {
   BspBuilder builder(*this, shared, options.seed);
   builder.add_facets();
   shared.pieces = builder.parts();
-  shared.most = std::max<std::size_t>(100'000, builder.parts() * options.most_pieces_per_face);
+  shared.most = options.most_pieces > 0 ? options.most_pieces : std::max<std::size_t>(100'000, builder.parts() * 64);
   builder.build();
 }
 

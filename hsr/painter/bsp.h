@@ -10,15 +10,15 @@
 namespace hsr {
 
 struct BspOptions {
-  std::uint64_t seed = 1;                 ///< of the planes that are tried; the same seed gives the same tree
-  std::size_t most_pieces_per_face = 64;  ///< on the average; beyond it the scene is refused
+  std::uint64_t seed = 1;       ///< of the planes that are tried; the same seed gives the same tree
+  std::size_t most_pieces = 0;  ///< beyond it the scene is refused; 0: 100 000, or 64 a face
 };
 
 /// A tree of planes that orders the faces of a scene from any viewpoint: built once, walked for each.
 ///
-/// Each node's plane divides the pieces below it: some in the plane, the others before and behind it. Large nodes are cut square
-/// to an axis at a vertex near the middle, small ones by the plane of one of their faces; of a few the one that cuts least and
-/// divides best. Pieces are bounded by planes of the scene, never by rounded points.
+/// Each node's plane divides the pieces below it: some in the plane, the others before and behind it. Large nodes are cut
+/// square to an axis at a vertex near the middle, small ones by the plane of one of their faces; of a few the one that cuts
+/// least and divides best. Pieces are bounded by planes of the scene, never by rounded points.
 ///
 ///   (1) order(view) is a painter's order (docs/conventions.md): along every line of sight the farther piece comes first
 ///   (2) the pieces of a face cover it exactly once
@@ -47,12 +47,12 @@ class BspTree {
   BspTree() = default;
   struct Node {
     Cut plane;
-    std::uint32_t behind = 0, before = 0;  ///< children on the negative and the positive side; 0: nothing
+    std::uint32_t behind = 0, before = 0;          ///< children on the negative and the positive side; 0: nothing
     std::uint32_t first_piece = 0, end_piece = 0;  ///< in the plane, ascending by facet
   };
 
   const Mesh* mesh_ = nullptr;
-  std::vector<Node> nodes_;  // the root first
+  std::vector<Node> nodes_;           // the root first
   std::vector<OrderedPiece> pieces_;  // in the order of the nodes; corners as the face runs
   std::vector<PieceCorner> corners_;
   std::size_t depth_ = 0;

@@ -114,8 +114,7 @@ void Sorter::relate(std::uint32_t a, std::uint32_t b) {
 
 void Sorter::count_pieces(std::size_t more) {
   if (pieces_.size() + more > most_)
-    throw InputError("depth sort: this scene takes more than " + std::to_string(most_) +
-                     " pieces, expected fewer: --most-pieces allows more");
+    throw InputError("depth sort: this scene takes more than " + std::to_string(most_) + " pieces, expected fewer");
 }
 
 /// Cuts a piece in two along a line. False: it does not pass through it.
@@ -305,7 +304,7 @@ void Sorter::emit() {
 
 DepthSort Sorter::sort() {
   pieces_ = convex_pieces(sight_);
-  most_ = std::max<std::size_t>(100'000, pieces_.size() * options_.most_pieces_per_face);
+  most_ = options_.most_pieces > 0 ? options_.most_pieces : std::max<std::size_t>(100'000, pieces_.size() * 64);
   is_cut_.assign(pieces_.size(), 0);
   block_of_.assign(pieces_.size(), none);
   find_relations();

@@ -29,8 +29,8 @@ struct DepthSort {
 
 struct DepthSortOptions {
   Arithmetic arithmetic = Arithmetic::staged;
-  bool classic = false;                   ///< cut every pair that the planes of the two do not separate, as the paper does
-  std::size_t most_pieces_per_face = 64;  ///< on the average; beyond it the scene is refused
+  bool classic = false;         ///< cut every pair that the planes of the two do not separate, as the paper does
+  std::size_t most_pieces = 0;  ///< beyond it the scene is refused; 0: 100 000, or 64 a face
   std::function<void(double done)> progress;
 };
 

@@ -96,6 +96,7 @@ MapPoint SideFinder::point_at(const Edge& edge, TriangleId beside, const Cut& cu
     case Cut::Kind::near_line:
       return MapPoint::crossing(line, MapLine::near(TriangleId(cut.u)));
     case Cut::Kind::line:
+    case Cut::Kind::across:
     case Cut::Kind::sight_of_vertex:
     case Cut::Kind::near_line_end:
       break;

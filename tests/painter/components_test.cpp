@@ -1,0 +1,45 @@
+#include "hsr/painter/components.h"
+
+#include <catch2/catch.hpp>
+
+namespace hsr {
+namespace {
+
+using Nodes = std::vector<std::uint32_t>;
+
+Graph graph(const std::vector<Nodes>& targets) {
+  Graph g;
+  for (const Nodes& t : targets) {
+    g.targets.insert(g.targets.end(), t.begin(), t.end());
+    g.first.push_back(static_cast<std::uint32_t>(g.targets.size()));
+  }
+  return g;
+}
+
+TEST_CASE("an order of a graph, its cycles, and the shortest of them", "[painter][components]") {
+  CHECK(topological_order(graph({{1, 2}, {3}, {3}, {}})) == Nodes{0, 1, 2, 3});
+  CHECK(topological_order(graph({{}, {0}, {1}})) == Nodes{2, 1, 0});
+  CHECK(cyclic_components(graph({{1}, {2}, {}})).empty());
+  const Graph two = graph({{1}, {2}, {0, 3}, {4}, {5}, {3}, {0}});
+  CHECK(cyclic_components(two) == std::vector<Nodes>{{3, 4, 5}, {0, 1, 2}});
+  CHECK(topological_order(two) == Nodes{6});
+  CHECK(shortest_cycle(two, 0) == Nodes{0, 1, 2});
+  CHECK(shortest_cycle(two, 6).empty());
+  CHECK(shortest_cycle(graph({{1}, {2, 3}, {3}, {0}}), 0) == Nodes{0, 1, 3});
+}
+
+TEST_CASE("a chain of a million nodes is no depth to recurse to", "[painter][components]") {
+  Graph chain;
+  constexpr std::uint32_t n = 1'000'000;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    chain.targets.push_back((k + 1) % n);
+    chain.first.push_back(k + 1);
+  }
+  const auto found = cyclic_components(chain);
+  REQUIRE(found.size() == 1);
+  CHECK(found.front().size() == n);
+  CHECK(topological_order(chain).empty());
+}
+
+}  // namespace
+}  // namespace hsr

@@ -1,0 +1,228 @@
+#include <tbb/global_control.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/error.h"
+#include "hsr/painter/bsp.h"
+#include "hsr/painter/depth_sort.h"
+#include "hsr/painter/z_sort.h"
+#include "tests/oracle/painting_oracle.h"
+#include "tests/scenes/random_scenes.h"
+
+// Scenes that are hard to paint, with the answers that a reader can work out by hand.
+
+namespace hsr {
+namespace {
+
+using scenes::TestScene;
+
+TestScene from_above() {
+  TestScene scene;
+  scene.view = scenes::from_direction({0, 0, 1});
+  return scene;
+}
+
+DepthSort sorted(const TestScene& scene) {
+  const Mesh mesh = scene.mesh();
+  DepthSort result = depth_sort(mesh, scene.view);
+  CHECK(oracle::wrong_with_order(mesh, scene.view, result.order) == std::vector<std::string>{});
+  CHECK(oracle::wrong_with_order(mesh, scene.view, BspTree(mesh).order(scene.view)) == std::vector<std::string>{});
+  return result;
+}
+
+/// Triangles around a ring: each starts above the one before and ends below the one after.
+TestScene slats(int n) {
+  TestScene scene = from_above();
+  for (int k = 0; k < n; ++k) {
+    const double a = 2 * std::numbers::pi * k / n, b = 2 * std::numbers::pi * (k + 1.5) / n;
+    const auto corner = [](double angle, double radius, double z) {
+      return Point3{radius * std::cos(angle), radius * std::sin(angle), z};
+    };
+    scene.add_face({corner(a, 9, 1), corner(a, 10, 1), corner(b, 9.5, 0)});
+  }
+  return scene;
+}
+
+TEST_CASE("slats that overlap in a circle are cut once", "[painter][hard]") {
+  for (const int n : {5, 12}) {
+    const DepthSort result = sorted(slats(n));
+    CHECK(result.counts.cyclic_components == 1);
+    CHECK(result.counts.cuts_in_cycles == 1);
+    CHECK(result.order.pieces.size() == static_cast<std::size_t>(n) + 1);
+    REQUIRE(result.cycles.size() == 1);
+    CHECK(result.cycles.front().facets.size() == static_cast<std::size_t>(n));
+  }
+}
+
+TEST_CASE("a thousand slats in a circle are cut once", "[painter][hard]") {
+  const TestScene scene = slats(1000);
+  const DepthSort result = depth_sort(scene.mesh(), scene.view);
+  CHECK(result.counts.largest_component == 1000);
+  CHECK(result.counts.cuts_in_cycles == 1);
+  CHECK(result.order.pieces.size() == 1001);
+}
+
+TEST_CASE("three triangles, each over the next, are cut once", "[painter][hard]") {
+  TestScene scene = from_above();
+  for (int k = 0; k < 3; ++k) {
+    const double a = 2 * std::numbers::pi * k / 3, c = std::cos(a), s = std::sin(a);
+    const auto turned = [&](double x, double y, double z) { return Point3{c * x - s * y, s * x + c * y, z}; };
+    scene.add_face({turned(-3, 0.5, 0), turned(-3, 1.0, 0), turned(3, 0.75, 2)});
+  }
+  const DepthSort result = sorted(scene);
+  CHECK(result.counts.cuts_in_cycles == 1);
+  CHECK(result.order.pieces.size() == 4);
+}
+
+TEST_CASE("faces in no cycle stay whole", "[painter][hard]") {
+  TestScene scene = from_above();
+  for (int k = 0; k < 20; ++k)
+    scene.add_face({{0.0 + k, 0, 0.5 * k}, {3.0 + k, 0, 0.5 * k}, {3.0 + k, 3, 0.5 * k}, {0.0 + k, 3, 0.5 * k}});
+  const DepthSort result = sorted(scene);
+  CHECK(result.order.pieces.size() == 20);
+  CHECK(result.order.pieces.front().facet == TriangleId(0));
+  CHECK(result.counts.cuts_in_cycles == 0);
+}
+
+TEST_CASE("touching and abutting faces are in no cycle", "[painter][hard]") {
+  TestScene scene = from_above();
+  scene.add_face({{0, 0, 0}, {2, 0, 1}, {2, 2, 1}, {0, 2, 0}});
+  scene.add_face({{2, 0, 1}, {4, 0, 0}, {4, 2, 0}, {2, 2, 1}});  // shares a side
+  scene.add_face({{4, 0, 3}, {6, 0, 3}, {6, 2, 3}, {4, 2, 3}});  // only as seen
+  scene.add_face({{1, 2, 5}, {3, 2, 5}, {2, 4, 5}});
+  const DepthSort result = sorted(scene);
+  CHECK(result.counts.overlapping == 0);
+  CHECK(result.order.pieces.size() == 4);
+}
+
+TEST_CASE("of coplanar faces the higher is painted first", "[painter][hard]") {
+  TestScene scene = from_above();
+  scene.add_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+  scene.add_face({{1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}});
+  scene.add_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+  const DepthSort result = sorted(scene);
+  REQUIRE(result.order.pieces.size() == 3);
+  CHECK(result.order.pieces[0].facet == TriangleId(4));
+  CHECK(result.order.pieces[1].facet == TriangleId(2));
+  CHECK(result.order.pieces[2].facet == TriangleId(0));
+}
+
+TEST_CASE("squares that pierce each other are cut once", "[painter][hard]") {
+  TestScene scene = from_above();
+  scene.add_face({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}});
+  scene.add_face({{-1, -1, -1}, {-1, 1, -1}, {1, 1, 1}, {1, -1, 1}});
+  const DepthSort result = sorted(scene);
+  CHECK(result.counts.piercing == 1);
+  CHECK(result.counts.cuts_at_intersections == 1);
+  CHECK(result.order.pieces.size() == 3);
+  int split = 0;
+  for (const PieceCorner& c : result.order.corners) split += c.original ? 0 : 1;
+  CHECK(split == 2);  // the cut, on both of its sides, is no line
+}
+
+TEST_CASE("a split piece keeps its lines", "[painter][hard]") {
+  TestScene scene = from_above();
+  scene.add_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}});  // not convex: three triangles
+  const DepthSort result = sorted(scene);
+  CHECK(result.order.pieces.size() == 3);
+  int original = 0;
+  for (const PieceCorner& c : result.order.corners) original += c.original ? 1 : 0;
+  CHECK(original == 5);
+}
+
+TEST_CASE("a cycle that no parallel view has", "[painter][hard]") {
+  // Three bars around an eye that looks between them.
+  TestScene scene;
+  scene.view = scenes::from_eye({0, 0, 4}, {0, 0, 0});
+  for (int k = 0; k < 3; ++k) {
+    const double a = 2 * std::numbers::pi * k / 3, c = std::cos(a), s = std::sin(a);
+    const auto turned = [&](double x, double y, double z) { return Point3{c * x - s * y, s * x + c * y, z}; };
+    scene.add_face({turned(-3, 0.5, 0), turned(-3, 1.0, 0), turned(2, 0.75, 1)});
+  }
+  sorted(scene);
+}
+
+TEST_CASE("slivers on a paraboloid: no cut by depth, and a BSP is refused with its bound", "[painter][hard]") {
+  // Thin triangles along two families of lines of the saddle z = x y, one just above the other.
+  TestScene scene = from_above();
+  constexpr int n = 60;
+  for (int k = 0; k < n; ++k) {
+    const double x = -1 + 2.0 * k / n;
+    scene.add_face({{x, -1, -x}, {x, 1, x}, {x + 1e-4, 0, 0}});
+    scene.add_face({{-1, x, -x + 0.01}, {1, x, x + 0.01}, {0, x + 1e-4, 0.01}});
+  }
+  const Mesh mesh = scene.mesh();
+  const DepthSort result = depth_sort(mesh, scene.view);
+  CHECK(result.counts.cuts_in_cycles + result.counts.cuts_at_intersections == 0);
+  CHECK(result.order.pieces.size() == 2 * n);
+  BspOptions few;
+  few.most_pieces = 300;
+  CHECK_THROWS_AS(BspTree(mesh, few), InputError);
+}
+
+TEST_CASE("a sphere is no depth to recurse to", "[painter][hard]") {
+  TestScene scene;
+  scene.view = scenes::from_direction({1, 2, 3});
+  constexpr std::uint32_t n = 60, m = 120;
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t k = 0; k < m; ++k) {
+      const double a = std::numbers::pi * i / n, b = 2 * std::numbers::pi * k / m;
+      scene.points.push_back({std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)});
+    }
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t k = 0; k < m; ++k) {
+      const std::uint32_t p = i * m + k, q = i * m + (k + 1) % m;
+      scene.add_face({p, q, q + m});
+      scene.add_face({p, q + m, p + m});
+    }
+  const Mesh mesh = scene.mesh();
+  const DepthSort result = depth_sort(mesh, scene.view);
+  CHECK(result.counts.cuts_in_cycles == 0);
+  CHECK(BspTree(mesh).depth() < 200);
+}
+
+TEST_CASE("any number of threads and one tree give the same orders", "[painter][hard]") {
+  TestScene scene;
+  scene.view = scenes::from_direction({1, 2, 3});
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const TestScene part = scenes::family("triangles").make(seed);
+    for (std::size_t f = 0; f < part.polygons.size(); ++f) {
+      std::vector<Point3> corners;
+      for (const std::uint32_t c : part.polygons[f])
+        corners.push_back({part.points[c].x + static_cast<double>(seed % 8), part.points[c].y, part.points[c].z});
+      scene.add_face(corners);
+    }
+  }
+  const Mesh mesh = scene.mesh();
+  const auto same = [](const PaintersOrder& a, const PaintersOrder& b) {
+    bool equal = a.pieces.size() == b.pieces.size() && a.corners.size() == b.corners.size();
+    for (std::size_t k = 0; equal && k < a.corners.size(); ++k)
+      equal = a.corners[k].vertex == b.corners[k].vertex && a.corners[k].a == b.corners[k].a &&
+              a.corners[k].b == b.corners[k].b && a.corners[k].side == b.corners[k].side &&
+              a.corners[k].original == b.corners[k].original;
+    return equal;
+  };
+  const auto with = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return std::pair(depth_sort(mesh, scene.view).order, BspTree(mesh).order(scene.view));
+  };
+  const auto one = with(1), two = with(2);
+  CHECK(same(one.first, two.first));
+  CHECK(same(one.second, two.second));
+}
+
+TEST_CASE("the middle of a face is a bad key", "[painter][hard]") {
+  TestScene scene = from_above();
+  scene.add_face({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  scene.add_face(
+      {{0, 0, 1}, {9, 0, -9}, {9, 1, -9}, {0, 1, 1}});  // its middle and its end are farther, but it is before the other
+  const Mesh mesh = scene.mesh();
+  CHECK_FALSE(oracle::wrong_with_order(mesh, scene.view, z_sort(mesh, scene.view, DepthKey::centroid)).empty());
+  CHECK_FALSE(oracle::wrong_with_order(mesh, scene.view, z_sort(mesh, scene.view, DepthKey::farthest_vertex)).empty());
+  sorted(scene);
+}
+
+}  // namespace
+}  // namespace hsr
