@@ -14,5 +14,6 @@ struct CheckFailed {};
 void add_draw(CLI::App& app, UnfinishedFiles& unfinished);
 void add_info(CLI::App& app, UnfinishedFiles& unfinished);
 void add_order(CLI::App& app, UnfinishedFiles& unfinished);
+void add_verify(CLI::App& app, UnfinishedFiles& unfinished);
 
 }  // namespace hsr::cli

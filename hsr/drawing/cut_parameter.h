@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "hsr/drawing/enclosure.h"
+#include "geometry/enclosure.h"
 #include "hsr/lines/visible_lines.h"
 
 namespace hsr {

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "hsr/drawing/enclosure.h"
+#include "geometry/enclosure.h"
 #include "hsr/drawing/page.h"
 #include "hsr/lines/visible_lines.h"
 

@@ -1,4 +1,4 @@
-#include "hsr/drawing/enclosure.h"
+#include "geometry/enclosure.h"
 
 #include <catch2/catch.hpp>
 #include <random>

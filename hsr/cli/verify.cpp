@@ -1,0 +1,221 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "geometry/error.h"
+#include "hsr/cli/commands.h"
+#include "hsr/cli/outputs.h"
+#include "hsr/cli/progress.h"
+#include "hsr/cli/report.h"
+#include "hsr/cli/view_options.h"
+#include "hsr/painter/verify.h"
+#include "hsr/read/order_json.h"
+#include "hsr/read/read.h"
+#include "hsr/write/format.h"
+#include "hsr/write/verdict_svg.h"
+
+namespace hsr::cli {
+
+namespace {
+
+struct VerifyArguments {
+  std::string input, output, report;
+  ViewOptions view;
+  std::size_t limit = 10;
+  bool quiet = false;
+  std::optional<int> threads;
+};
+
+const char* const examples = R"(Examples:
+  hsr verify order.json                        the view is the file's
+  hsr verify scene.obj --view top              is the order of its faces right for that view?
+  hsr verify order.json --limit 100 -o wrong.svg   with a picture: painted earlier blue, later red, a ring where they are wrong)";
+
+bool is_json(const std::string& path) { return path.size() > 5 && path.substr(path.size() - 5) == ".json"; }
+
+bool asks_for_view(const ViewOptions& v) { return !v.name.empty() || !v.eye.empty() || !v.direction.empty(); }
+
+std::string point_text(const std::array<Rational, 3>& p) {
+  return fmt::format("{:.9g},{:.9g},{:.9g}", p[0].to_double(), p[1].to_double(), p[2].to_double());
+}
+
+class Teller {
+ public:
+  Teller(const Verdict& verdict, const std::vector<PaintedPolygon>& pieces) : verdict_(verdict), pieces_(pieces) {}
+
+  void say() const {
+    fmt::print("{}\n", summary());
+    for (const Violation& v : verdict_.first) fmt::print("{}\n", line(v));
+    if (verdict_.wrong > verdict_.first.size())
+      fmt::print("and {} more: --limit shows them\n", verdict_.wrong - verdict_.first.size());
+    if (!verdict_.order_exists && verdict_.piercing == 0) {
+      std::string text = "cycle:";
+      for (std::size_t k = 0; k < verdict_.cycle.size(); ++k)
+        text += fmt::format(" {} is before {} at {};", name(verdict_.cycle[(k + 1) % verdict_.cycle.size()]), name(verdict_.cycle[k]),
+                            point_text(verdict_.cycle_witnesses[(k + 1) % verdict_.cycle.size()].of_earlier));
+      text.back() = '.';
+      fmt::print("{}\n", text);
+    }
+    if (verdict_.cuts_that_suffice)
+      fmt::print("{} cuts along the planes of these faces suffice; 'hsr order' finds fewer\n", *verdict_.cuts_that_suffice);
+  }
+
+  Report::Json json() const {
+    Report::Json violations = Report::Json::array();
+    for (const Violation& v : verdict_.first)
+      violations.push_back({{"pieces", {v.earlier, v.later}},
+                            {"faces", {face(v.earlier), face(v.later)}},
+                            {"kind", kind(v)},
+                            {"witness", witness(v.witness)}});
+    Report::Json cycle = Report::Json::array();
+    for (std::size_t k = 0; k < verdict_.cycle.size(); ++k)
+      cycle.push_back({{"piece", verdict_.cycle[k]}, {"face", face(verdict_.cycle[k])}, {"witness", witness(verdict_.cycle_witnesses[k])}});
+    Report::Json out = {{"correct", verdict_.is_correct()},     {"pieces", verdict_.polygons},
+                        {"triangulated", verdict_.triangulated}, {"overlapping", verdict_.overlapping},
+                        {"wrong", verdict_.wrong},               {"piercing", verdict_.piercing},
+                        {"order_exists", verdict_.order_exists}, {"violations", std::move(violations)},
+                        {"cycle", std::move(cycle)}};
+    if (verdict_.cuts_that_suffice) out["cuts_that_suffice"] = *verdict_.cuts_that_suffice;
+    return out;
+  }
+
+ private:
+  std::string summary() const {
+    const std::string judged = verdict_.triangulated == 0
+                                   ? std::string()
+                                   : fmt::format(" ({} that are not planar or not convex, by their triangles)", verdict_.triangulated);
+    if (verdict_.is_correct())
+      return fmt::format("correct: {} pieces{}, each of {} overlapping pairs is painted far to near", verdict_.polygons, judged,
+                         verdict_.overlapping);
+    const std::string wrong = fmt::format("{} of {} overlapping pairs of {} pieces{} are painted the wrong way round",
+                                          verdict_.wrong, verdict_.overlapping, verdict_.polygons, judged);
+    if (verdict_.order_exists) return "wrong: " + wrong + "; another order of these pieces is right";
+    return fmt::format("no order of these faces can be correct: {}{}", wrong,
+                       verdict_.piercing > 0 ? fmt::format(", {} of them pierce each other", verdict_.piercing) : std::string());
+  }
+  std::string name(std::uint32_t piece) const {
+    return pieces_[piece].face ? fmt::format("piece {} (face {})", piece, *pieces_[piece].face) : fmt::format("piece {}", piece);
+  }
+  static const char* kind(const Violation& v) { return v.piercing ? "piercing" : v.coplanar ? "coplanar" : "order"; }
+  std::string line(const Violation& v) const {
+    const std::string where = fmt::format("at {:.9g}, {:.9g} of the image", v.witness.place[0].to_double(), v.witness.place[1].to_double());
+    if (v.coplanar)
+      return fmt::format("{} and {} lie in one plane, the higher face is painted last {}", name(v.earlier), name(v.later), where);
+    return fmt::format("{} is painted before {}, but is the nearer {}{}: {} against {}", name(v.earlier), name(v.later), where,
+                       v.piercing ? " (they pierce each other)" : "", point_text(v.witness.of_earlier), point_text(v.witness.of_later));
+  }
+  Report::Json face(std::uint32_t piece) const {
+    return pieces_[piece].face ? Report::Json(*pieces_[piece].face) : Report::Json();
+  }
+  static Report::Json witness(const Witness& w) {
+    const auto point = [](const auto& p) {
+      Report::Json out = Report::Json::array();
+      for (const Rational& x : p) out.push_back(x.to_double());
+      return out;
+    };
+    return {{"image", point(w.place)}, {"earlier", point(w.of_earlier)}, {"later", point(w.of_later)}};
+  }
+
+  const Verdict& verdict_;
+  const std::vector<PaintedPolygon>& pieces_;
+};
+
+struct Input {
+  std::vector<PaintedPolygon> pieces;
+  View view;
+  std::string title;
+};
+
+/// The order of a model's faces.
+Input from_model(const VerifyArguments& a, Report& report, ProgressLine& progress) {
+  const Model model = report.timed("read", [&] { return read_model(a.input); });
+  const Mesh mesh = make_mesh(model.points, model.polygons);
+  const ChosenView chosen = choose_view(a.view, mesh);
+  progress.clear();
+  if (!a.quiet && !chosen.note.empty()) fmt::print(stderr, "hsr: note: {}\n", chosen.note);
+  Input in{{}, chosen.view, chosen.title};
+  for (std::size_t f = 0; f < model.polygons.size(); ++f) {
+    PaintedPolygon p;
+    p.face = static_cast<std::uint32_t>(f);
+    for (const std::uint32_t v : model.polygons[f]) {
+      const Point3& at = model.points[v];
+      p.corners.push_back({at.x, at.y, at.z});
+    }
+    in.pieces.push_back(std::move(p));
+  }
+  return in;
+}
+
+Input from_order(const VerifyArguments& a, Report& report) {
+  PaintingFile file = report.timed("read", [&] { return read_order(a.input); });
+  Input in{std::move(file.far_to_near), {}, "the file's"};
+  if (!asks_for_view(a.view) && file.view) {
+    in.view = *file.view;
+    return in;
+  }
+  // Only for its centre, which a view may look at.
+  std::vector<Point3> points;
+  Polygons polygons;
+  for (const PaintedPolygon& p : in.pieces) {
+    for (const auto& c : p.corners) {
+      polygons.corners.push_back(static_cast<std::uint32_t>(points.size()));
+      points.push_back({c[0].to_double(), c[1].to_double(), c[2].to_double()});
+    }
+    polygons.first.push_back(static_cast<std::uint32_t>(points.size()));
+  }
+  const ChosenView chosen = choose_view(a.view, make_mesh(points, polygons));
+  in.view = chosen.view;
+  in.title = chosen.title;
+  return in;
+}
+
+void run(const VerifyArguments& a, UnfinishedFiles& unfinished) {
+  if (!a.output.empty() && format_of(a.output) != Format::svg)
+    throw InputError(a.output + ": found another ending, expected .svg for the picture");
+  check_outputs(a.input, {a.output, a.report});
+  if (a.threads && *a.threads < 1) throw InputError("--threads: found " + std::to_string(*a.threads) + ", expected 1 or more");
+  std::optional<tbb::global_control> threads;
+  if (a.threads) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*a.threads));
+  Report report;
+  ProgressLine progress(a.quiet);
+  progress.stage("reading");
+  const Input in = is_json(a.input) ? from_order(a, report) : from_model(a, report, progress);
+  progress.stage("verify");
+  VerifyOptions options;
+  options.limit = a.limit;
+  const Verdict verdict = report.timed("verify", [&] { return verify(in.pieces, in.view, options); });
+  progress.clear();
+  const Teller teller(verdict, in.pieces);
+  if (!a.quiet) teller.say();
+  OutputFiles output(unfinished);
+  if (!a.output.empty())
+    output.write(a.output, verdict_svg(verdict, in.pieces, in.view,
+                                       {std::filesystem::path(a.input).filename().string(), "view: " + in.title}));
+  report["verdict"] = teller.json();
+  if (!a.report.empty()) output.write(a.report, report.text());
+  output.commit();
+  if (!verdict.is_correct()) throw CheckFailed();
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, UnfinishedFiles& unfinished) {
+  auto a = std::make_shared<VerifyArguments>();
+  CLI::App* sub = app.add_subcommand("verify", "Is a painting order right for a view? The answer, and where it is not");
+  sub->footer(examples);
+  sub->add_option("ORDER.json|MODEL", a->input, "hsr-order/1 by anyone, or a model whose faces are painted in the file's order")
+      ->required();
+  sub->add_option("-o,--output", a->output, "A picture of the violations, .svg")->type_name("FILE");
+  sub->add_option("--limit", a->limit, "Violations to describe")->capture_default_str()->type_name("N");
+  a->view.add_to(*sub);
+  sub->add_option("--threads", a->threads, "At most this many threads [all]; the result is the same")->type_name("N");
+  sub->add_option("--report", a->report, "The verdict as JSON; - for the standard output")->type_name("FILE");
+  sub->add_flag("-q,--quiet", a->quiet, "Only the exit status: 0 correct, 1 wrong");
+  sub->callback([a, &unfinished] { run(*a, unfinished); });
+}
+
+}  // namespace hsr::cli
