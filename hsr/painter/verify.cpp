@@ -7,9 +7,9 @@
 #include <map>
 
 #include "geometry/box_tree.h"
+#include "geometry/enclosure.h"
 #include "geometry/error.h"
 #include "geometry/rational_vector.h"
-#include "geometry/enclosure.h"
 
 namespace hsr {
 
@@ -69,7 +69,7 @@ struct Polygon {
 struct Pair {
   std::uint32_t behind = 0, before = 0;  // painted polygons
   bool piercing = false, coplanar = false;
-  std::uint32_t a = 0, b = 0;            // the convex polygons, of the earlier and the later
+  std::uint32_t a = 0, b = 0;  // the convex polygons, of the earlier and the later
 };
 
 Enclosure orientation(const std::array<Enclosure, 2>& a, const std::array<Enclosure, 2>& b, const std::array<Enclosure, 2>& p) {
@@ -216,8 +216,7 @@ void Verifier::add_convex(std::uint32_t index, std::vector<RationalVector> ring)
   out.index = index;
   out.normal = newell_normal(ring);
   // Toward the eye; seen edge-on it has no image.
-  const Sign facing =
-      (rows_.parallel ? dot(out.normal, rows_.eye) : dot(out.normal, minus(rows_.eye, ring[0]))).sign();
+  const Sign facing = (rows_.parallel ? dot(out.normal, rows_.eye) : dot(out.normal, minus(rows_.eye, ring[0]))).sign();
   if (facing == Sign::zero) return;
   if (facing == Sign::negative) out.normal = minus(RationalVector{}, out.normal);
   for (const RationalVector& p : ring) {
@@ -354,7 +353,10 @@ void Verifier::find_pairs() {
   for (const Polygon& polygon : polygons_) {
     ImageBox box = ImageBox::nothing();
     for (const Corner& c : polygon.corners) {
-      const auto bound = [&](std::size_t k) { return static_cast<double>(c.near_place[k].error) * 1.01 + std::fabs(static_cast<double>(c.near_place[k].middle)) * 0x1p-50; };
+      const auto bound = [&](std::size_t k) {
+        return static_cast<double>(c.near_place[k].error) * 1.01 +
+               std::fabs(static_cast<double>(c.near_place[k].middle)) * 0x1p-50;
+      };
       box.add({static_cast<double>(c.near_place[0].middle), static_cast<double>(c.near_place[1].middle), 0},
               {bound(0), bound(1), 0});
     }
@@ -432,7 +434,7 @@ void Verifier::look_for_an_order() {
     const Pair& p = pairs_[k];
     if (p.piercing && verdict_.cycle.empty()) {
       verdict_.order_exists = false;
-      verdict_.cycle = {p.behind, p.before};
+      verdict_.cycle = {polygons_[p.a].index, polygons_[p.b].index};
       const std::uint32_t a = p.a, b = p.b;
       verdict_.cycle_witnesses = {witness(polygons_[a], polygons_[b], false), witness(polygons_[b], polygons_[a], false)};
     }
@@ -484,7 +486,8 @@ void Verifier::look_for_an_order() {
   for (const std::uint32_t k : of_pair) {
     const Pair& p = pairs_[k];
     const bool a_is_behind = polygons_[p.a].index == p.behind;
-    verdict_.cycle_witnesses.push_back(witness(polygons_[a_is_behind ? p.a : p.b], polygons_[a_is_behind ? p.b : p.a], p.coplanar));
+    verdict_.cycle_witnesses.push_back(
+        witness(polygons_[a_is_behind ? p.a : p.b], polygons_[a_is_behind ? p.b : p.a], p.coplanar));
   }
 }
 
