@@ -64,7 +64,9 @@ void describe(Report& report, const DepthSort& sorted, const Mesh& mesh) {
   for (const PaintersCycle& cycle : sorted.cycles) {
     Report::Json faces = Report::Json::array();
     for (const TriangleId t : cycle.facets) faces.push_back(mesh.face_of[t].value);
-    cycles.push_back({{"faces", std::move(faces)}});
+    Report::Json witnesses = Report::Json::array();
+    for (const auto& w : cycle.witnesses) witnesses.push_back({w[0].to_double(), w[1].to_double(), w[2].to_double()});
+    cycles.push_back({{"faces", std::move(faces)}, {"witnesses", std::move(witnesses)}});
   }
   report["cycles"] = std::move(cycles);
   if (c.piercing == 0) report.leave_out("cuts at intersections", "no two faces pierce each other");
@@ -136,7 +138,11 @@ void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
     options.seed = a.seed;
     const BspTree tree = report.timed("build", [&] { return BspTree(mesh, options); });
     order = report.timed("order", [&] { return tree.order(chosen.view); });
-    report["tree"] = {{"nodes", tree.nodes()}, {"depth", tree.depth()}, {"pieces", tree.pieces()}, {"splits", tree.splits()}, {"seed", a.seed}};
+    report["tree"] = {{"nodes", tree.nodes()},
+                      {"depth", tree.depth()},
+                      {"pieces", tree.pieces()},
+                      {"splits", tree.splits()},
+                      {"seed", a.seed}};
     order.decisions += tree.decisions();
   } else {
     const DepthKey key = a.method == "naive" ? DepthKey::centroid : DepthKey::farthest_vertex;
@@ -198,10 +204,10 @@ void add_order(CLI::App& app, UnfinishedFiles& unfinished) {
       ->required()
       ->type_name("FILE");
   const std::string order = "Order";
-  sub->add_option(
-         "--method", a->method,
-         "depth-sort (exact; cuts faces only where no order of whole ones is right), bsp (exact; a tree that orders any view), or what most software does and may be "
-         "wrong: z-sort (by the farthest vertex), naive (by the middle)")
+  sub->add_option("--method", a->method,
+                  "depth-sort (exact; cuts faces only where no order of whole ones is right), bsp (exact; a tree that orders "
+                  "any view), or what most software does and may be "
+                  "wrong: z-sort (by the farthest vertex), naive (by the middle)")
       ->capture_default_str()
       ->type_name("NAME")
       ->check(CLI::IsMember({"depth-sort", "bsp", "z-sort", "naive"}))

@@ -1,3 +1,5 @@
+#include "hsr/painter/verify.h"
+
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -12,7 +14,6 @@
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
 #include "hsr/cli/view_options.h"
-#include "hsr/painter/verify.h"
 #include "hsr/read/order_json.h"
 #include "hsr/read/read.h"
 #include "hsr/write/format.h"
@@ -55,7 +56,8 @@ class Teller {
     if (!verdict_.order_exists && verdict_.piercing == 0) {
       std::string text = "cycle:";
       for (std::size_t k = 0; k < verdict_.cycle.size(); ++k)
-        text += fmt::format(" {} is before {} at {};", name(verdict_.cycle[(k + 1) % verdict_.cycle.size()]), name(verdict_.cycle[k]),
+        text += fmt::format(" {} is nearer than {} at {};", name(verdict_.cycle[(k + 1) % verdict_.cycle.size()]),
+                            name(verdict_.cycle[k]),
                             point_text(verdict_.cycle_witnesses[(k + 1) % verdict_.cycle.size()].of_earlier));
       text.back() = '.';
       fmt::print("{}\n", text);
@@ -73,11 +75,16 @@ class Teller {
                             {"witness", witness(v.witness)}});
     Report::Json cycle = Report::Json::array();
     for (std::size_t k = 0; k < verdict_.cycle.size(); ++k)
-      cycle.push_back({{"piece", verdict_.cycle[k]}, {"face", face(verdict_.cycle[k])}, {"witness", witness(verdict_.cycle_witnesses[k])}});
-    Report::Json out = {{"correct", verdict_.is_correct()},     {"pieces", verdict_.polygons},
-                        {"triangulated", verdict_.triangulated}, {"overlapping", verdict_.overlapping},
-                        {"wrong", verdict_.wrong},               {"piercing", verdict_.piercing},
-                        {"order_exists", verdict_.order_exists}, {"violations", std::move(violations)},
+      cycle.push_back(
+          {{"piece", verdict_.cycle[k]}, {"face", face(verdict_.cycle[k])}, {"witness", witness(verdict_.cycle_witnesses[k])}});
+    Report::Json out = {{"correct", verdict_.is_correct()},
+                        {"pieces", verdict_.polygons},
+                        {"triangulated", verdict_.triangulated},
+                        {"overlapping", verdict_.overlapping},
+                        {"wrong", verdict_.wrong},
+                        {"piercing", verdict_.piercing},
+                        {"order_exists", verdict_.order_exists},
+                        {"violations", std::move(violations)},
                         {"cycle", std::move(cycle)}};
     if (verdict_.cuts_that_suffice) out["cuts_that_suffice"] = *verdict_.cuts_that_suffice;
     return out;
@@ -85,28 +92,34 @@ class Teller {
 
  private:
   std::string summary() const {
-    const std::string judged = verdict_.triangulated == 0
-                                   ? std::string()
-                                   : fmt::format(" ({} that are not planar or not convex, by their triangles)", verdict_.triangulated);
+    const std::string judged =
+        verdict_.triangulated == 0
+            ? std::string()
+            : fmt::format(" ({} that are not planar or not convex, by their triangles)", verdict_.triangulated);
     if (verdict_.is_correct())
       return fmt::format("correct: {} pieces{}, each of {} overlapping pairs is painted far to near", verdict_.polygons, judged,
                          verdict_.overlapping);
     const std::string wrong = fmt::format("{} of {} overlapping pairs of {} pieces{} are painted the wrong way round",
                                           verdict_.wrong, verdict_.overlapping, verdict_.polygons, judged);
     if (verdict_.order_exists) return "wrong: " + wrong + "; another order of these pieces is right";
-    return fmt::format("no order of these faces can be correct: {}{}", wrong,
-                       verdict_.piercing > 0 ? fmt::format(", {} of them pierce each other", verdict_.piercing) : std::string());
+    return fmt::format(
+        "no order of these faces can be correct: {}{}", wrong,
+        verdict_.piercing > 0 ? fmt::format(", {} of them pierce each other", verdict_.piercing) : std::string());
   }
   std::string name(std::uint32_t piece) const {
-    return pieces_[piece].face ? fmt::format("piece {} (face {})", piece, *pieces_[piece].face) : fmt::format("piece {}", piece);
+    return pieces_[piece].face ? fmt::format("piece {} (face {})", piece, *pieces_[piece].face)
+                               : fmt::format("piece {}", piece);
   }
   static const char* kind(const Violation& v) { return v.piercing ? "piercing" : v.coplanar ? "coplanar" : "order"; }
   std::string line(const Violation& v) const {
-    const std::string where = fmt::format("at {:.9g}, {:.9g} of the image", v.witness.place[0].to_double(), v.witness.place[1].to_double());
+    const std::string where =
+        fmt::format("at {:.9g}, {:.9g} of the image", v.witness.place[0].to_double(), v.witness.place[1].to_double());
     if (v.coplanar)
-      return fmt::format("{} and {} lie in one plane, the higher face is painted last {}", name(v.earlier), name(v.later), where);
+      return fmt::format("{} and {} lie in one plane, the higher face is painted last {}", name(v.earlier), name(v.later),
+                         where);
     return fmt::format("{} is painted before {}, but is the nearer {}{}: {} against {}", name(v.earlier), name(v.later), where,
-                       v.piercing ? " (they pierce each other)" : "", point_text(v.witness.of_earlier), point_text(v.witness.of_later));
+                       v.piercing ? " (they pierce each other)" : "", point_text(v.witness.of_earlier),
+                       point_text(v.witness.of_later));
   }
   Report::Json face(std::uint32_t piece) const {
     return pieces_[piece].face ? Report::Json(*pieces_[piece].face) : Report::Json();

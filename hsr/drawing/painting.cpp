@@ -85,7 +85,7 @@ Painting paint_on_page(const Mesh& mesh, const View& view, const PaintersOrder& 
   painting.frame = place.frame;
   const std::vector<std::uint8_t> asked = edges_of_classes(mesh, sight, lines);
   painting.points.resize(order.corners.size());
-  painting.is_line.resize(order.corners.size());
+  painting.sides.resize(order.corners.size());
   painting.pieces.resize(order.pieces.size());
   const Placer placer(mesh, view, place.projection);
   for_each(order.pieces.size(), [&](std::size_t i) {
@@ -95,9 +95,9 @@ Painting paint_on_page(const Mesh& mesh, const View& view, const PaintersOrder& 
     for (std::uint32_t k = piece.first_corner; k < piece.end_corner; ++k) {
       const PieceCorner& corner = order.corners[k];
       painting.points[k] = placer(piece.facet, corner);
-      if (!corner.original) continue;
-      const EdgeId e = mesh.find_edge(VertexId(corner.side.u), VertexId(corner.side.v));
-      painting.is_line[k] = e.is_valid() ? asked[e.value] : 0;
+      const bool is_edge = corner.side.kind == Cut::Kind::sight || corner.side.kind == Cut::Kind::line;
+      const EdgeId e = corner.original && is_edge ? mesh.find_edge(VertexId(corner.side.u), VertexId(corner.side.v)) : EdgeId();
+      painting.sides[k] = !corner.original ? SideOf::cut : e.is_valid() && asked[e.value] != 0 ? SideOf::line : SideOf::face;
     }
   });
   return painting;

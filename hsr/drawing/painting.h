@@ -19,6 +19,13 @@ struct PaintedPiece {
   std::uint32_t first_point = 0, end_point = 0;
 };
 
+/// What is drawn along a side of a piece.
+enum class SideOf : std::uint8_t {
+  face,  ///< an edge that is not asked for: nothing
+  line,  ///< an edge that is
+  cut,   ///< where the face was cut: the other part lies on the other side
+};
+
 /// A painting order placed on a page, far to near.
 struct Painting {
   double width = 0, height = 0;  ///< of the page, mm
@@ -27,7 +34,7 @@ struct Painting {
   std::optional<PaperFrame> frame;  ///< what is outside is cut off
   std::vector<PaintedPiece> pieces;
   std::vector<PaperPoint> points;
-  std::vector<std::uint8_t> is_line;  ///< by point: the side from here to the next corner is drawn as a line
+  std::vector<SideOf> sides;  ///< by point: of the side from here to the next corner
 
   std::span<const PaperPoint> points_of(const PaintedPiece& p) const {
     return {points.data() + p.first_point, points.data() + p.end_point};

@@ -10,6 +10,7 @@
 #include "hsr/painter/image_bsp.h"
 #include "hsr/painter/image_pieces.h"
 #include "hsr/painter/overlap_graph.h"
+#include "hsr/surfaces/fragments.h"
 
 namespace hsr {
 
@@ -26,7 +27,11 @@ struct Neighbour {
 class Sorter {
  public:
   Sorter(const Mesh& mesh, const View& view, const DepthSortOptions& options)
-      : options_(options), mesh_(mesh), sight_(mesh, view, options.arithmetic), overlaps_(sight_, options.classic) {}
+      : options_(options),
+        mesh_(mesh),
+        view_(view),
+        sight_(mesh, view, options.arithmetic),
+        overlaps_(sight_, options.classic) {}
 
   DepthSort sort();
 
@@ -35,6 +40,7 @@ class Sorter {
   void resolve_piercing();
   void resolve_cycles();
   void resolve(std::vector<std::uint32_t> nodes);
+  PaintersCycle named(const std::vector<std::uint32_t>& cycle);
   bool cut_cycle(const std::vector<std::uint32_t>& cycle, std::vector<std::uint32_t>& nodes);
   std::optional<MapHalfPlane> parting_line(std::uint32_t piece, std::uint32_t before, std::uint32_t after);
   void order_by_planes(const std::vector<std::uint32_t>& component);
@@ -48,6 +54,7 @@ class Sorter {
 
   const DepthSortOptions& options_;
   const Mesh& mesh_;
+  const View& view_;
   Sight sight_;
   Overlaps overlaps_;
   std::vector<PieceOfFacet> pieces_;
@@ -213,9 +220,7 @@ bool Sorter::cut_cycle(const std::vector<std::uint32_t>& cycle, std::vector<std:
                         after = cycle[(k + 1) % cycle.size()];
     const auto line = parting_line(piece, before, after);
     if (!line || !split(piece, *line)) continue;
-    PaintersCycle found;
-    for (const std::uint32_t p : cycle) found.facets.push_back(pieces_[p].facet);
-    result_.cycles.push_back(std::move(found));
+    result_.cycles.push_back(named(cycle));
     ++result_.counts.cuts_in_cycles;
     std::erase(nodes, piece);
     nodes.push_back(static_cast<std::uint32_t>(pieces_.size() - 2));
@@ -223,6 +228,24 @@ bool Sorter::cut_cycle(const std::vector<std::uint32_t>& cycle, std::vector<std:
     return true;
   }
   return false;
+}
+
+PaintersCycle Sorter::named(const std::vector<std::uint32_t>& cycle) {
+  PaintersCycle found;
+  for (std::size_t k = 0; k < cycle.size(); ++k) {
+    const PieceOfFacet &here = pieces_[cycle[k]], &next = pieces_[cycle[(k + 1) % cycle.size()]];
+    found.facets.push_back(here.facet);
+    // The middle of the corners of the common part, on this face: inside it, as it is convex.
+    std::array<Rational, 3> middle;
+    if (const auto common = overlaps_.common_part(here, next))
+      for (const MapPoint& p : common->points) {
+        const auto at = point_of(mesh_, view_, here.facet, p);
+        for (std::size_t i = 0; i < 3; ++i)
+          middle[i] = middle[i] + at[i] / Rational(static_cast<double>(common->points.size()));
+      }
+    found.witnesses.push_back(std::move(middle));
+  }
+  return found;
 }
 
 std::optional<MapHalfPlane> Sorter::parting_line(std::uint32_t piece, std::uint32_t before, std::uint32_t after) {

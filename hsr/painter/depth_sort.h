@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -11,6 +12,7 @@ namespace hsr {
 /// Faces each of which hides a part of the one before it, and the first a part of the last: no order of whole faces is right.
 struct PaintersCycle {
   std::vector<TriangleId> facets;
+  std::vector<std::array<Rational, 3>> witnesses;  ///< on each, where the next is before it
 };
 
 struct DepthSortCounts {

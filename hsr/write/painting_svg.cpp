@@ -1,5 +1,7 @@
 #include "hsr/write/painting_svg.h"
 
+#include <cmath>
+
 #include "hsr/write/json_text.h"
 #include "hsr/write/svg_text.h"
 
@@ -7,7 +9,19 @@ namespace hsr {
 
 namespace {
 
-constexpr double seam = 0.1, line = 0.25;  // mm: the pens of seams and of lines
+constexpr double seam = 0.1, line = 0.25, cut = 0.5;  // mm: the pens of seams, of lines, and of cuts
+constexpr double short_of_ends = 300;                 // thousandths: a cut's pen covers no line of the other part
+
+/// A side made shorter at both ends; false: nothing is left.
+bool shorten(PaperPoint& p, PaperPoint& q) {
+  const auto x = static_cast<double>(q.x - p.x), y = static_cast<double>(q.y - p.y);
+  const double length = std::hypot(x, y);
+  if (!(length > 2 * short_of_ends)) return false;
+  const auto dx = std::llround(x / length * short_of_ends), dy = std::llround(y / length * short_of_ends);
+  p = {p.x + dx, p.y + dy};
+  q = {q.x - dx, q.y - dy};
+  return true;
+}
 
 }  // namespace
 
@@ -52,11 +66,20 @@ std::string painting_svg(const Painting& painting, double opacity, const SvgOpti
     out += "\" data-face=\"";
     append_integer(out, piece.face);
     out += "\"/>\n";
-    std::string lines;
+    std::string lines, cuts;
     for (std::size_t k = 0; k < points.size(); ++k) {
-      if (painting.is_line[piece.first_point + k] == 0) continue;
-      const PaperPoint ends[2] = {points[k], points[(k + 1) % points.size()]};
-      append_points(lines, ends);
+      const SideOf side = painting.sides[piece.first_point + k];
+      PaperPoint ends[2] = {points[k], points[(k + 1) % points.size()]};
+      if (side == SideOf::line) append_points(lines, ends);
+      // What was painted between the two parts may reach over the cut, with half a pen: this part covers it.
+      if (side == SideOf::cut && is_opaque && shorten(ends[0], ends[1])) append_points(cuts, ends);
+    }
+    if (!cuts.empty()) {
+      out += "<path d=\"" + cuts + "\" fill=\"none\" stroke-linecap=\"butt\" stroke=\"";
+      append_colour(out, piece.colour);
+      out += "\" stroke-width=\"";
+      append_length(out, cut);
+      out += "\"/>\n";
     }
     if (lines.empty()) continue;
     out += "<path d=\"" + lines + "\" fill=\"none\" stroke=\"#000000\" stroke-width=\"";
