@@ -426,6 +426,27 @@ BspTree::BspTree(const Mesh& mesh, const BspOptions& options) : mesh_(&mesh) {
   shared.pieces = builder.parts();
   shared.most = options.most_pieces > 0 ? options.most_pieces : std::max<std::size_t>(100'000, builder.parts() * 64);
   builder.build();
+  prepare_planes();
+}
+
+namespace {
+
+/// The plane of a node over the points as given.
+Plane plane_of_node(const Mesh& mesh, const Cut& cut) {
+  if (cut.kind == Cut::Kind::across) return Plane::across(mesh.points[VertexId(cut.u)], cut.axis);
+  const auto& c = mesh.triangles[TriangleId(cut.u)];
+  return Plane::of_face(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
+}
+
+}  // namespace
+
+void BspTree::prepare_planes() {
+  certificate_ = hsr::certificate(mesh_->points);
+  filters_.resize(nodes_.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes_.size(), 1024), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k != range.end(); ++k)
+      filters_[k] = PlaneFilter(plane_of_node(*mesh_, nodes_[k].plane), Arithmetic::staged);
+  });
 }
 
 namespace {
@@ -433,25 +454,43 @@ namespace {
 /// On which side of a plane of the tree the viewpoint lies.
 class EyeSide {
  public:
-  EyeSide(const Mesh& mesh, const View& view) : mesh_(mesh), sight_(mesh, view, Arithmetic::staged) {}
+  EyeSide(const Mesh& mesh, const View& view, const Certificate& points, std::span<const PlaneFilter> filters)
+      : mesh_(mesh), eye_(view.viewpoint), filters_(filters), exact_(predicates(points, view.viewpoint)) {}
 
-  const Sight& sight() const { return sight_; }
-  Sign operator()(const Cut& plane) const {
-    if (plane.kind == Cut::Kind::face) return -sight_.facing(TriangleId(plane.u));
-    const Point3& e = sight_.eye().at;
-    if (sight_.eye().is_direction) return sign_of(e[plane.axis]);
-    const double at = sight_.point(VertexId(plane.u))[plane.axis];
-    return e[plane.axis] > at ? Sign::positive : e[plane.axis] < at ? Sign::negative : Sign::zero;
+  Sign operator()(std::uint32_t node, const Cut& plane) {
+    const PlaneFilter& f = filters_[node];
+    const Point3& e = eye_.at;
+    // The bound of a PlaneFilter at o + D is that of n . D.
+    const ErrorBounded x = eye_.is_direction
+                               ? ErrorBounded{f.nx * e.x + f.ny * e.y + f.nz * e.z,
+                                              f.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + f.least}
+                               : f(e);
+    if (x.is_certain() && exact_.filter_is_proven()) return sign_of(x.value);
+    if (plane.kind == Cut::Kind::across) {
+      const double at = eye_.is_direction ? 0 : mesh_.points[VertexId(plane.u)][plane.axis];
+      return e[plane.axis] > at ? Sign::positive : e[plane.axis] < at ? Sign::negative : Sign::zero;
+    }
+    // O(a, b, c) is negative where the eye lies on the positive side of the plane of a, b and c.
+    const auto& c = mesh_.triangles[TriangleId(plane.u)];
+    return -exact_.side(Plane::of_sight(eye_, mesh_.points[c[0]], mesh_.points[c[1]]), mesh_.points[c[2]]);
   }
 
  private:
+  static Predicates predicates(Certificate points, const Viewpoint& eye) {
+    Certificate direction;
+    (eye.is_direction ? direction : points).add(eye.at);
+    return Predicates(points, direction);
+  }
+
   const Mesh& mesh_;
-  Sight sight_;
+  const Viewpoint& eye_;
+  std::span<const PlaneFilter> filters_;
+  Predicates exact_;
 };
 
 /// Visits the nodes' pieces from far to near.
-template <class Nodes, class SideOf, class Visit>
-void walk_far_to_near(const Nodes& nodes, const SideOf& side_of, const Visit& visit) {
+template <class Nodes, class Visit>
+void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
   if (nodes.empty()) return;
   // A node waits twice: to be entered, and for its own pieces.
   struct Step {
@@ -467,7 +506,7 @@ void walk_far_to_near(const Nodes& nodes, const SideOf& side_of, const Visit& vi
       visit(node);
       continue;
     }
-    const bool is_before = side_of(node.plane) == Sign::positive;
+    const bool is_before = side_of(step.node, node.plane) == Sign::positive;
     const std::uint32_t near = is_before ? node.before : node.behind, far = is_before ? node.behind : node.before;
     if (near != 0) waiting.push_back({near, false});
     if (node.first_piece < node.end_piece) waiting.push_back({step.node, true});
@@ -480,9 +519,8 @@ void walk_far_to_near(const Nodes& nodes, const SideOf& side_of, const Visit& vi
 void BspTree::walk(const View& view, std::vector<std::uint32_t>& far_to_near) const {
   far_to_near.clear();
   if (nodes_.empty()) return;
-  const EyeSide side_of(*mesh_, view);
   far_to_near.reserve(pieces_.size());
-  walk_far_to_near(nodes_, side_of, [&](const Node& node) {
+  walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](const Node& node) {
     // Of coplanar pieces the higher facet comes first.
     for (std::uint32_t k = node.end_piece; k-- > node.first_piece;) far_to_near.push_back(k);
   });
@@ -564,9 +602,9 @@ class PieceWriter {
 PaintersOrder BspTree::order(const View& view) const {
   PaintersOrder order;
   if (nodes_.empty()) return order;
-  const EyeSide side_of(*mesh_, view);
-  PieceWriter writer(side_of.sight(), order);
-  walk_far_to_near(nodes_, side_of, [&](const Node& node) {
+  const Sight sight(*mesh_, view, Arithmetic::staged);
+  PieceWriter writer(sight, order);
+  walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](const Node& node) {
     for (std::uint32_t k = node.end_piece; k-- > node.first_piece;) {
       const OrderedPiece& p = pieces_[k];
       writer.append(p.facet, {corners_.data() + p.first_corner, corners_.data() + p.end_corner});

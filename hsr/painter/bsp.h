@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "geometry/certificate.h"
 #include "geometry/plane_filter.h"
 #include "hsr/painter/painters_order.h"
 
@@ -51,7 +52,11 @@ class BspTree {
     std::uint32_t first_piece = 0, end_piece = 0;  ///< in the plane, ascending by facet
   };
 
+  void prepare_planes();
+
   const Mesh* mesh_ = nullptr;
+  Certificate certificate_;           // of the points
+  std::vector<PlaneFilter> filters_;  // of each node's plane, for eyes
   std::vector<Node> nodes_;           // the root first
   std::vector<OrderedPiece> pieces_;  // in the order of the nodes; corners as the face runs
   std::vector<PieceCorner> corners_;
