@@ -28,7 +28,8 @@ extern "C" void on_interrupt(int signal) {
 void add_later(CLI::App& app, const std::string& verb, const std::string& description) {
   CLI::App* sub = app.add_subcommand(verb, description + " (a later release)");
   sub->allow_extras();
-  sub->callback([verb] { throw hsr::InputError(verb + ": comes in a later release; this one has draw, order, verify and info"); });
+  sub->callback(
+      [verb] { throw hsr::InputError(verb + ": comes in a later release; this one has draw, order, verify and info"); });
 }
 
 int fail(const std::string& message) {
