@@ -36,8 +36,8 @@ class OrderReader {
     return object.contains(key) ? read::printable(object[key].dump(-1, ' ', false, Json::error_handler_t::replace)) : "nothing";
   }
   [[noreturn]] void refuse(const std::string& where, const Json& found, const char* expected) const {
-    source_.refuse(where, "found " + read::printable(found.dump(-1, ' ', false, Json::error_handler_t::replace)) + ", expected " +
-                              expected);
+    source_.refuse(where, "found " + read::printable(found.dump(-1, ' ', false, Json::error_handler_t::replace)) +
+                              ", expected " + expected);
   }
 
   double number(const Json& x, const std::string& where) const {

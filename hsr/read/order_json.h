@@ -15,8 +15,8 @@ struct PaintingFile {
   std::optional<View> view;
 };
 
-/// Reads "hsr-order/1" (docs/conventions.md, "JSON"): `face`, `original` and `view` may be missing. Coordinates are numbers, rounded
-/// correctly, or strings "p/q".
+/// Reads "hsr-order/1" (docs/conventions.md, "JSON"): `face`, `original` and `view` may be missing. Coordinates are numbers,
+/// rounded correctly, or strings "p/q".
 /// @throws InputError in one line: the file, the piece and point, what was found and what was expected
 PaintingFile read_order(const std::string& path);
 
