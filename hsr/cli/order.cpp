@@ -81,14 +81,11 @@ SampleGrid samples_for(const ChosenView& chosen, const Mesh& mesh, const Drawing
 
 /// The pieces painted one over the other, with 4 x 4 samples to a pixel.
 std::string painted_png(const ChosenView& chosen, const Mesh& mesh, const PaintersOrder& order,
-                        const std::vector<Colour>& colours, const DrawingOptions& options, const PixelSize& size) {
+                        const std::vector<Colour>& colours, double opacity, const DrawingOptions& options,
+                        const PixelSize& size) {
   constexpr int samples = 4;
-  const Image<std::uint32_t> painted =
-      paint(mesh, chosen.view, order, samples_for(chosen, mesh, options, samples * size.width, samples * size.height));
-  Image<Colour> picture(painted.width, painted.height, Colour{255, 255, 255, 255});
-  for (std::size_t k = 0; k < painted.pixels.size(); ++k)
-    if (painted.pixels[k] != no_piece) picture.pixels[k] = colours[mesh.face_of[order.pieces[painted.pixels[k]].facet].value];
-  return image_png(box_filtered(picture, samples));
+  const SampleGrid grid = samples_for(chosen, mesh, options, samples * size.width, samples * size.height);
+  return image_png(box_filtered(paint(mesh, chosen.view, order, grid, colours, opacity), samples));
 }
 
 void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
@@ -183,7 +180,7 @@ void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
         bytes =
             painting_svg(painting, a.opacity, {std::filesystem::path(model.name).filename().string(), "view: " + chosen.title});
       } else {
-        bytes = painted_png(chosen, mesh, order, colours, drawing_options, size);
+        bytes = painted_png(chosen, mesh, order, colours, a.opacity, drawing_options, size);
       }
       output.write(a.outputs[i], bytes);
     }
@@ -224,7 +221,7 @@ void add_order(CLI::App& app, UnfinishedFiles& unfinished) {
       ->group(order);
   a->view.add_to(*sub);
   const std::string surfaces = "Picture";
-  sub->add_option("--opacity", a->opacity, "SVG: of every face, more than 0, at most 1")
+  sub->add_option("--opacity", a->opacity, "Of every face, times its own in the file; more than 0, at most 1")
       ->capture_default_str()
       ->type_name("A")
       ->group(surfaces);

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/constructed_point.h"
@@ -79,11 +80,11 @@ class PieceSpans {
   std::vector<int> rows_;
 };
 
-}  // namespace
-
-Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples) {
-  Image<std::uint32_t> image(samples.width, samples.height, no_piece);
-  if (order.pieces.empty()) return image;
+/// Calls visit(piece, span) for the spans of all pieces, in their order.
+template <class Visit>
+void visit_spans(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples,
+                 const Visit& visit) {
+  if (order.pieces.empty()) return;
   const Sight sight(mesh, view, Arithmetic::staged, samples.certificate());
   const SampleSigns signs(sight, samples);
   constexpr std::size_t block = 1024;
@@ -104,7 +105,35 @@ Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrd
     }
   });
   for (const Part& part : parts)
-    for (std::size_t s = 0; s < part.spans.size(); ++s) Rasterizer::paint(image, std::span(&part.spans[s], 1), part.piece[s]);
+    for (std::size_t s = 0; s < part.spans.size(); ++s) visit(part.piece[s], part.spans[s]);
+}
+
+}  // namespace
+
+Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples) {
+  Image<std::uint32_t> image(samples.width, samples.height, no_piece);
+  visit_spans(mesh, view, order, samples,
+              [&](std::uint32_t piece, const SampleSpan& span) { Rasterizer::paint(image, std::span(&span, 1), piece); });
+  return image;
+}
+
+Image<Colour> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples,
+                    const std::vector<Colour>& colours, double opacity) {
+  Image<std::array<float, 3>> light(samples.width, samples.height, {255, 255, 255});
+  visit_spans(mesh, view, order, samples, [&](std::uint32_t piece, const SampleSpan& span) {
+    const Colour& c = colours[mesh.face_of[order.pieces[piece].facet].value];
+    const float a = static_cast<float>(opacity * c[3] / 255);
+    for (int i = span.begin; i < span.end; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        float& x = light.row(span.row)[i][k];
+        x += a * (static_cast<float>(c[k]) - x);
+      }
+  });
+  Image<Colour> image(samples.width, samples.height);
+  for (std::size_t p = 0; p < light.pixels.size(); ++p) {
+    for (std::size_t k = 0; k < 3; ++k) image.pixels[p][k] = static_cast<std::uint8_t>(std::lround(light.pixels[p][k]));
+    image.pixels[p][3] = 255;
+  }
   return image;
 }
 

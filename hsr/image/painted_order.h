@@ -2,6 +2,7 @@
 
 #include "hsr/image/image.h"
 #include "hsr/image/samples.h"
+#include "hsr/model.h"
 #include "hsr/painter/painters_order.h"
 #include "hsr/view.h"
 
@@ -14,5 +15,9 @@ namespace hsr {
 /// Source: Newell, Newell & Sancha 1972.
 Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples);
 constexpr std::uint32_t no_piece = 0xffffffffU;
+
+/// The same in colours, on white: of each piece the colour of its face, its opacity times `opacity`. Composited in floats.
+Image<Colour> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples,
+                    const std::vector<Colour>& colours, double opacity);
 
 }  // namespace hsr

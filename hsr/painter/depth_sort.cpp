@@ -184,6 +184,7 @@ void Sorter::resolve_cycles() {
     ++result_.counts.cyclic_components;
     result_.counts.largest_component = std::max<std::uint64_t>(result_.counts.largest_component, component.size());
     std::vector<std::uint32_t> nodes;
+    nodes.reserve(component.size());
     for (const std::uint32_t k : component) nodes.push_back(alive[k]);
     resolve(std::move(nodes));
   }
@@ -200,6 +201,7 @@ void Sorter::resolve(std::vector<std::uint32_t> nodes) {
     const Graph graph = graph_of(some);
     for (const std::vector<std::uint32_t>& component : cyclic_components(graph)) {
       std::vector<std::uint32_t> part;
+      part.reserve(component.size());
       for (const std::uint32_t k : component) part.push_back(some[k]);
       std::vector<std::uint32_t> cycle = shortest_cycle(graph, component.front());
       for (std::uint32_t& k : cycle) k = some[k];

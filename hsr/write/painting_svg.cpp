@@ -40,21 +40,17 @@ std::string painting_svg(const Painting& painting, double opacity, const SvgOpti
     append_length(out, f.bottom - f.top);
     out += "\"/></clipPath>\n";
   }
-  const bool is_opaque = !(opacity < 1);
   out +=
       "<g class=\"pieces\" inkscape:groupmode=\"layer\" inkscape:label=\"pieces, far to near\" stroke-linejoin=\"round\" "
       "stroke-linecap=\"round\" stroke-width=\"";
-  append_length(out, is_opaque ? seam : 0);
+  append_length(out, seam);
   out += '"';
   if (painting.frame) out += " clip-path=\"url(#frame)\"";
-  if (!is_opaque) {
-    out += " fill-opacity=\"";
-    append_length(out, opacity);
-    out += '"';
-  }
   out += ">\n";
   for (const PaintedPiece& piece : painting.pieces) {
     const auto points = painting.points_of(piece);
+    const double own_opacity = opacity * piece.colour[3] / 255;
+    const bool is_opaque = !(own_opacity < 1);
     out += "<path d=\"";
     append_points(out, points);
     out += "Z\" fill=\"";
@@ -62,6 +58,9 @@ std::string painting_svg(const Painting& painting, double opacity, const SvgOpti
     if (is_opaque) {
       out += "\" stroke=\"";
       append_colour(out, piece.colour);
+    } else {
+      out += "\" fill-opacity=\"";
+      append_length(out, std::round(own_opacity * 1000) / 1000);
     }
     out += "\" data-face=\"";
     append_integer(out, piece.face);

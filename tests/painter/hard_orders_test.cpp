@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/error.h"
+#include "hsr/image/painted_order.h"
 #include "hsr/painter/bsp.h"
 #include "hsr/painter/depth_sort.h"
 #include "hsr/painter/z_sort.h"
@@ -222,6 +223,20 @@ TEST_CASE("the middle of a face is a bad key", "[painter][hard]") {
   CHECK_FALSE(oracle::wrong_with_order(mesh, scene.view, z_sort(mesh, scene.view, DepthKey::centroid)).empty());
   CHECK_FALSE(oracle::wrong_with_order(mesh, scene.view, z_sort(mesh, scene.view, DepthKey::farthest_vertex)).empty());
   sorted(scene);
+}
+
+TEST_CASE("transparent faces are composited layer by layer", "[painter][hard]") {
+  TestScene scene = from_above();
+  scene.add_face({{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}});  // in front, and first in the file
+  scene.add_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+  const Mesh mesh = scene.mesh();
+  const std::vector<Colour> colours = {{255, 0, 0, 51}, {0, 0, 255, 255}};  // a fifth of red over blue
+  const SampleGrid grid = sample_grid(scene.view, paper_rectangle(mesh, scene.view), 4, 4);
+  for (const PaintersOrder& order : {depth_sort(mesh, scene.view).order, BspTree(mesh).order(scene.view)}) {
+    CHECK(paint(mesh, scene.view, order, grid, colours, 1).at(1, 1) == Colour{51, 0, 204, 255});
+    // Half of each: blue over white, then a tenth of red.
+    CHECK(paint(mesh, scene.view, order, grid, colours, 0.5).at(2, 2) == Colour{140, 115, 230, 255});
+  }
 }
 
 }  // namespace
