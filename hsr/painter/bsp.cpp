@@ -94,7 +94,7 @@ class BspBuilder {
   Side side(const Divider& d, const Part& part);
   Divider choose(const std::vector<std::uint32_t>& parts);
   std::size_t score(const Divider& d, const std::vector<std::uint32_t>& parts);
-  void divide(Task task);
+  void divide(const Task& task);
   std::array<std::uint32_t, 2> split(std::uint32_t part, const Divider& d);
   std::uint64_t random() {  // splitmix64, Steele, Lea & Flood 2014
     std::uint64_t z = (seed_ += 0x9e3779b97f4a7c15U);
@@ -239,12 +239,12 @@ BspBuilder::Divider BspBuilder::choose(const std::vector<std::uint32_t>& parts) 
   Divider best;
   std::size_t least = ~std::size_t{0};
   const auto consider = [&](const Cut& cut) {
-    Divider d = divider(cut);
+    const Divider d = divider(cut);
     const std::size_t s = score(d, parts);
     if (s >= least && least != ~std::size_t{0}) return;
     if (s == ~std::size_t{0}) return;
     least = s;
-    best = std::move(d);
+    best = d;
   };
   const bool is_small = parts.size() <= small_node;
   if (!is_small) {
@@ -315,7 +315,7 @@ std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t index, const Divide
   return halves;
 }
 
-void BspBuilder::divide(Task task) {
+void BspBuilder::divide(const Task& task) {
   const Divider d = choose(task.parts);
   const auto node = static_cast<std::uint32_t>(tree_.nodes_.size());
   tree_.nodes_.push_back({d.cut, 0, 0, static_cast<std::uint32_t>(tree_.pieces_.size()), 0});
@@ -366,7 +366,7 @@ void BspBuilder::build() {
     if (is_large && task.parts.size() <= small)
       subtrees.push_back(std::move(task));
     else
-      divide(std::move(task));
+      divide(task);
   }
   build_subtrees(std::move(subtrees));
   tree_.decisions_ += exact_.counts();
