@@ -40,6 +40,8 @@ bool is_json(const std::string& path) { return path.size() > 5 && path.substr(pa
 
 bool asks_for_view(const ViewOptions& v) { return !v.name.empty() || !v.eye.empty() || !v.direction.empty(); }
 
+bool changes_view(const ViewOptions& v) { return !v.target.empty() || !v.up.empty() || v.near || v.field_of_view; }
+
 std::string point_text(const std::array<Rational, 3>& p) {
   return fmt::format("{:.9g},{:.9g},{:.9g}", p[0].to_double(), p[1].to_double(), p[2].to_double());
 }
@@ -51,18 +53,10 @@ class Teller {
   void say() const {
     fmt::print("{}\n", summary());
     for (const Violation& v : verdict_.first) fmt::print("{}\n", line(v));
-    if (verdict_.wrong > verdict_.first.size())
-      fmt::print("and {} more: --limit shows them\n", verdict_.wrong - verdict_.first.size());
-    if (!verdict_.order_exists && verdict_.piercing == 0) {
-      std::string text = "cycle:";
-      for (std::size_t k = 0; k < verdict_.cycle.size(); ++k)
-        text += fmt::format(" {} is nearer than {} at {};", name(verdict_.cycle[(k + 1) % verdict_.cycle.size()]),
-                            name(verdict_.cycle[k]),
-                            point_text(verdict_.cycle_witnesses[(k + 1) % verdict_.cycle.size()].of_earlier));
-      text.back() = '.';
-      fmt::print("{}\n", text);
-    }
-    if (verdict_.cuts_that_suffice)
+    const std::uint64_t all = verdict_.wrong + verdict_.covered_twice;
+    if (all > verdict_.first.size()) fmt::print("and {} more: --limit shows them\n", all - verdict_.first.size());
+    if (!verdict_.order_exists) fmt::print("{}\n", cycle());
+    if (!verdict_.order_exists && verdict_.cuts_that_suffice)
       fmt::print("{} cuts along the planes of these faces suffice; 'hsr order' finds fewer\n", *verdict_.cuts_that_suffice);
   }
 
@@ -71,7 +65,7 @@ class Teller {
     for (const Violation& v : verdict_.first)
       violations.push_back({{"pieces", {v.earlier, v.later}},
                             {"faces", {face(v.earlier), face(v.later)}},
-                            {"kind", kind(v)},
+                            {"kind", kind(v.fault)},
                             {"witness", witness(v.witness)}});
     Report::Json cycle = Report::Json::array();
     for (std::size_t k = 0; k < verdict_.cycle.size(); ++k)
@@ -99,26 +93,49 @@ class Teller {
     if (verdict_.is_correct())
       return fmt::format("correct: {} pieces{}, each of {} overlapping pairs is painted far to near", verdict_.polygons, judged,
                          verdict_.overlapping);
-    const std::string wrong = fmt::format("{} of {} overlapping pairs of {} pieces{} are painted the wrong way round",
-                                          verdict_.wrong, verdict_.overlapping, verdict_.polygons, judged);
-    if (verdict_.order_exists) return "wrong: " + wrong + "; another order of these pieces is right";
-    return fmt::format(
-        "no order of these faces can be correct: {}{}", wrong,
-        verdict_.piercing > 0 ? fmt::format(", {} of them pierce each other", verdict_.piercing) : std::string());
+    std::string wrong = fmt::format("{} of {} overlapping pairs of {} pieces{} are painted the wrong way round", verdict_.wrong,
+                                    verdict_.overlapping, verdict_.polygons, judged);
+    if (verdict_.piercing > 0) wrong += fmt::format(", {} of them pierce each other", verdict_.piercing);
+    if (verdict_.covered_twice > 0)
+      wrong += fmt::format("; {} pairs of pieces of one face cover a place twice", verdict_.covered_twice);
+    if (!verdict_.order_exists) return "no order of these faces can be correct: " + wrong;
+    return "wrong: " + wrong + (verdict_.wrong > 0 ? "; another order of these pieces is right" : "");
+  }
+  std::string cycle() const {
+    std::string text = "cycle:";
+    for (std::size_t k = 0; k < verdict_.cycle.size(); ++k)
+      text += fmt::format("{} {} must come before {} (at {})", k == 0 ? "" : ",", name(verdict_.cycle[k]),
+                          name(verdict_.cycle[(k + 1) % verdict_.cycle.size()]),
+                          point_text(verdict_.cycle_witnesses[k].of_earlier));
+    return text;
   }
   std::string name(std::uint32_t piece) const {
     return pieces_[piece].face ? fmt::format("piece {} (face {})", piece, *pieces_[piece].face)
                                : fmt::format("piece {}", piece);
   }
-  static const char* kind(const Violation& v) { return v.piercing ? "piercing" : v.coplanar ? "coplanar" : "order"; }
+  static const char* kind(Fault fault) {
+    switch (fault) {
+      case Fault::order:
+        return "order";
+      case Fault::piercing:
+        return "piercing";
+      case Fault::coplanar:
+        return "coplanar";
+      case Fault::covered_twice:
+        return "covered twice";
+    }
+    return "";
+  }
   std::string line(const Violation& v) const {
     const std::string where =
         fmt::format("at {:.9g}, {:.9g} of the image", v.witness.place[0].to_double(), v.witness.place[1].to_double());
-    if (v.coplanar)
+    if (v.fault == Fault::covered_twice)
+      return fmt::format("{} and {} cover a place of their face twice {}", name(v.earlier), name(v.later), where);
+    if (v.fault == Fault::coplanar)
       return fmt::format("{} and {} lie in one plane, the higher face is painted last {}", name(v.earlier), name(v.later),
                          where);
     return fmt::format("{} is painted before {}, but is the nearer {}{}: {} against {}", name(v.earlier), name(v.later), where,
-                       v.piercing ? " (they pierce each other)" : "", point_text(v.witness.of_earlier),
+                       v.fault == Fault::piercing ? " (they pierce each other)" : "", point_text(v.witness.of_earlier),
                        point_text(v.witness.of_later));
   }
   Report::Json face(std::uint32_t piece) const {
@@ -167,6 +184,10 @@ Input from_order(const VerifyArguments& a, Report& report) {
   PaintingFile file = report.timed("read", [&] { return read_order(a.input); });
   Input in{std::move(file.far_to_near), {}, "the file's"};
   if (!asks_for_view(a.view) && file.view) {
+    if (changes_view(a.view))
+      throw InputError(
+          "view: found --target, --up, --near or --fov alone, expected them with --view, --eye or --direction: the file has a "
+          "view");
     in.view = *file.view;
     return in;
   }

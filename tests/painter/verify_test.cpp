@@ -1,5 +1,6 @@
 #include "hsr/painter/verify.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -58,9 +59,19 @@ TEST_CASE("of coplanar pieces the higher face comes first", "[painter][verify]")
   CHECK(verify({square(0, 0, 2, 0, 7), square(1, 1, 2, 0, 3)}, from_above).is_correct());
   const Verdict wrong = verify({square(0, 0, 2, 0, 3), square(1, 1, 2, 0, 7)}, from_above);
   CHECK(wrong.wrong == 1);
-  CHECK(wrong.first.at(0).coplanar);
-  CHECK(verify({square(0, 0, 2, 0), square(1, 1, 2, 0)}, from_above).is_correct());      // nothing says which
-  CHECK(verify({square(0, 0, 2, 0, 3), square(1, 1, 2, 0, 3)}, from_above).wrong == 1);  // one face twice
+  CHECK(wrong.first.at(0).fault == Fault::coplanar);
+  CHECK(verify({square(0, 0, 2, 0), square(1, 1, 2, 0)}, from_above).is_correct());  // nothing says which
+}
+
+TEST_CASE("two pieces of one face cover a place once", "[painter][verify]") {
+  const Verdict twice = verify({square(0, 0, 2, 0, 3), square(1, 1, 2, 0, 3)}, from_above);
+  CHECK_FALSE(twice.is_correct());
+  CHECK(twice.covered_twice == 1);
+  CHECK(twice.wrong == 0);
+  CHECK(twice.order_exists);
+  CHECK(twice.first.at(0).fault == Fault::covered_twice);
+  CHECK(twice.first.at(0).witness.of_later == std::array<Rational, 3>{1.5, 1.5, 0.0});
+  CHECK(verify({square(0, 0, 2, 0, 3), square(2, 0, 2, 0, 3)}, from_above).is_correct());
 }
 
 TEST_CASE("what pierces has no order", "[painter][verify]") {
@@ -69,6 +80,7 @@ TEST_CASE("what pierces has no order", "[painter][verify]") {
   CHECK_FALSE(v.order_exists);
   CHECK(v.cycle == std::vector<std::uint32_t>{0, 1});
   CHECK(v.cuts_that_suffice == 2);
+  CHECK(v.first.at(0).fault == Fault::piercing);
   // The witness is where the later is the farther: at x below 0.
   CHECK(v.first.at(0).witness.of_later[0].sign() == Sign::negative);
 }
@@ -98,6 +110,71 @@ TEST_CASE("a circle of slats has no order, and the circle is named", "[painter][
   open.pop_back();
   const Verdict v = verify(open, from_above);
   CHECK(v.order_exists);
+}
+
+TEST_CASE("of several cycles a shortest is named", "[painter][verify]") {
+  std::vector<PaintedPolygon> all = slats(40);
+  for (PaintedPolygon p : slats(5)) {
+    for (auto& corner : p.corners) corner[0] = corner[0] + Rational(30.0);
+    all.push_back(std::move(p));
+  }
+  const Verdict v = verify(all, from_above);
+  CHECK(v.cycle.size() == 5);
+  CHECK(*std::min_element(v.cycle.begin(), v.cycle.end()) >= 40);
+  CHECK(v.wrong == 2);
+}
+
+// Three bars around an empty triangle, each over the next.
+std::vector<PaintedPolygon> three_bars() {
+  return {polygon({{-3, 0, 1}, {3, 0, -1}, {3, 1, -1}, {-3, 1, 1}}), polygon({{2, -3, 1}, {2, 6, -1}, {1, 6, -1}, {1, -3, 1}}),
+          polygon({{3, 5, 1}, {-3, -1, -1}, {-3, 0, -1}, {3, 6, 1}})};
+}
+
+TEST_CASE("three bars in a cycle have no order, in parallel and in perspective", "[painter][verify]") {
+  for (const View& view : {from_above, scenes::from_eye({0, 0, 50}, {0, 0, 0}, 0.001)}) {
+    const Verdict v = verify(three_bars(), view);
+    CHECK(v.overlapping == 3);
+    CHECK(v.piercing == 0);
+    CHECK_FALSE(v.order_exists);
+    REQUIRE(v.cycle.size() == 3);
+    REQUIRE(v.cycle_witnesses.size() == 3);
+    for (const Witness& w : v.cycle_witnesses) CHECK(w.of_earlier[2] < w.of_later[2]);
+    CHECK(v.cuts_that_suffice.value() >= 1);
+  }
+}
+
+TEST_CASE("a bent polygon that is over and under another pierces it", "[painter][verify]") {
+  // Triangles (0, 0) (4, 0) (4, 4), above at its middle, and (0, 0) (4, 4) (0, 4), below.
+  const PaintedPolygon bent = polygon({{0, 0, 0}, {4, 0, 3}, {4, 4, 0}, {0, 4, -3}});
+  const Verdict v = verify({bent, polygon({{1, 2, 0}, {2, 1, 0}, {2.5, 1.5, 0}, {1.5, 2.5, 0}})}, from_above);
+  CHECK(v.overlapping == 1);
+  CHECK(v.piercing == 1);
+  CHECK_FALSE(v.order_exists);
+  CHECK(v.cycle.size() == 2);
+}
+
+TEST_CASE("neighbours in a mesh have no relation, and points need be no doubles", "[painter][verify]") {
+  CHECK(verify({polygon({{0, 0, 0}, {2, 0, 1}, {0, 2, 5}}), polygon({{2, 0, 1}, {2, 2, 0}, {0, 2, 5}})}, from_above)
+            .overlapping == 0);
+  PaintedPolygon third = square(0, 0, 1, 1);
+  for (auto& corner : third.corners) corner[2] = Rational::from_string("1/3");
+  CHECK(verify({square(0, 0, 1, 1.0 / 3), third}, from_above).is_correct());  // 1/3 rounds down
+  CHECK_FALSE(verify({third, square(0, 0, 1, 1.0 / 3)}, from_above).is_correct());
+  CHECK(verify({third, square(0, 0, 1, std::nextafter(1.0 / 3, 1.0))}, from_above).is_correct());
+}
+
+TEST_CASE("the pairs of an order and of its reverse are the same", "[painter][verify]") {
+  std::vector<PaintedPolygon> all;
+  for (int i = 0; i < 12; ++i)
+    for (int k = 0; k < 12; ++k) all.push_back(square(i % 4, k % 4, 2, i * 12 + k));
+  const Verdict right = verify(all, from_above);
+  CHECK(right.is_correct());
+  std::reverse(all.begin(), all.end());
+  const Verdict wrong = verify(all, from_above);
+  CHECK(wrong.wrong == right.overlapping);
+  CHECK(wrong.overlapping == right.overlapping);
+  CHECK(wrong.order_exists);
+  CHECK(wrong.first.size() == 10);
 }
 
 TEST_CASE("what is before the near plane, or edge-on, is passed over", "[painter][verify]") {

@@ -1,0 +1,117 @@
+#include "hsr/painter/painted_points.h"
+
+#include <tbb/parallel_for.h>
+
+#include <bit>
+#include <cmath>
+#include <optional>
+namespace hsr {
+
+namespace {
+
+std::optional<double> as_double(const Rational& x) {
+  const double d = mpq_get_d(x.get()) + 0.0;
+  if (!std::isfinite(d) || Rational(d) != x) return {};
+  return d;
+}
+
+std::optional<Point3> as_point(const RationalVector& p) {
+  const auto x = as_double(p[0]), y = as_double(p[1]), z = as_double(p[2]);
+  if (!x || !y || !z) return {};
+  return Point3{*x, *y, *z};
+}
+
+Rational determinant(const RationalVector& a, const RationalVector& b, const RationalVector& c) { return dot(cross(a, b), c); }
+
+Certificate with_view(Certificate points, const View& view) {
+  if (!view.is_perspective()) return points;
+  points.add(view.viewpoint.at);
+  points.add(view.target);
+  return points;
+}
+
+Certificate of_direction(const View& view) {
+  Certificate c;
+  if (!view.is_perspective()) c.add(view.viewpoint.at);
+  return c;
+}
+
+}  // namespace
+
+std::size_t PaintedPoints::Hash::operator()(const Point3& p) const {
+  std::uint64_t h = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    h = (h ^ std::bit_cast<std::uint64_t>(p[axis])) * 0x9e3779b97f4a7c15U;
+    h ^= h >> 32U;
+  }
+  return h;
+}
+
+PaintedPoints::PaintedPoints(const std::vector<PaintedPolygon>& polygons) {
+  for (const PaintedPolygon& p : polygons) first_.push_back(static_cast<std::uint32_t>(first_.back() + p.corners.size()));
+  std::vector<std::optional<Point3>> given(first_.back());
+  tbb::parallel_for(std::size_t{0}, polygons.size(), [&](std::size_t i) {
+    for (std::size_t k = 0; k < polygons[i].corners.size(); ++k) given[first_[i] + k] = as_point(polygons[i].corners[k]);
+  });
+  corners_.reserve(given.size());
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    for (std::size_t k = 0; k < polygons[i].corners.size(); ++k) {
+      const auto& p = given[first_[i] + k];
+      corners_.push_back(p ? add_double(*p) : add_rational(polygons[i].corners[k]));
+    }
+  for (std::uint32_t n = 0; n < points_.size(); ++n)
+    if (is_double(n)) certificate_.add(points_[n]);
+}
+
+std::uint32_t PaintedPoints::number_of(const RationalVector& p) {
+  // A new one stays a rational even where it is a double: the certificate is not of it.
+  if (const auto d = as_point(p))
+    if (const auto seen = doubles_seen_.find(*d); seen != doubles_seen_.end()) return seen->second;
+  return add_rational(p);
+}
+
+std::uint32_t PaintedPoints::add_double(const Point3& p) {
+  const auto [at, is_new] = doubles_seen_.emplace(p, static_cast<std::uint32_t>(points_.size()));
+  if (is_new) {
+    points_.push_back(p);
+    exact_.push_back(not_exact);
+  }
+  return at->second;
+}
+
+std::uint32_t PaintedPoints::add_rational(const RationalVector& p) {
+  const auto [at, is_new] = rationals_seen_.emplace(p, static_cast<std::uint32_t>(points_.size()));
+  if (is_new) {
+    points_.emplace_back();
+    exact_.push_back(static_cast<std::uint32_t>(rationals_.size()));
+    rationals_.push_back(p);
+  }
+  return at->second;
+}
+
+PaintedSides::PaintedSides(const PaintedPoints& points, const ImageRows& rows, const View& view)
+    : points_(points), rows_(rows), view_(view), predicates_(with_view(points.certificate(), view), of_direction(view)) {}
+
+Sign PaintedSides::turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) {
+  if (p == a || p == b) return Sign::zero;
+  if (points_.is_double(a) && points_.is_double(b) && points_.is_double(p))
+    return predicates_.side(Plane::of_sight(view_.viewpoint, points_.point(a), points_.point(b)), points_.point(p));
+  const RationalVector c = points_.exact(a), d = points_.exact(b), at = points_.exact(p);
+  if (rows_.parallel) return determinant(minus(d, c), rows_.eye, minus(at, c)).sign();
+  return determinant(minus(c, rows_.eye), minus(d, rows_.eye), minus(at, rows_.eye)).sign();
+}
+
+Sign PaintedSides::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p) {
+  if (p == a || p == b || p == c) return Sign::zero;
+  if (points_.is_double(a) && points_.is_double(b) && points_.is_double(c) && points_.is_double(p))
+    return predicates_.side(Plane::of_face(points_.point(a), points_.point(b), points_.point(c)), points_.point(p));
+  const RationalVector o = points_.exact(a);
+  return determinant(minus(points_.exact(b), o), minus(points_.exact(c), o), minus(points_.exact(p), o)).sign();
+}
+
+Sign PaintedSides::near(std::uint32_t p) {
+  if (points_.is_double(p)) return predicates_.side(view_.near_plane(), points_.point(p));
+  return (rows_.depth(points_.exact(p)) - rows_.near).sign();
+}
+
+}  // namespace hsr
