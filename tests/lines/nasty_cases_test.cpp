@@ -90,8 +90,9 @@ TEST_CASE("coincident depth does not hide", "[lines][nasty]") {  // 3
   SECTION("coplanar faces that overlap in part") {
     const auto e =
         checked(from_top({{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}}, {{{2, 2, 0}, {6, 2, 0}, {6, 6, 0}, {2, 6, 0}}}}));
-    for (const auto& edge : e.edges()) CHECK(oracle::intervals_text(edge) == "0 visible 1");
-    CHECK(e.edges().size() == 8);
+    for (const auto& edge : e.edges()) CHECK(oracle::intervals_text(edge).find("hidden") == std::string::npos);
+    // Two edges of each run into the other face: there they are smooth, and lines of their own.
+    CHECK(e.edges().size() == 12);
   }
 }
 
