@@ -129,14 +129,18 @@ Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragmen
 
 FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments,
                               const SampleGrid& samples) {
+  return check_fragments(mesh, view, fragments, samples, cast(mesh, view, samples).triangles);
+}
+
+FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+                              const Image<TriangleId>& nearest) {
   FragmentCheck check;
   const Image<TriangleId> painted = paint(mesh, view, fragments, samples, check.overlapping);
-  const CastImage seen = cast(mesh, view, samples);
   const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh, t) : t; };
   const auto face = [&](TriangleId t) { return t.is_valid() ? mesh.face_of[t] : FaceId(); };
   for (int j = 0; j < samples.height; ++j)
     for (int i = 0; i < samples.width; ++i) {
-      const TriangleId p = painted.at(i, j), c = facet(seen.triangles.at(i, j));
+      const TriangleId p = painted.at(i, j), c = facet(nearest.at(i, j));
       ++check.samples;
       if (c.is_valid()) ++check.covered;
       if (p == c) continue;

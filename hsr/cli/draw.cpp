@@ -2,13 +2,16 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 
 #include "geometry/error.h"
+#include "hsr/check/error_against_time.h"
 #include "hsr/check/fragment_check.h"
+#include "hsr/check/z_buffer_check.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/outputs.h"
@@ -23,6 +26,7 @@
 #include "hsr/surfaces/regions.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
+#include "hsr/write/error_csv.h"
 #include "hsr/write/format.h"
 #include "hsr/write/json.h"
 #include "hsr/write/png.h"
@@ -54,6 +58,7 @@ const char* const examples = R"(Examples:
   hsr draw house.glb -o house.svg --eye 20,-30,15 --up-axis y
   hsr draw part.ply -o lines.json --edges all --exact      every edge, parameters as "p/q"
   hsr draw part.stl -o part.svg --fill                     filled, with the lines on top
+  hsr draw part.stl -o part.svg -o errors.csv              and how wrong a z-buffer is, size by size, against its time
   hsr draw part.ply -o lines.json --hidden dashed --why    and which faces hide what)";
 
 Arithmetic parse_arithmetic(const std::string& text) {
@@ -110,22 +115,63 @@ Report::Json areas_json(const Model& model, const Mesh& mesh, const View& view, 
           {"visible_area_of_objects", objects}};
 }
 
-void describe(Report& report, const FragmentCheck& check) {
-  report["check"] = {
-      {"samples", check.samples}, {"covered", check.covered}, {"wrong", check.wrong}, {"overlapping", check.overlapping}};
+/// The fragments, and z-buffers, against the exact caster.
+struct Check {
+  FragmentCheck fragments;
+  ZBufferCheck single, twice;
+
+  bool is_right() const { return fragments.is_right() && single.is_explained() && twice.is_explained(); }
+};
+
+Check check(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples) {
+  const Image<TriangleId> nearest = cast(mesh, view, samples).triangles;
+  return {check_fragments(mesh, view, fragments, samples, nearest),
+          check_z_buffer(mesh, view, samples, z_buffer<float>(mesh, view, samples), nearest),
+          check_z_buffer(mesh, view, samples, z_buffer<double>(mesh, view, samples), nearest)};
 }
 
-void say(const FragmentCheck& check) {
-  if (check.is_right()) {
+Report::Json check_json(const Check& check) {
+  const FragmentCheck& f = check.fragments;
+  const auto of = [](const ZBufferCheck& z) {
+    return Report::Json{
+        {"wrong", z.wrong}, {"depth", z.depth}, {"edge", z.edge}, {"unbounded", z.unbounded}, {"other", z.other}};
+  };
+  return {{"samples", f.samples},
+          {"covered", f.covered},
+          {"wrong", f.wrong},
+          {"overlapping", f.overlapping},
+          {"z_buffer", {{"float", of(check.single)}, {"double", of(check.twice)}}}};
+}
+
+void say(const Check& check) {
+  const FragmentCheck& f = check.fragments;
+  const auto name = [](FaceId face) { return face.is_valid() ? "face " + std::to_string(face.value) : std::string("nothing"); };
+  const auto say_samples = [&](const std::vector<WrongSample>& samples) {
+    for (const WrongSample& w : samples)
+      fmt::print(stderr, "hsr: check failed: at sample {}, {}: found {}, expected {}\n", w.i, w.j, name(w.painted),
+                 name(w.cast));
+  };
+  if (f.is_right()) {
     fmt::print(stderr, "hsr: check: the fragments show the nearest face at each of {} samples, {} of them on the model\n",
-               check.samples, check.covered);
-    return;
+               f.samples, f.covered);
+  } else {
+    fmt::print(stderr, "hsr: check failed: {} of {} samples show another face than the nearest, {} are painted twice\n",
+               f.wrong, f.samples, f.overlapping);
+    say_samples(f.first_wrong);
   }
-  fmt::print(stderr, "hsr: check failed: {} of {} samples show another face than the nearest, {} are painted twice\n",
-             check.wrong, check.samples, check.overlapping);
-  const auto name = [](FaceId f) { return f.is_valid() ? "face " + std::to_string(f.value) : std::string("nothing"); };
-  for (const WrongSample& w : check.first_wrong)
-    fmt::print(stderr, "hsr: check failed: at sample {}, {}: found {}, expected {}\n", w.i, w.j, name(w.painted), name(w.cast));
+  for (const auto& [numbers, z] : {std::pair("floats", check.single), std::pair("doubles", check.twice)}) {
+    std::string why;
+    const auto add = [&](std::uint64_t count, const char* text) {
+      if (count > 0) why += fmt::format("{} {} {}", why.empty() ? ":" : ",", count, text);
+    };
+    add(z.depth, "where depths differ by less than it tells");
+    add(z.edge, "at edges");
+    add(z.unbounded, "of faces that have no area in its numbers");
+    add(z.other, "unexplained");
+    fmt::print(stderr, "hsr: check{}: a z-buffer of {} shows another face at {} samples{}\n", z.is_explained() ? "" : " failed",
+               numbers, z.wrong, why);
+    say_samples(z.first_other);
+  }
 }
 
 /// What was asked for and does nothing here.
@@ -136,7 +182,7 @@ void note_idle_options(const DrawArguments& a, const std::vector<Format>& format
   };
   if (a.why && !any(Format::json)) note("--why", "json");
   if (a.exact && !any(Format::json)) note("--exact", "json");
-  if (!a.page.size.empty() && !any(Format::png) && !a.check) note("--size", "png");
+  if (!a.page.size.empty() && !any(Format::png) && !any(Format::csv) && !a.check) note("--size", "png");
 }
 
 /// Why a drawing has no line, for one who wonders.
@@ -159,7 +205,8 @@ std::string empty_drawing(const DrawArguments& a, bool in_frame, const VisibleLi
 void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   // Everything that can be refused is refused before the long work.
   std::vector<Format> formats;
-  for (const std::string& path : a.outputs) formats.push_back(format_of(path));
+  for (const std::string& path : a.outputs)
+    formats.push_back(format_of(path, std::array{Format::svg, Format::png, Format::json, Format::csv}));
   std::vector<std::string> files = a.outputs;
   files.push_back(a.report);
   check_outputs(a.model, files);
@@ -207,7 +254,8 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   DecisionCounts decisions = lines.decisions;
 
   std::optional<VisibleFragments> fragments;
-  if (a.fill || a.check) {
+  const bool measures = std::find(formats.begin(), formats.end(), Format::csv) != formats.end();
+  if (a.fill || a.check || measures) {
     progress.stage("visible fragments");
     FragmentOptions fragment_options;
     fragment_options.arithmetic = line_options.arithmetic;
@@ -220,20 +268,33 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
     if (!a.report.empty())
       report["fragments"] = report.timed("areas", [&] { return areas_json(model, mesh, chosen.view, *fragments, a.exact); });
   } else {
-    report.leave_out("fragments", "neither --fill nor --check is asked for");
+    report.leave_out("fragments", "neither --fill nor --check nor a csv is asked for");
   }
   bool is_right = true;
   if (a.check) {
     progress.stage("check");
     const SampleGrid samples = sample_grid_for(chosen, mesh, drawing_options, size.value_or(PixelSize{1024, 1024}));
-    const FragmentCheck check = report.timed("check", [&] { return check_fragments(mesh, chosen.view, *fragments, samples); });
-    describe(report, check);
-    is_right = check.is_right();
+    const Check found = report.timed("check", [&] { return check(mesh, chosen.view, *fragments, samples); });
+    report["check"] = check_json(found);
+    is_right = found.is_right();
     progress.clear();
-    if (!is_right || !a.quiet) say(check);
+    if (!is_right || !a.quiet) say(found);
+  }
+  std::vector<ErrorAgainstTime> errors;
+  if (measures) {
+    progress.stage("error against time");
+    ErrorAgainstTimeOptions options;
+    options.progress = line_options.progress;
+    if (size) std::erase_if(options.sizes, [&](int n) { return n > std::max(size->width, size->height); });
+    const auto grid = [&](int n) { return sample_grid_for(chosen, mesh, drawing_options, PixelSize{n, n}); };
+    errors =
+        report.timed("error against time", [&] { return error_against_time(mesh, chosen.view, *fragments, grid, options); });
+    const bool is_explained = std::all_of(errors.begin(), errors.end(), [](const auto& e) { return e.samples.is_explained(); });
+    if (!is_explained) fmt::print(stderr, "hsr: check failed: differences of a z-buffer in the table are unexplained\n");
+    is_right = is_right && is_explained;
   }
 
-  const bool draws = std::any_of(formats.begin(), formats.end(), [](Format f) { return f != Format::json; });
+  const bool draws = std::any_of(formats.begin(), formats.end(), [](Format f) { return f == Format::svg || f == Format::png; });
   std::optional<Drawing> drawing;
   if (draws) {
     progress.stage("drawing");
@@ -264,7 +325,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   }
   report.set_decisions(decisions);
   if (!chosen.view.is_perspective()) report.leave_out("near plane", "a parallel view has none");
-  if (!draws) report.leave_out("drawing", "only JSON was asked for");
+  if (!draws) report.leave_out("drawing", "no picture was asked for");
   if (any_json && chosen.field_of_view) report.leave_out("frame", "JSON has all edges, in the picture or not");
 
   progress.stage("writing");
@@ -277,6 +338,8 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
                            {a.exact ? Numbers::exact : Numbers::rounded, a.fill ? &*fragments : nullptr, a.why});
       else if (formats[i] == Format::svg)
         bytes = svg(*drawing, {std::filesystem::path(model.name).filename().string(), "view: " + chosen.title});
+      else if (formats[i] == Format::csv)
+        bytes = error_csv(errors);
       else
         bytes = png(*drawing, size);
       output.write(a.outputs[i], bytes);
@@ -305,7 +368,9 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
   CLI::App* sub = app.add_subcommand("draw", "Draw the visible lines of a model: SVG, PNG or JSON");
   sub->footer(examples);
   sub->add_option("MODEL", a->model, "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB")->required();
-  sub->add_option("-o,--output", a->outputs, "The drawing; its ending chooses svg, png or json; may be repeated")
+  sub->add_option("-o,--output", a->outputs,
+                  "The drawing; its ending chooses svg, png or json; csv: a table of error against run time, of the "
+                  "exact fragments and of z-buffers of 256, 512, ... samples each way, up to --size [8192]; may be repeated")
       ->required()
       ->type_name("FILE");
   a->view.add_to(*sub);
@@ -329,8 +394,8 @@ void add_draw(CLI::App& app, UnfinishedFiles& unfinished) {
       ->group(surfaces);
   sub->add_flag(
          "--check", a->check,
-         "Compare the visible fragments with the nearest face at each sample of --size [1024x1024]; exit status 1 if they "
-         "differ")
+         "Compare the visible fragments with the nearest face at each sample of --size [1024x1024], exit status 1 if they "
+         "differ; and z-buffers, with the reason for each difference")
       ->group(surfaces);
   a->page.add_to(*sub);
   const std::string numbers = "Numbers";

@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -91,7 +92,8 @@ std::string painted_png(const ChosenView& chosen, const Mesh& mesh, const Painte
 void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
   // Everything that can be refused is refused before the long work.
   std::vector<Format> formats;
-  for (const std::string& path : a.outputs) formats.push_back(format_of(path));
+  for (const std::string& path : a.outputs)
+    formats.push_back(format_of(path, std::array{Format::json, Format::svg, Format::png}));
   std::vector<std::string> files = a.outputs;
   files.push_back(a.report);
   check_outputs(a.model, files);

@@ -109,8 +109,9 @@ class SampleSigns {
   /// How many rows are above what is seen at a vertex: a side from a to b crosses the rows rows_above(a) ... rows_above(b) - 1,
   /// or the other way round. @pre is_in_front(v)
   int rows_above(VertexId v, Predicates& exact) const;
-  /// About how many rows are above a point in front, for a guess.
+  /// About where a point in front is seen, in rows and columns of samples: for a guess, or to measure.
   double row_of(const Point3& p) const { return row_(p).value; }
+  double column_of(const Point3& p) const { return column_(p).value; }
   /// How many columns are on the left of it, or -1 where doubles cannot tell. @pre is_in_front(v)
   int certain_columns_before(VertexId v) const;
   /// The rows above any point, of which below(j) is the sign on the plane of row j; `guess` may be anything.

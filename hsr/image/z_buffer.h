@@ -9,8 +9,7 @@
 
 namespace hsr {
 
-/// What a z-buffer holds at a sample. Larger is nearer: in a parallel view the distance toward the viewer from the plane of the
-/// samples, in units of the direction; in perspective 1 / s - 1, where s is the depth over that of the plane of the samples.
+/// What a z-buffer holds at a sample. Larger is nearer: Seen::nearness (z_buffer_triangle.h).
 template <class Real>
 struct DepthPixel {
   Real nearness = -std::numeric_limits<Real>::infinity();
@@ -27,6 +26,7 @@ using DepthImage = Image<DepthPixel<Real>>;
 ///   (1) a sample has the triangle nearest there, as exactly as Real tells; of equally near ones the lowest index
 ///   (2) a sample on an edge is decided as samples.h says, as exactly as Real tells; triangles that share an edge leave no gap
 ///       and share no sample
+///   (3) triangles with a corner that Real cannot hold, or that is seen 2^60 samples away, are not drawn
 ///
 /// Exact: no. Cost: O(n + samples drawn); one thread.
 /// Source: Catmull 1974.

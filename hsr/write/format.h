@@ -1,14 +1,15 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 namespace hsr {
 
-/// What a file of lines can be written as.
-enum class Format { svg, png, json };
+/// What a result can be written as; csv: the table of error against run time.
+enum class Format { svg, png, json, csv };
 
-/// The format that a file name's ending chooses.
+/// The format that a file name's ending chooses, one of those expected.
 /// @throws InputError for another ending; for pdf, eps, dxf and tex it says that they come in a later release
-Format format_of(const std::string& path);
+Format format_of(const std::string& path, std::span<const Format> expected);
 
 }  // namespace hsr

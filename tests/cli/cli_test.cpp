@@ -394,8 +394,24 @@ TEST_CASE("check says that the fragments are right", "[cli]") {
     const Outcome o = run("draw " + model + " -o " + (at / "w.svg") + " --check --size 60x50 " + view);
     CHECK(o.status == 0);
     CHECK(o.text.find("nearest face at each of 3000 samples") != std::string::npos);
+    CHECK(o.text.find("a z-buffer of floats shows another face at ") != std::string::npos);
+    CHECK(o.text.find("unexplained") == std::string::npos);
   }
   CHECK(run("draw " + model + " -o " + (at / "w.svg") + " --merge all").status == 2);
+}
+
+TEST_CASE("a csv has error against time up to the size asked for", "[cli]") {
+  const Directory at;
+  const std::string model = write(at / "window.obj", window);
+  const Outcome o = run("draw " + model + " -o " + (at / "w.csv") + " --size 512x300 --report " + (at / "r.json"));
+  CHECK(o.status == 0);
+  const std::string csv = contents(at / "w.csv");
+  CHECK(count(csv, "\n") == 6);
+  CHECK(count(csv, "z-buffer,float") == 2);
+  CHECK(count(csv, "\nz-buffer,double,1,512,512,3,") == 1);
+  CHECK(count(csv, "\nfragments,exact,") == 1);
+  CHECK(json::parse(contents(at / "r.json"))["seconds"].contains("error against time"));
+  check_refused(run("order " + model + " -o " + (at / "w.csv")), {".csv", ".json, .svg or .png"});
 }
 
 TEST_CASE("JSON has the edges outside the frame, too", "[cli]") {

@@ -1,6 +1,7 @@
 #include "hsr/write/svg.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "geometry/error.h"
@@ -132,11 +133,13 @@ TEST_CASE("Sizes in pixels are two whole numbers", "[write][png]") {
 }
 
 TEST_CASE("A file's ending chooses its format", "[write][format]") {
-  CHECK(format_of("a.svg") == Format::svg);
-  CHECK(format_of("dir.png/a.JSON") == Format::json);
-  CHECK(format_of("a.svg.png") == Format::png);
+  const std::array expected = {Format::svg, Format::png, Format::json};
+  CHECK(format_of("a.svg", expected) == Format::svg);
+  CHECK(format_of("dir.png/a.JSON", expected) == Format::json);
+  CHECK(format_of("a.svg.png", expected) == Format::png);
+  CHECK(format_of("a.csv", std::array{Format::csv}) == Format::csv);
   for (const char* later : {"a.pdf", "a.eps", "a.dxf", "a.tex"})
-    CHECK_THROWS_WITH(format_of(later), Catch::Contains("later release") && Catch::Contains("svg, png and json"));
-  for (const char* wrong : {"a", "a.", "a.svg/b", "a.obj"})
-    CHECK_THROWS_WITH(format_of(wrong), Catch::Contains("expected .svg"));
+    CHECK_THROWS_WITH(format_of(later, expected), Catch::Contains("later release") && Catch::Contains(".svg, .png or .json"));
+  for (const char* wrong : {"a", "a.", "a.svg/b", "a.obj", "a.csv"})
+    CHECK_THROWS_WITH(format_of(wrong, expected), Catch::Contains("expected .svg, .png or .json"));
 }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "geometry/mesh.h"
+#include "hsr/image/image.h"
+#include "hsr/image/samples.h"
+#include "hsr/surfaces/fragments.h"
+#include "hsr/view.h"
+
+namespace hsr {
+
+/// How well a picture of samples shows the visible areas, in pixels.
+struct AreaCheck {
+  double visible = 0;  ///< of all fragments, within the picture
+  double wrong = 0;    ///< where the pixel shows another face than is visible, or nothing, or something where nothing is
+};
+
+/// Takes each sample of `shown` for the square of its pixel, and measures the part of it in which the facet of the triangle
+/// that it shows is not the visible one. Not a matter of samples: the fragments are clipped to each pixel.
+///
+/// @pre paint() takes the fragments
+/// Exact: a measure, not a decision; in doubles, some 1e-12 of a pixel for each corner. Cost: O(pixels covered + pixels that
+/// sides of fragments pass, sorted), parallel.
+/// Source: coverage by areas under edges, as FreeType's smooth rasterizer has it.
+AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+                     const Image<TriangleId>& shown);
+
+}  // namespace hsr

@@ -1,0 +1,83 @@
+#include "hsr/check/error_against_time.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "hsr/image/caster.h"
+#include "hsr/image/z_buffer.h"
+#include "hsr/surfaces/visible_fragments.h"
+
+namespace hsr {
+
+namespace {
+
+template <class Work>
+std::vector<double> seconds(int runs, const Work& work) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> all;
+  for (int r = 0; r < runs; ++r) {
+    const Clock::time_point start = Clock::now();
+    work();
+    all.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+template <class Real>
+ErrorAgainstTime of_z_buffer(const char* numbers, const Mesh& mesh, const View& view, const VisibleFragments& fragments,
+                             const SampleGrid& grid, const Image<TriangleId>& nearest, int runs) {
+  ErrorAgainstTime row;
+  row.method = "z-buffer";
+  row.numbers = numbers;
+  row.width = grid.width;
+  row.height = grid.height;
+  DepthImage<Real> image;
+  row.seconds = seconds(runs, [&] {
+    image = {};  // or two are held at once
+    image = z_buffer<Real>(mesh, view, grid);
+  });
+  row.samples = check_z_buffer(mesh, view, grid, image, nearest);
+  Image<TriangleId> shown(grid.width, grid.height);
+  std::transform(image.pixels.begin(), image.pixels.end(), shown.pixels.begin(), [](const auto& p) { return p.triangle; });
+  row.area = check_area(mesh, view, fragments, grid, shown);
+  return row;
+}
+
+}  // namespace
+
+std::vector<ErrorAgainstTime> error_against_time(const Mesh& mesh, const View& view, const VisibleFragments& fragments,
+                                                 const std::function<SampleGrid(int size)>& grid,
+                                                 const ErrorAgainstTimeOptions& options) {
+  std::vector<ErrorAgainstTime> rows;
+  double all = 1, done = 0;
+  for (const int size : options.sizes) all += static_cast<double>(size) * size;
+  const auto show = [&] {
+    if (options.progress) options.progress(std::min(1.0, done / all));
+  };
+  for (const int size : options.sizes) {
+    show();
+    const SampleGrid samples = grid(size);
+    const Image<TriangleId> nearest = cast(mesh, view, samples).triangles;
+    rows.push_back(of_z_buffer<float>("float", mesh, view, fragments, samples, nearest, options.runs));
+    done += 0.5 * size * size;
+    show();
+    rows.push_back(of_z_buffer<double>("double", mesh, view, fragments, samples, nearest, options.runs));
+    done += 0.5 * size * size;
+  }
+  ErrorAgainstTime exact;
+  exact.method = "fragments";
+  exact.numbers = "exact";
+  exact.threads = static_cast<int>(std::min<std::size_t>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism), tbb::info::default_concurrency()));
+  exact.seconds = seconds(options.runs, [&] { (void)visible_fragments(mesh, view); });
+  if (!rows.empty()) exact.area.visible = rows.back().area.visible;
+  rows.push_back(std::move(exact));
+  show();
+  return rows;
+}
+
+}  // namespace hsr

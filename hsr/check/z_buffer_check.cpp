@@ -1,0 +1,309 @@
+#include "hsr/check/z_buffer_check.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+
+#include "hsr/facet.h"
+#include "hsr/image/z_buffer_triangle.h"
+
+namespace hsr {
+
+namespace {
+
+using Exact = Seen<Rational>;
+
+/// An affine function of the sample, exactly, and rounded with a bound.
+class ImageFunction {
+ public:
+  ImageFunction() = default;
+  ImageFunction(Rational origin, Rational right, Rational down)
+      : exact_{std::move(origin), std::move(right), std::move(down)},
+        rounded_{rounded(exact_[0]), rounded(exact_[1]), rounded(exact_[2])} {}
+
+  ErrorBounded near(int i, int j) const {
+    return rounded_[0] + rounded_[1] * ErrorBounded{static_cast<double>(i)} +
+           rounded_[2] * ErrorBounded{static_cast<double>(j)};
+  }
+  Rational at(int i, int j) const { return exact_[0] + Rational(i) * exact_[1] + Rational(j) * exact_[2]; }
+  /// With the rule for samples on edges (samples.h).
+  Sign sign(int i, int j) const {
+    const ErrorBounded x = near(i, j);
+    if (x.is_certain()) return sign_of(x.value);
+    if (const Sign s = at(i, j).sign(); s != Sign::zero) return s;
+    const Sign right = exact_[1].sign();
+    return right != Sign::zero ? right : exact_[2].sign();
+  }
+  /// How much it changes at most within a box around a sample.
+  Rational change(double half_width, double half_height) const {
+    return magnitude(exact_[1]) * Rational(half_width) + magnitude(exact_[2]) * Rational(half_height);
+  }
+  static Rational magnitude(const Rational& x) { return x.sign() == Sign::negative ? -x : x; }
+
+ private:
+  static ErrorBounded rounded(const Rational& x) {
+    const double v = x.to_double();
+    return {v, ErrorBounded::u * std::fabs(v) + ErrorBounded::lost};
+  }
+
+  std::array<Rational, 3> exact_;
+  std::array<ErrorBounded, 3> rounded_;
+};
+
+/// The line through two points; its sign at c is that of twice_area(p, q, c).
+ImageFunction line(const Exact& p, const Exact& q) {
+  const Rational dx = q.x - p.x, dy = q.y - p.y;
+  return {dy * p.x - dx * p.y, -dy, dx};
+}
+
+Rational twice_area(const Exact& a, const Exact& b, const Exact& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// A triangle as it is seen, and as the z-buffer draws it.
+template <class Real>
+struct SeenTriangle {
+  std::vector<Exact> corners;  ///< of what is beyond the near plane; convex
+  bool has_area = false;
+  // With an area:
+  std::vector<ImageFunction> sides;  ///< not negative inside
+  ImageFunction nearness;
+  // As drawn:
+  std::array<Seen<Bounded<Real>>, 4> drawn;  ///< as many as corners
+  bool is_drawn = false;                     ///< false: out of range
+  bool keeps_to_bounds = true;               ///< each corner is where it may be
+  /// A sample that is drawn and should not be, or should and is not, is at most this far from an edge, both ways.
+  double reach_x = 0, reach_y = 0;
+
+  bool covers(int i, int j) const {
+    return has_area && std::all_of(sides.begin(), sides.end(), [&](const auto& s) { return s.sign(i, j) == Sign::positive; });
+  }
+
+  /// Whether a point of an edge is within reach of the sample. By the separating axes of a segment and a box.
+  bool is_edge_within_reach(int i, int j) const {
+    if (!(reach_x < HUGE_VAL && reach_y < HUGE_VAL)) return true;
+    const Rational left = Rational(i) - Rational(reach_x), right = Rational(i) + Rational(reach_x),
+                   top = Rational(j) - Rational(reach_y), bottom = Rational(j) + Rational(reach_y);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Exact &p = corners[k], &q = corners[(k + 1) % corners.size()];
+      if (std::max(p.x, q.x) < left || std::min(p.x, q.x) > right || std::max(p.y, q.y) < top || std::min(p.y, q.y) > bottom)
+        continue;
+      const ImageFunction f = line(p, q);
+      if (ImageFunction::magnitude(f.at(i, j)) <= f.change(reach_x, reach_y)) return true;
+    }
+    return false;
+  }
+
+  /// What is drawn at a sample, if it is.
+  std::optional<Bounded<Real>> drawn_at(int i, int j, int width, int height) const {
+    if (!is_drawn) return {};
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      ScannedTriangle<Bounded<Real>> scanned;
+      if (!scanned.set(drawn[0], drawn[k - 1], drawn[k], width, height)) continue;
+      if (j < scanned.top() || j >= scanned.bottom()) continue;
+      const auto [begin, end] = scanned.span(j);
+      if (i < begin || i >= end) continue;
+      Bounded<Real> depth = scanned.nearness(begin, j);
+      for (int at = begin; at < i; ++at) depth = depth + scanned.step();
+      return depth;
+    }
+    return {};
+  }
+};
+
+/// The triangles of one check, each made when first asked for. One object per thread.
+template <class Real>
+class SeenTriangles {
+ public:
+  SeenTriangles(const Mesh& mesh, const View& view, const SampleGrid& grid)
+      : mesh_(mesh), view_(view), exact_(view, grid), near_(view, grid) {}
+
+  const SeenTriangle<Real>& operator()(TriangleId t) {
+    std::unique_ptr<SeenTriangle<Real>>& made = made_[t.value];
+    if (!made) made = std::make_unique<SeenTriangle<Real>>(make(t));
+    return *made;
+  }
+
+ private:
+  SeenTriangle<Real> make(TriangleId t) const {
+    const auto is_cut_away = [&](VertexId v) { return view_.is_perspective() && is_before_near(view_, mesh_.points[v]); };
+    std::array<Exact, 4> exact;
+    std::array<Seen<ErrorBounded>, 4> near;
+    const int count = seen_corners<Rational>(
+        mesh_, view_, exact_, t, is_cut_away, [&](VertexId v) { return exact_(mesh_.points[v]); }, exact);
+    seen_corners<ErrorBounded>(
+        mesh_, view_, near_, t, is_cut_away, [&](VertexId v) { return near_(mesh_.points[v]); }, near);
+
+    SeenTriangle<Real> result;
+    result.corners.assign(exact.begin(), exact.begin() + count);
+    result.is_drawn = true;
+    double largest = 0;
+    for (std::size_t k = 0; k < result.corners.size(); ++k) {
+      Seen<Bounded<Real>>& d = result.drawn[k] = {bounded(near[k].x), bounded(near[k].y), bounded(near[k].nearness)};
+      result.is_drawn = result.is_drawn && ScannedTriangle<Bounded<Real>>::is_drawable(d);
+      result.reach_x = std::max(result.reach_x, d.x.error);
+      result.reach_y = std::max(result.reach_y, d.y.error);
+      largest = std::max({largest, std::fabs(static_cast<double>(d.x.value)), std::fabs(static_cast<double>(d.y.value))});
+      result.keeps_to_bounds = result.keeps_to_bounds && keeps_to(d.x, exact[k].x) && keeps_to(d.y, exact[k].y) &&
+                               keeps_to(d.nearness, exact[k].nearness);
+    }
+    // A side's crossing with a row, from.x + (y - from.y) (dx / dy), rounds by at most 5.05 u |dx| in the product and u |x| of
+    // what it gives; |dx| is at most twice the largest coordinate X, what it gives three times: 14 u X. Where the sign of the
+    // area is lost, nothing is drawn of what is at most 4 u (|bx cy| + |by cx|) / cy <= 16 u X wide. Slopes that are taken as
+    // 0, and what is lost below the smallest number, put a side within its height, or 2^-60, of where it is.
+    result.reach_x = (result.reach_x + 30 * Bounded<Real>::u * largest + 0x1p-60) * Bounded<Real>::grow;
+    result.reach_y = (result.reach_y + 0x1p-118 * largest + 0x1p-60) * Bounded<Real>::grow;
+    if (!(largest < ScannedTriangle<Bounded<Real>>::far)) result.reach_x = result.reach_y = HUGE_VAL;
+
+    const auto& c = result.corners;
+    for (std::size_t k = 2; k < c.size() && !result.has_area; ++k) {
+      const Rational area = twice_area(c[0], c[k - 1], c[k]);
+      if (area.sign() == Sign::zero) continue;
+      result.has_area = true;
+      const Rational x1 = c[k - 1].x - c[0].x, y1 = c[k - 1].y - c[0].y, z1 = c[k - 1].nearness - c[0].nearness;
+      const Rational x2 = c[k].x - c[0].x, y2 = c[k].y - c[0].y, z2 = c[k].nearness - c[0].nearness;
+      const Rational along_x = (z1 * y2 - z2 * y1) / area, along_y = (z2 * x1 - z1 * x2) / area;
+      result.nearness = {c[0].nearness - along_x * c[0].x - along_y * c[0].y, along_x, along_y};
+      for (std::size_t m = 0; m < c.size(); ++m) {
+        const Exact &p = c[m], &q = c[(m + 1) % c.size()];
+        if (p.x == q.x && p.y == q.y) continue;
+        result.sides.push_back(area.sign() == Sign::positive ? line(p, q) : line(q, p));
+      }
+    }
+    return result;
+  }
+
+  static Bounded<Real> bounded(const ErrorBounded& x) {
+    const Real rounded = static_cast<Real>(x.value);
+    // Of a double and what it rounds to the difference is a double.
+    const double error = x.error + std::fabs(x.value - static_cast<double>(rounded));
+    return {rounded, error < HUGE_VAL ? error * Bounded<Real>::grow : HUGE_VAL};
+  }
+  static bool keeps_to(const Bounded<Real>& found, const Rational& exact) {
+    if (!std::isfinite(found.value) || !(found.error < HUGE_VAL)) return true;
+    return ImageFunction::magnitude(Rational(found.value) - exact) <= Rational(found.error);
+  }
+
+  const Mesh& mesh_;
+  const View& view_;
+  Projection<Rational> exact_;
+  Projection<ErrorBounded> near_;
+  std::unordered_map<std::uint32_t, std::unique_ptr<SeenTriangle<Real>>> made_;
+};
+
+/// How much nearer a is than b at a sample, compared with a bound: positive, more than the bound; negative, less than -bound.
+Sign compared(const ImageFunction& a, const ImageFunction& b, int i, int j, double bound) {
+  const ErrorBounded d = a.near(i, j) - b.near(i, j);
+  if (d.value - d.error > bound) return Sign::positive;
+  if (d.value + d.error < -bound) return Sign::negative;
+  if (std::fabs(d.value) + d.error < bound) return Sign::zero;
+  const Rational exact = a.at(i, j) - b.at(i, j);
+  return exact > Rational(bound) ? Sign::positive : exact < Rational(-bound) ? Sign::negative : Sign::zero;
+}
+
+template <class Real>
+class Judge {
+ public:
+  Judge(const Mesh& mesh, const View& view, const SampleGrid& grid)
+      : triangles_(mesh, view, grid), width_(grid.width), height_(grid.height) {}
+
+  /// @param shown what the z-buffer has @param nearest the truth; another facet
+  Difference why(const DepthPixel<Real>& shown, TriangleId nearest, int i, int j) {
+    const SeenTriangle<Real>* const z = shown.triangle.is_valid() ? &triangles_(shown.triangle) : nullptr;
+    const SeenTriangle<Real>* const c = nearest.is_valid() ? &triangles_(nearest) : nullptr;
+    for (const auto* t : {z, c})
+      if (t != nullptr && !t->keeps_to_bounds) return Difference::other;
+
+    // What is shown was drawn there, as it says.
+    std::optional<Bounded<Real>> of_z, of_c;
+    const bool z_covers = z != nullptr && z->covers(i, j);
+    if (z != nullptr) {
+      of_z = z->drawn_at(i, j, width_, height_);
+      if (!of_z || of_z->value != shown.nearness) return Difference::other;
+      if (!z_covers && !z->is_edge_within_reach(i, j)) return Difference::other;
+    }
+    if (c == nullptr) return z->reach_x < HUGE_VAL ? Difference::edge : Difference::unbounded;
+
+    // What is nearest was not drawn there, or lost to the other.
+    if (!c->covers(i, j)) return Difference::other;
+    of_c = c->drawn_at(i, j, width_, height_);
+    if (!of_c || std::isnan(of_c->value)) {
+      if (!c->is_drawn || (of_c && !(of_c->error < HUGE_VAL))) return Difference::unbounded;
+      if (of_c || !c->is_edge_within_reach(i, j)) return Difference::other;
+      return c->reach_x < HUGE_VAL ? Difference::edge : Difference::unbounded;
+    }
+    // Of equal depths the lowest index is shown.
+    if (z == nullptr || of_c->value > of_z->value || (of_c->value == of_z->value && nearest < shown.triangle))
+      return Difference::other;
+    const double bound = (of_c->error + of_z->error) * Bounded<Real>::grow;
+    if (!(bound < HUGE_VAL) || !z->has_area) return Difference::unbounded;
+    const Sign nearer = compared(c->nearness, z->nearness, i, j, bound);
+    if (nearer == Sign::positive || (z_covers && nearer == Sign::negative)) return Difference::other;
+    return z_covers ? Difference::depth : Difference::edge;
+  }
+
+ private:
+  SeenTriangles<Real> triangles_;
+  int width_, height_;
+};
+
+}  // namespace
+
+template <class Real>
+ZBufferCheck check_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const DepthImage<Real>& image,
+                            const Image<TriangleId>& seen) {
+  constexpr int rows = 16;
+  std::vector<ZBufferCheck> parts(static_cast<std::size_t>((samples.height + rows - 1) / rows));
+  tbb::enumerable_thread_specific<Judge<Real>> judges([&] { return Judge<Real>(mesh, view, samples); });
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    ZBufferCheck& part = parts[p];
+    const int first = static_cast<int>(p) * rows;
+    for (int j = first; j < std::min(first + rows, samples.height); ++j)
+      for (int i = 0; i < samples.width; ++i) {
+        const DepthPixel<Real>& shown = image.at(i, j);
+        const TriangleId nearest = seen.at(i, j);
+        ++part.samples;
+        if (nearest.is_valid()) ++part.covered;
+        if (shown.triangle == nearest) continue;
+        if (shown.triangle.is_valid() && nearest.is_valid() && facet_of(mesh, shown.triangle) == facet_of(mesh, nearest))
+          continue;
+        ++part.wrong;
+        const Difference why = judges.local().why(shown, nearest, i, j);
+        ++(why == Difference::depth       ? part.depth
+           : why == Difference::edge      ? part.edge
+           : why == Difference::unbounded ? part.unbounded
+                                          : part.other);
+        if (why == Difference::other && part.first_other.size() < 10) {
+          const auto face = [&](TriangleId t) { return t.is_valid() ? mesh.face_of[t] : FaceId(); };
+          part.first_other.push_back({i, j, face(shown.triangle), face(nearest)});
+        }
+      }
+  });
+  ZBufferCheck all;
+  for (const ZBufferCheck& part : parts) {
+    all.samples += part.samples;
+    all.covered += part.covered;
+    all.wrong += part.wrong;
+    all.depth += part.depth;
+    all.edge += part.edge;
+    all.unbounded += part.unbounded;
+    all.other += part.other;
+    for (const WrongSample& w : part.first_other)
+      if (all.first_other.size() < 10) all.first_other.push_back(w);
+  }
+  return all;
+}
+
+template ZBufferCheck check_z_buffer(const Mesh&, const View&, const SampleGrid&, const DepthImage<float>&,
+                                     const Image<TriangleId>&);
+template ZBufferCheck check_z_buffer(const Mesh&, const View&, const SampleGrid&, const DepthImage<double>&,
+                                     const Image<TriangleId>&);
+
+}  // namespace hsr
