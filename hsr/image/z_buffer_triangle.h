@@ -34,9 +34,9 @@ struct Bounded {
   friend Bounded operator-(Bounded a, Bounded b) { return a + -b; }
   friend Bounded operator*(Bounded a, Bounded b) {
     const Real v = a.value * b.value;
-    const double error = std::fabs(static_cast<double>(a.value)) * b.error + std::fabs(static_cast<double>(b.value)) * a.error +
-                         a.error * b.error + u * std::fabs(static_cast<double>(v));
-    return {v, error * grow + lost};
+    const double e = std::fabs(static_cast<double>(a.value)) * b.error + std::fabs(static_cast<double>(b.value)) * a.error +
+                     a.error * b.error + u * std::fabs(static_cast<double>(v));
+    return {v, e * grow + lost};
   }
   friend Bounded operator/(Bounded a, Bounded b) {
     const Real v = a.value / b.value;

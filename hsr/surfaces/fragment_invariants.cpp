@@ -37,6 +37,65 @@ Where where(const Place& p, std::span<const std::vector<Place>> rings) {
   return inside ? Where::inside : Where::outside;
 }
 
+Rational twice_area(std::span<const Place> ring) {
+  Rational twice;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Place &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    twice = twice + (p[0] * q[1] - p[1] * q[0]);
+  }
+  return twice;
+}
+
+/// The area that triangles cover together. Between two neighbours of all x of corners and crossings it is the width times what
+/// is covered in the middle.
+Rational area_of_union(std::span<const std::array<Place, 3>> triangles) {
+  std::vector<std::array<Place, 2>> sides;
+  std::vector<Rational> xs;
+  for (const auto& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [p, q] = std::minmax(t[k], t[(k + 1) % 3]);
+      sides.push_back({p, q});
+      xs.push_back(p[0]);
+    }
+  const auto y_at = [](const std::array<Place, 2>& side, const Rational& x) {
+    const auto& [p, q] = side;
+    return p[1] + (x - p[0]) / (q[0] - p[0]) * (q[1] - p[1]);
+  };
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const auto& [p, q] = sides[i];
+      const auto& [r, s] = sides[k];
+      const Rational from = std::max(p[0], r[0]), to = std::min(q[0], s[0]);
+      if (!(from < to)) continue;
+      const Rational a = y_at(sides[i], from) - y_at(sides[k], from), b = y_at(sides[i], to) - y_at(sides[k], to);
+      if (a.sign() * b.sign() == Sign::negative) xs.push_back(from + a / (a - b) * (to - from));
+    }
+  for (const auto& side : sides) xs.push_back(side[1][0]);
+  std::sort(xs.begin(), xs.end());
+  xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
+  Rational area;
+  std::vector<std::array<Rational, 2>> covered;
+  for (std::size_t k = 1; k < xs.size(); ++k) {
+    const Rational x = (xs[k - 1] + xs[k]) / Rational(2.0);
+    covered.clear();
+    for (std::size_t t = 0; t < sides.size(); t += 3) {
+      std::vector<Rational> ys;
+      for (std::size_t i = t; i < t + 3; ++i)
+        if (sides[i][0][0] < x && x < sides[i][1][0]) ys.push_back(y_at(sides[i], x));
+      if (ys.size() == 2) covered.push_back({std::min(ys[0], ys[1]), std::max(ys[0], ys[1])});
+    }
+    if (covered.empty()) continue;
+    std::sort(covered.begin(), covered.end());
+    Rational length, reached = covered.front()[0];
+    for (const auto& [from, to] : covered) {
+      if (to > reached) length = length + (to - std::max(from, reached));
+      reached = std::max(reached, to);
+    }
+    area = area + length * (xs[k] - xs[k - 1]);
+  }
+  return area;
+}
+
 class Invariants {
  public:
   Invariants(const Sight& sight, const VisibleFragments& all) : map_(sight), all_(all) {}
@@ -45,9 +104,29 @@ class Invariants {
     for (const Fragment& f : all_.fragments) check_rings(f);
     check_sides();
     check_middles();
+    check_area();
   }
 
  private:
+  /// Together they cover what the faces cover. Of few triangles: it takes their square. Near cuts have no corners to look up.
+  void check_area() {
+    const Sight& sight = map_.sight();
+    const auto& triangles = sight.mesh().triangles;
+    if (triangles.size() > 12) return;
+    std::vector<std::array<Place, 3>> seen;
+    for (TriangleId t{0}; t.value < triangles.size(); t = TriangleId(t.value + 1U)) {
+      if (!sight.reaches_beyond_near(t)) continue;
+      if (sight.reaches_before_near(t)) return;
+      const auto place = [&](std::size_t k) { return map_.exact_place(MapPoint::of_vertex(triangles[t][k])); };
+      if (sight.facing(t) != Sign::zero) seen.push_back({place(0), place(1), place(2)});
+    }
+    Rational twice;
+    for (const auto& rings : rings_)
+      for (const auto& ring : rings) twice = twice + twice_area(ring);
+    const Rational area = area_of_union(seen), found = twice / Rational(2.0);
+    expect(area == found || area == -found, "they do not cover what the faces cover");
+  }
+
   static void expect(bool holds, const char* what) {
     if (!holds) throw InvariantError(std::string("fragments: ") + what);
   }
@@ -65,15 +144,13 @@ class Invariants {
       rings.push_back(places(r));
       const std::vector<Place>& ring = rings.back();
       const auto corners = all_.ring(r);
-      Rational twice;
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const std::size_t next = (i + 1) % ring.size();
         const Place &p = ring[i], &q = ring[next];
-        twice = twice + (p[0] * q[1] - p[1] * q[0]);
         sides_.push_back({{corners[i].line, corners[i].reversed, corners[i].at, corners[next].at}, r, middle(p, q)});
         add(box, corners[i].at);
       }
-      const Sign turns = map_.mirrored() ? -twice.sign() : twice.sign();
+      const Sign turn = twice_area(ring).sign(), turns = map_.mirrored() ? -turn : turn;
       expect(turns == (r == f.first_ring ? Sign::positive : Sign::negative), "a ring turns the wrong way");
       if (r != f.first_ring)
         expect(where(middle(ring[0], ring[1]), std::span(rings).first(1)) != Where::outside, "a hole is outside");

@@ -274,6 +274,10 @@ TEST_CASE("the invariants find fragments that are wrong", "[surfaces][check]") {
     before.reversed = true;
     CHECK_THROWS_AS(check_invariants(sight, wrong), InvariantError);
   }
+  SECTION("a fragment is missing") {
+    wrong.fragments.pop_back();
+    CHECK_THROWS_WITH(check_invariants(sight, wrong), Catch::Contains("do not cover"));
+  }
 }
 
 }  // namespace
