@@ -1,16 +1,18 @@
 #include "hsr/write/painting_svg.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hsr/write/json_text.h"
+#include "hsr/write/line_style.h"
 #include "hsr/write/svg_text.h"
 
 namespace hsr {
 
 namespace {
 
-constexpr double seam = 0.1, line = 0.25, cut = 0.5;  // mm: the pens of seams, of lines, and of cuts
-constexpr double short_of_ends = 300;                 // thousandths: a cut's pen covers no line of the other part
+constexpr double seam = 0.1, line = 0.25, cut = 0.9;  // mm: the pens of seams, of lines, and of cuts
+constexpr double short_of_ends = 500;                 // thousandths: a cut's pen covers no line of the other part
 
 /// A side made shorter at both ends; false: nothing is left.
 bool shorten(PaperPoint& p, PaperPoint& q) {
@@ -23,11 +25,40 @@ bool shorten(PaperPoint& p, PaperPoint& q) {
   return true;
 }
 
+/// All pieces, as they are painted, with pens of their own colours, cut to what they cover together: under the pieces, what the
+/// pens add shows only where two of them meet within a pixel.
+void append_underlay(std::string& out, const Painting& painting, const std::string& clip) {
+  out += "<clipPath id=\"outline\"><path clip-rule=\"nonzero\" d=\"";
+  std::vector<PaperPoint> turned;
+  for (const PaintedPiece& piece : painting.pieces) {
+    // All one way round, or what two of them cover would be outside.
+    const auto points = painting.points_of(piece);
+    turned.assign(points.begin(), points.end());
+    double twice = 0;
+    for (std::size_t k = 0; k < turned.size(); ++k) {
+      const PaperPoint &p = turned[k], &q = turned[(k + 1) % turned.size()];
+      twice += static_cast<double>(p.x - turned[0].x) * static_cast<double>(q.y - turned[0].y) -
+               static_cast<double>(p.y - turned[0].y) * static_cast<double>(q.x - turned[0].x);
+    }
+    if (twice == 0) continue;
+    if (twice < 0) std::reverse(turned.begin(), turned.end());
+    append_points(out, turned);
+    out += 'Z';
+  }
+  out += "\"/></clipPath>\n<g" + clip + "><g class=\"underlay\" clip-path=\"url(#outline)\">\n";
+  for (const double width : underlay_widths) {
+    out += "<use href=\"#pieces\" xlink:href=\"#pieces\" stroke-width=\"";
+    append_length(out, width);
+    out += "\"/>\n";
+  }
+  out += "</g></g>\n";
+}
+
 }  // namespace
 
 std::string painting_svg(const Painting& painting, double opacity, const SvgOptions& options) {
   std::string out;
-  append_svg_start(out, painting.width, painting.height, options);
+  append_svg_start(out, painting.width, painting.height, options, true);
   if (painting.frame) {
     const PaperFrame& f = *painting.frame;
     out += "<clipPath id=\"frame\"><rect x=\"";
@@ -40,13 +71,13 @@ std::string painting_svg(const Painting& painting, double opacity, const SvgOpti
     append_length(out, f.bottom - f.top);
     out += "\"/></clipPath>\n";
   }
-  out +=
-      "<g class=\"pieces\" inkscape:groupmode=\"layer\" inkscape:label=\"pieces, far to near\" stroke-linejoin=\"round\" "
-      "stroke-linecap=\"round\" stroke-width=\"";
-  append_length(out, seam);
-  out += '"';
-  if (painting.frame) out += " clip-path=\"url(#frame)\"";
-  out += ">\n";
+  const bool is_underlaid = opacity >= 1 && std::all_of(painting.pieces.begin(), painting.pieces.end(),
+                                                        [](const PaintedPiece& p) { return p.colour[3] == 255; });
+  const std::string clip = painting.frame ? " clip-path=\"url(#frame)\"" : "";
+  if (is_underlaid) append_underlay(out, painting, clip);
+  out += "<g class=\"pieces\" inkscape:groupmode=\"layer\" inkscape:label=\"pieces, far to near\" stroke-width=\"";
+  append_length(out, is_underlaid ? 0 : seam);
+  out += '"' + clip + "><g id=\"pieces\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
   for (const PaintedPiece& piece : painting.pieces) {
     const auto points = painting.points_of(piece);
     const double own_opacity = opacity * piece.colour[3] / 255;
@@ -85,7 +116,7 @@ std::string painting_svg(const Painting& painting, double opacity, const SvgOpti
     append_length(out, line);
     out += "\"/>\n";
   }
-  out += "</g>\n</svg>\n";
+  out += "</g></g>\n</svg>\n";
   return out;
 }
 
