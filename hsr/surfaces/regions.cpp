@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "geometry/box_tree.h"
 #include "geometry/disjoint_sets.h"
 #include "hsr/facet.h"
 #include "hsr/map/map_sight.h"
@@ -39,14 +40,26 @@ std::vector<std::uint32_t> groups_of(MapSight& map, const VisibleFragments& frag
       group.push_back(number.emplace(colours[mesh.face_of[f.facet].value], number.size()).first->second);
     return group;
   }
-  DisjointSets same(mesh.triangles.size());
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    const auto at = mesh.triangles_at(EdgeId(e));
-    for (std::size_t k = 1; k < at.size(); ++k) {
-      const TriangleId s = facet_of(mesh, at[0]), t = facet_of(mesh, at[k]);
-      if (colours[mesh.face_of[s].value] == colours[mesh.face_of[t].value] && map.coplanar(s, t)) same.join(s.value, t.value);
-    }
+  // Any two facets in one plane whose boxes touch: they need not share an edge of the mesh.
+  std::vector<TriangleId> facets;
+  std::vector<ImageBox> boxes;
+  for (const Fragment& f : fragments.fragments) {
+    if (!facets.empty() && facets.back() == f.facet) continue;
+    facets.push_back(f.facet);
+    boxes.push_back(ImageBox::nothing());
+    for (TriangleId t = f.facet; t < facet_end(mesh, f.facet); t = TriangleId(t.value + 1U))
+      boxes.back().add(map.sight().box(t));
   }
+  DisjointSets same(mesh.triangles.size());
+  const BoxTree tree(boxes);
+  std::vector<std::uint32_t> leaves;
+  for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
+    tree.visit_pairs(leaf, leaves, [&](std::uint32_t i, std::uint32_t k) {
+      const TriangleId s = facets[i], t = facets[k];
+      if (colours[mesh.face_of[s].value] == colours[mesh.face_of[t].value] && same.find(s.value) != same.find(t.value) &&
+          map.coplanar(s, t))
+        same.join(s.value, t.value);
+    });
   for (const Fragment& f : fragments.fragments) group.push_back(same.find(f.facet.value));
   return group;
 }

@@ -11,7 +11,7 @@ namespace hsr {
 /// Which neighbouring fragments are united into one region.
 enum class Merge : std::uint8_t {
   none,
-  coplanar,  ///< of faces in one plane and of one colour that share an edge of the mesh
+  coplanar,  ///< of faces in one plane and of one colour that share a part of a side
   colour,    ///< of one colour that share a part of a side
 };
 
@@ -33,7 +33,8 @@ struct Regions {
 /// The fragments as regions of colour, united with their neighbours as asked for, and the outline of all of them together.
 ///
 /// @param colours by FaceId
-/// Exact: yes. Cost: that of link_rings() for all sides together, for the outline.
+/// Exact: yes. Cost: that of link_rings() for all sides together, for the outline; coplanar: and of the pairs of facets whose
+/// boxes touch.
 Regions regions_of(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const std::vector<Colour>& colours,
                    Merge merge);
 

@@ -131,6 +131,14 @@ TEST_CASE("merging unites what is of one colour, and in one plane", "[drawing][f
   std::vector<Colour> colours(scene.polygons.size(), Colour{9, 9, 9, 255});
   CHECK(filled(scene, colours, Merge::coplanar).fills.fills.size() == 2);
   CHECK(filled(scene, colours, Merge::colour).fills.fills.size() == 1);
+  // Squares that only touch, with corners of their own: two in one plane, two not.
+  scenes::TestScene apart;
+  apart.view = scene.view;
+  for (const double x : {0.0, 4.0, 8.0}) {
+    const double z = x == 8 ? 1 : 0;
+    apart.add_face({Point3{x, x, z}, Point3{x + 4, x, z}, Point3{x + 4, 9, z}, Point3{x, 9, z}});
+  }
+  CHECK(filled(apart, std::vector<Colour>(3, Colour{9, 9, 9, 255}), Merge::coplanar).fills.fills.size() == 2);
   std::fill(colours.begin(), colours.begin() + 37, Colour{200, 9, 9, 255});
   const Drawing two = filled(scene, colours, Merge::colour);
   REQUIRE(two.fills.fills.size() == 2);
