@@ -112,6 +112,8 @@ void Sorter::for_each_neighbour(std::uint32_t piece, const F& visit) const {
 
 void Sorter::relate(std::uint32_t a, std::uint32_t b) {
   if (pieces_[a].facet == pieces_[b].facet) return;
+  for (PieceOfFacet* piece : {&pieces_[a], &pieces_[b]})
+    if (piece->near.empty()) piece->near = overlaps_.near_corners(*piece);
   const Overlap how = overlaps_.relation(pieces_[a], pieces_[b]);
   if (how == Overlap::none) return;
   if (how == Overlap::piercing) piercing_.push_back({std::min(a, b), std::max(a, b)});
@@ -132,7 +134,8 @@ bool Sorter::split(std::uint32_t piece, const MapHalfPlane& line) {
   count_pieces(2);
   const auto first = static_cast<std::uint32_t>(pieces_.size());
   pieces_.push_back(std::move(inside));
-  pieces_.push_back({pieces_[piece].facet, std::move(*outside)});
+  pieces_.push_back({pieces_[piece].facet, std::move(*outside), {}});
+  for (const std::uint32_t part : {first, first + 1}) pieces_[part].near.clear();  // of the whole
   is_cut_[piece] = 1;
   is_cut_.resize(pieces_.size(), 0);
   block_of_.resize(pieces_.size(), none);

@@ -35,6 +35,7 @@ class Divider {
 
   /// The part of the piece before the plane, of one that it passes through; what is behind it stays.
   PieceOfFacet cut_off_near(PieceOfFacet& piece, TriangleId plane) {
+    piece.near.clear();  // of what it was
     const MapLine meet = MapLine::meet(piece.facet, plane);
     const Sign nearer = sight_.facing(piece.facet) * sight_.facing(plane);
     const Sign inner = meet.u == piece.facet.value ? nearer : -nearer;  // of where the piece is the nearer one

@@ -26,22 +26,32 @@ struct OverlapCounts {
   friend bool operator==(const OverlapCounts&, const OverlapCounts&) = default;
 };
 
+/// Where a corner of a piece is seen, and where it is on its facet, each within a proven bound; infinite: not known.
+struct NearCorner {
+  ErrorBounded x, y;  ///< in the image (MapSight::place)
+  NearPoint on_facet;
+};
+
 /// A convex piece of a facet that is not seen edge-on.
 struct PieceOfFacet {
   TriangleId facet;
   ConvexPiece shape;
+  std::vector<NearCorner> near = {};  ///< by corner, once it has been cut; or empty
 };
 
 /// The relation of pieces by the tests of Newell, Newell & Sancha, each exact. One object per thread.
 ///
-/// Of coplanar pieces that overlap the one of the higher facet is painted first. Touching is no overlap.
-/// Exact: yes. Cost: some signs of degree 3 mostly. Source: Newell, Newell & Sancha 1972.
+/// Of coplanar pieces that overlap the one of the higher facet is painted first. Touching is no overlap. Where corners are
+/// known within bounds that settle a sign, doubles decide; the symbols decide the others. Exact: yes. Cost: some signs of
+/// degree 3 mostly. Source: Newell, Newell & Sancha 1972.
 class Overlaps {
  public:
   /// @param classic call piercing every pair that no plane of the two separates, as the paper does
   explicit Overlaps(const Sight& sight, bool classic = false) : map_(sight), sight_(sight), classic_(classic) {}
 
   Overlap relation(const PieceOfFacet& a, const PieceOfFacet& b);
+  /// Where the corners of a piece are, for relations of pieces that have been cut.
+  std::vector<NearCorner> near_corners(const PieceOfFacet& piece) const;
   /// The common part of their images, if it has an inside.
   std::optional<ConvexPiece> common_part(const PieceOfFacet& a, const PieceOfFacet& b);
 
@@ -50,11 +60,20 @@ class Overlaps {
 
  private:
   bool separates(const PieceOfFacet& a, const PieceOfFacet& b);
-  Sign nearer(const PieceOfFacet& a, const PieceOfFacet& b, const MapPoint& p, bool is_of_a);
+  ErrorBounded side(const PieceOfFacet& piece, std::size_t k, const NearCorner& p) const;
+  ErrorBounded beyond(TriangleId facet, const NearCorner& p) const;
+  Sign nearer(const PieceOfFacet& a, const PieceOfFacet& b, std::size_t corner, bool is_of_a);
   struct Sides {
     bool nearer = false, farther = false;
+
+    void add(Sign s) {
+      nearer = nearer || s == Sign::positive;
+      farther = farther || s == Sign::negative;
+    }
   };
-  Sides sides(const PieceOfFacet& a, const PieceOfFacet& b, const std::vector<MapPoint>& points, bool are_of_a);
+  Sides sides(const PieceOfFacet& a, const PieceOfFacet& b, bool are_of_a);
+  std::optional<Sides> near_sides(const PieceOfFacet& a, const PieceOfFacet& b);
+  Overlap related(const PieceOfFacet& a, const PieceOfFacet& b);
 
   MapSight map_;
   const Sight& sight_;
