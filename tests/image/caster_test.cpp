@@ -9,7 +9,7 @@
 
 #include "geometry/error.h"
 #include "tests/image/aligned_grids.h"
-#include "tests/image/sample_oracle.h"
+#include "tests/oracle/sample_oracle.h"
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {

@@ -1,10 +1,12 @@
 #include <tbb/global_control.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "geometry/error.h"
+#include "hsr/check/order_check.h"
 #include "hsr/image/painted_order.h"
 #include "hsr/painter/bsp.h"
 #include "hsr/painter/depth_sort.h"
@@ -166,7 +168,7 @@ TEST_CASE("slivers on a paraboloid: no cut by depth, and a BSP is refused with i
 TEST_CASE("a sphere is no depth to recurse to", "[painter][hard]") {
   TestScene scene;
   scene.view = scenes::from_direction({1, 2, 3});
-  constexpr std::uint32_t n = 60, m = 120;
+  constexpr std::uint32_t n = 160, m = 320;  // 102 400 triangles
   for (std::uint32_t i = 0; i <= n; ++i)
     for (std::uint32_t k = 0; k < m; ++k) {
       const double a = std::numbers::pi * i / n, b = 2 * std::numbers::pi * k / m;
@@ -182,6 +184,112 @@ TEST_CASE("a sphere is no depth to recurse to", "[painter][hard]") {
   const DepthSort result = depth_sort(mesh, scene.view);
   CHECK(result.counts.cuts_in_cycles == 0);
   CHECK(BspTree(mesh).depth() < 200);
+}
+
+/// The painting by both methods shows the nearest face at every sample, and hsr verify has nothing to say.
+DepthSort checked(const TestScene& scene) {
+  const Mesh mesh = scene.mesh();
+  DepthSort result = depth_sort(mesh, scene.view);
+  const SampleGrid grid = sample_grid(scene.view, paper_rectangle(mesh, scene.view), 200, 200);
+  for (const PaintersOrder& order : {result.order, BspTree(mesh).order(scene.view)}) {
+    CHECK(check_order(mesh, scene.view, order, grid).wrong == 0);
+    CHECK(oracle::wrong_with_order(mesh, scene.view, order) == std::vector<std::string>{});
+  }
+  return result;
+}
+
+/// A rectangle with corners u and v of a plane with axes i and k; the third axis is at h.
+void add_rectangle(TestScene& scene, int i, int k, std::array<double, 4> r, double h) {
+  const auto at = [&](double x, double y) {
+    std::array<double, 3> p = {h, h, h};
+    p[static_cast<std::size_t>(i)] = x;
+    p[static_cast<std::size_t>(k)] = y;
+    return Point3{p[0], p[1], p[2]};
+  };
+  scene.add_face({at(r[0], r[2]), at(r[1], r[2]), at(r[1], r[3]), at(r[0], r[3])});
+}
+
+TEST_CASE("Borromean rings", "[painter][hard]") {
+  // Three flat frames, 10 by 6 outside and 8 by 4 inside, each through the next: no two of them are linked.
+  for (const Point3 direction : {Point3{1, 2, 3}, Point3{-5, 3, 2}, Point3{1, 1, 1}}) {
+    TestScene scene;
+    scene.view = scenes::from_direction(direction);
+    for (int axis = 0; axis < 3; ++axis) {
+      const int i = axis, k = (axis + 1) % 3;
+      for (const double side : {-1.0, 1.0}) {
+        add_rectangle(scene, i, k, {side * 4, side * 5, -3, 3}, 0);
+        add_rectangle(scene, i, k, {-4, 4, side * 2, side * 3}, 0);
+      }
+    }
+    const DepthSort result = checked(scene);
+    CHECK(result.counts.cuts_at_intersections == 0);
+    CHECK(result.order.pieces.size() == 12 + result.counts.cuts_in_cycles);
+    // A bar passes through another frame, and no four of them lie in a circle.
+    CHECK(result.counts.cuts_in_cycles == 0);
+  }
+}
+
+TEST_CASE("a plain weave is cut once for each of its holes", "[painter][hard]") {
+  constexpr int n = 6;
+  TestScene bent = from_above();
+  for (const bool is_warp : {false, true})
+    for (int k = 0; k < n; ++k)
+      for (int m = 0; m + 1 < n; ++m) {
+        // From the middle of one crossing to that of the next: up at one, down at the other.
+        const auto z = [&](int at) { return (k + at) % 2 == (is_warp ? 1 : 0) ? 1.0 : 0.0; };
+        const double a = m, b = m + 1, low = k - 0.3, high = k + 0.3;
+        if (is_warp)
+          bent.add_face({Point3{low, a, z(m)}, Point3{high, a, z(m)}, Point3{high, b, z(m + 1)}, Point3{low, b, z(m + 1)}});
+        else
+          bent.add_face({Point3{a, low, z(m)}, Point3{b, low, z(m + 1)}, Point3{b, high, z(m + 1)}, Point3{a, high, z(m)}});
+      }
+  const DepthSort of_bent = checked(bent);
+  // Around each hole four pieces of bands lie in a circle.
+  CHECK(of_bent.counts.cuts_in_cycles == (n - 1) * (n - 1));
+  CHECK(of_bent.counts.cuts_at_intersections == 0);
+
+  // Two bands each way, tilted: each is over one and under the other. Four in a circle: one cut.
+  TestScene straight = from_above();
+  for (const double at : {0.0, 2.0}) {
+    const double up = at == 0 ? 1 : -1;
+    straight.add_face({Point3{-1, at, -up}, Point3{3, at, up}, Point3{3, at + 1, up}, Point3{-1, at + 1, -up}});
+    straight.add_face({Point3{at, -1, up}, Point3{at, 3, -up}, Point3{at + 1, 3, -up}, Point3{at + 1, -1, up}});
+  }
+  const DepthSort of_straight = checked(straight);
+  CHECK(of_straight.counts.cuts_in_cycles == 1);
+  CHECK(of_straight.order.pieces.size() == 5);
+}
+
+TEST_CASE("a spiral stair around a column", "[painter][hard]") {
+  for (const Point3 direction : {Point3{3, 1, 2}, Point3{1, -2, 0.5}, Point3{0, 0, 1}}) {
+    TestScene scene;
+    scene.view = scenes::from_direction(direction);
+    const auto at = [](double turn, double radius, double z) {
+      const double a = 2 * std::numbers::pi * turn;
+      return Point3{radius * std::cos(a), radius * std::sin(a), z};
+    };
+    constexpr int sides = 12, steps = 40;
+    for (int k = 0; k < sides; ++k) {
+      const double a = 1.0 * k / sides, b = 1.0 * (k + 1) / sides;
+      scene.add_face({at(a, 1, 0), at(b, 1, 0), at(b, 1, 11), at(a, 1, 11)});
+      scene.add_face({at(a, 1, 11), at(b, 1, 11), Point3{0, 0, 11}});
+    }
+    for (int k = 0; k < steps; ++k) {
+      // A slab from the column outward: top, bottom, front, back and end.
+      const double a = 1.0 * k / 16, b = 1.0 * (k + 1) / 16, z = 0.25 * k, t = z + 0.2;
+      scene.add_face({at(a, 1.1, t), at(a, 4, t), at(b, 4, t), at(b, 1.1, t)});
+      scene.add_face({at(a, 1.1, z), at(b, 1.1, z), at(b, 4, z), at(a, 4, z)});
+      scene.add_face({at(a, 1.1, z), at(a, 4, z), at(a, 4, t), at(a, 1.1, t)});
+      scene.add_face({at(b, 1.1, z), at(b, 1.1, t), at(b, 4, t), at(b, 4, z)});
+      scene.add_face({at(a, 4, z), at(b, 4, z), at(b, 4, t), at(a, 4, t)});
+    }
+    const Mesh mesh = scene.mesh();
+    const DepthSort result = depth_sort(mesh, scene.view);
+    CHECK(result.counts.cuts_at_intersections == 0);
+    const SampleGrid grid = sample_grid(scene.view, paper_rectangle(mesh, scene.view), 200, 200);
+    CHECK(check_order(mesh, scene.view, result.order, grid).wrong == 0);
+    CHECK(check_order(mesh, scene.view, BspTree(mesh).order(scene.view), grid).wrong == 0);
+  }
 }
 
 TEST_CASE("any number of threads and one tree give the same orders", "[painter][hard]") {

@@ -1,11 +1,17 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <exception>
+#include <random>
 
 #include "geometry/error.h"
 #include "hsr/check/order_check.h"
+#include "hsr/image/painted_order.h"
 #include "hsr/painter/bsp.h"
 #include "hsr/painter/depth_sort.h"
+#include "hsr/painter/z_sort.h"
 #include "tests/oracle/painting_oracle.h"
+#include "tests/oracle/sample_oracle.h"
 #include "tests/scenes/corpus.h"
 #include "tests/scenes/random_scenes.h"
 
@@ -45,6 +51,51 @@ std::string wrong_order(const scenes::TestScene& scene) {
   }
 }
 
+/// Samples at which transparent faces, painted in this order, have another colour than all layers along the line of sight.
+std::string wrong_colours(const scenes::TestScene& scene, const PaintersOrder& order) {
+  const Mesh mesh = scene.mesh();
+  std::mt19937_64 random(5);
+  std::vector<Colour> colours(mesh.faces.size());
+  for (Colour& c : colours)
+    for (std::uint8_t& x : c) x = static_cast<std::uint8_t>(20 + random() % 230);
+  Image<std::vector<TriangleId>> layers;
+  Image<Colour> found;
+  SampleGrid grid;
+  try {
+    grid = sample_grid(scene.view, paper_rectangle(mesh, scene.view), 12, 12);
+    found = paint(mesh, scene.view, order, grid, colours, 0.9);
+  } catch (const std::exception&) {
+    return "";  // no samples, as above
+  }
+  layers = oracle::layers_at_samples(mesh, scene.view, grid);
+  for (std::size_t k = 0; k < layers.pixels.size(); ++k) {
+    std::array<float, 3> light = {255, 255, 255};
+    for (std::size_t layer = layers.pixels[k].size(); layer-- > 0;) {
+      const Colour& c = colours[mesh.face_of[layers.pixels[k][layer]].value];
+      const float a = static_cast<float>(0.9 * c[3] / 255);
+      for (std::size_t x = 0; x < 3; ++x) light[x] += a * (static_cast<float>(c[x]) - light[x]);
+    }
+    for (std::size_t x = 0; x < 3; ++x)
+      if (found.pixels[k][x] != static_cast<std::uint8_t>(std::lround(light[x])))
+        return "sample " + std::to_string(k) + " has another colour\n";
+  }
+  return "";
+}
+
+TEST_CASE("transparent faces have the colours of all layers along each line of sight", "[painter][oracle]") {
+  int naive = 0;  // scenes where the order of most software has other colours, or the test would say nothing
+  for (const scenes::Family& family : scenes::families())
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const scenes::TestScene scene = family.make(seed);
+      const Mesh mesh = scene.mesh();
+      INFO(family.name << " " << seed);
+      CHECK(wrong_colours(scene, depth_sort(mesh, scene.view).order) == "");
+      CHECK(wrong_colours(scene, BspTree(mesh).order(scene.view)) == "");
+      if (!wrong_colours(scene, z_sort(mesh, scene.view, DepthKey::centroid)).empty()) ++naive;
+    }
+  CHECK(naive > 20);
+}
+
 void agrees_on(const scenes::Family& family, std::uint64_t first, int count) {
   int failures = 0;
   for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count) && failures < 3; ++seed) {
@@ -67,6 +118,51 @@ TEST_CASE("every pair of pieces is in order, by each method, on every family of 
 TEST_CASE("every pair of pieces is in order on every scene of the corpus", "[painter][oracle][corpus]") {
   for (const auto& file : scenes::corpus(HSR_CORPUS)) {
     DYNAMIC_SECTION(file.filename().string()) { CHECK(wrong_order(scenes::scene_from_file(file)) == ""); }
+  }
+}
+
+TEST_CASE("every pair of pieces is in order at every size", "[painter][oracle][stiff]") {
+  for (const double by : {0x1p900, 0x1p-900, 1e150, 1e-150, 1e300, 1e-300})
+    for (const char* family : {"triangles", "polygons", "slopes", "around_the_eye"})
+      for (std::uint64_t seed = 800'000; seed < 800'004; ++seed) {
+        scenes::TestScene scene = scenes::family(family).make(seed);
+        const auto scaled = [&](const Point3& p) { return Point3{p.x * by, p.y * by, p.z * by}; };
+        for (Point3& p : scene.points) p = scaled(p);
+        const View& view = scene.view;
+        scene.view = view.viewpoint.is_direction ? scenes::from_direction(view.viewpoint.at)
+                                                 : scenes::from_eye(scaled(view.viewpoint.at), scaled(view.target), view.near);
+        INFO(by << " " << family << " " << seed);
+        CHECK(wrong_order(scene) == "");
+      }
+}
+
+TEST_CASE("stacks and slopes that nearly coincide are in order", "[painter][oracle][stiff]") {
+  std::mt19937_64 random(3);
+  for (const double gap : {1e-12, 1e-300, 5e-324, 0x1p-52}) {
+    // Fifty squares, shuffled; by ulps of 1 they start there.
+    scenes::TestScene stack;
+    stack.view = scenes::from_direction({0, 0, 1});
+    std::vector<int> layers(50);
+    for (int k = 0; k < 50; ++k) layers[static_cast<std::size_t>(k)] = k;
+    std::shuffle(layers.begin(), layers.end(), random);
+    for (const int k : layers) {
+      const double z = (gap == 0x1p-52 ? 1 : 0) + gap * k;
+      stack.add_face({Point3{0, 0, z}, Point3{1, 0, z}, Point3{1, 1, z}, Point3{0, 1, z}});
+    }
+    const Mesh mesh = stack.mesh();
+    const PaintersOrder sorted = depth_sort(mesh, stack.view).order;
+    REQUIRE(sorted.pieces.size() == 50);
+    for (std::size_t k = 0; k < 50; ++k) CHECK(layers[mesh.face_of[sorted.pieces[k].facet].value] == static_cast<int>(k));
+    CHECK(wrong_order(stack) == "");
+  }
+  for (const double slope : {1e-3, 1e-9, 1e-15}) {
+    scenes::TestScene crossing;
+    crossing.view = scenes::from_direction({0, 0, 1});
+    for (int k = 0; k < 12; ++k) {
+      const double a = 6.28 * k / 12, c = std::cos(a), s = std::sin(a);
+      crossing.add_face({Point3{c, s, slope * (k % 5 - 2)}, Point3{-s, c, slope * (k % 3 - 1)}, Point3{-c, -s, slope}});
+    }
+    CHECK(wrong_order(crossing) == "");
   }
 }
 

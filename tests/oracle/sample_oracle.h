@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "geometry/mesh.h"
 #include "hsr/image/image.h"
 #include "hsr/image/samples.h"
@@ -10,5 +12,8 @@ namespace hsr::oracle {
 /// What is seen at each sample, by trying every triangle in rationals: a function of the sample is kept with its changes along
 /// right and down, and compared in that order.
 Image<TriangleId> seen_at_samples(const Mesh& mesh, const View& view, const SampleGrid& grid);
+
+/// All triangles that the line of sight of each sample meets, from near to far; of equal ones the lowest index first.
+Image<std::vector<TriangleId>> layers_at_samples(const Mesh& mesh, const View& view, const SampleGrid& grid);
 
 }  // namespace hsr::oracle

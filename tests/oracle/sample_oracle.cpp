@@ -1,6 +1,8 @@
-#include "tests/image/sample_oracle.h"
+#include "tests/oracle/sample_oracle.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "tests/oracle/exact_vector.h"
 
@@ -38,7 +40,7 @@ struct Seen {
 
 }  // namespace
 
-Image<TriangleId> seen_at_samples(const Mesh& mesh, const View& view, const SampleGrid& grid) {
+Image<std::vector<TriangleId>> layers_at_samples(const Mesh& mesh, const View& view, const SampleGrid& grid) {
   const bool perspective = view.is_perspective();
   const Vec e(view.viewpoint.at);
   std::vector<Seen> all(mesh.triangles.size());
@@ -62,11 +64,11 @@ Image<TriangleId> seen_at_samples(const Mesh& mesh, const View& view, const Samp
   }
   const Vec to_target = Vec(view.target) - e;
   const Q near = Q(view.near) * dot(to_target, to_target);
-  Image<TriangleId> image(grid.width, grid.height);
+  Image<std::vector<TriangleId>> image(grid.width, grid.height);
   for (int j = 0; j < grid.height; ++j) {
     for (int i = 0; i < grid.width; ++i) {
       const Moved sample = {Vec(grid.origin) + Q(i) * Vec(grid.right) + Q(j) * Vec(grid.down), Vec(grid.right), Vec(grid.down)};
-      AtSample best;
+      std::vector<std::pair<AtSample, TriangleId>> layers;
       for (std::size_t t = 0; t < all.size(); ++t) {
         const Seen& s = all[t];
         if (sgn(s.toward) == 0) continue;
@@ -80,14 +82,21 @@ Image<TriangleId> seen_at_samples(const Mesh& mesh, const View& view, const Samp
           const AtSample beyond = sample(to_target, e) + Q(-near) * nearness;
           if (nearness.sign() <= 0 || beyond.sign() < 0) continue;
         }
-        TriangleId& seen = image.at(i, j);
-        if (!seen.is_valid() || (nearness + Q(-1) * best).sign() > 0) {
-          seen = TriangleId(t);
-          best = nearness;
-        }
+        layers.emplace_back(nearness, TriangleId(t));
       }
+      std::stable_sort(layers.begin(), layers.end(),
+                       [](const auto& a, const auto& b) { return (a.first + Q(-1) * b.first).sign() > 0; });
+      for (const auto& [nearness, t] : layers) image.at(i, j).push_back(t);
     }
   }
+  return image;
+}
+
+Image<TriangleId> seen_at_samples(const Mesh& mesh, const View& view, const SampleGrid& grid) {
+  const Image<std::vector<TriangleId>> layers = layers_at_samples(mesh, view, grid);
+  Image<TriangleId> image(grid.width, grid.height);
+  for (std::size_t k = 0; k < image.pixels.size(); ++k)
+    if (!layers.pixels[k].empty()) image.pixels[k] = layers.pixels[k].front();
   return image;
 }
 
