@@ -22,8 +22,9 @@ PeerOrder sketch(const Mesh& mesh, const View& view, bool bsp) {
       text += fmt::format("({:.9g},{:.9g},{:.9g})", points[v.value][0], points[v.value][1], points[v.value][2]);
     text += '\n';
   }
-  const std::filesystem::path directory = std::filesystem::temp_directory_path() / fmt::format("hsr-sketch-{}", ::rand());
-  std::filesystem::create_directories(directory);
+  std::string name = (std::filesystem::temp_directory_path() / "hsr-sketch-XXXXXX").string();
+  require(::mkdtemp(name.data()) != nullptr, "sketch: no temporary directory");
+  const std::filesystem::path directory = name;
   const std::string in = (directory / "in.sk").string(), out = (directory / "out.tex").string();
   std::ofstream(in) << text;
   const std::string command = fmt::format("sketch {} -o '{}' '{}' 2> /dev/null", bsp ? "-b" : "", out, in);
@@ -36,7 +37,8 @@ PeerOrder sketch(const Mesh& mesh, const View& view, bool bsp) {
     if (line.find("\\pspolygon") != std::string::npos) ++order.pieces;
   std::error_code ignored;
   std::filesystem::remove_all(directory, ignored);
-  if (status != 0 || order.pieces == 0) throw InputError(fmt::format("sketch: status {}, {} polygons", status, order.pieces));
+  if (status != 0 || order.pieces == 0)
+    throw InputError(fmt::format("sketch: status {}, {} polygons; is the package sketch installed?", status, order.pieces));
   return order;
 }
 

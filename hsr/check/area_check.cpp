@@ -74,8 +74,9 @@ class Coverage {
       if (i < shown_.width) measure(facet, i, i + 1, j, sign * area, sum);
       const bool ends_row = k == cells_.size() || cells_[k].row != j;
       const int end = ends_row ? shown_.width : cells_[k].column;
-      // In a row the sides ascend as much as they descend, but for rounding.
-      if (std::fabs(cover) > 0x1p-30) measure(facet, i + 1, end, j, sign * cover, sum);
+      // At its end the sides have ascended as much as they have descended, but for rounding and for what is right of the
+      // picture: not to walk along the whole row for a rounding.
+      if (!ends_row || std::fabs(cover) > 0x1p-44) measure(facet, i + 1, end, j, sign * cover, sum);
       if (ends_row) cover = 0;
     }
   }

@@ -18,7 +18,7 @@ struct AreaCheck {
 /// that it shows is not the visible one. Not a matter of samples: the fragments are clipped to each pixel.
 ///
 /// @pre paint() takes the fragments
-/// Exact: a measure, not a decision; in doubles, some 1e-12 of a pixel for each corner. Cost: O(pixels covered + pixels that
+/// Exact: no; it is a measure, in doubles, and decides nothing. Cost: O(pixels covered + pixels that
 /// sides of fragments pass, sorted), parallel.
 /// Source: coverage by areas under edges, as FreeType's smooth rasterizer has it.
 AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "hsr/check/fragment_check.h"
 #include "hsr/image/caster.h"
 #include "hsr/image/z_buffer.h"
 #include "hsr/surfaces/visible_fragments.h"
@@ -53,6 +54,7 @@ std::vector<ErrorAgainstTime> error_against_time(const Mesh& mesh, const View& v
                                                  const std::function<SampleGrid(int size)>& grid,
                                                  const ErrorAgainstTimeOptions& options) {
   std::vector<ErrorAgainstTime> rows;
+  ErrorAgainstTime exact;
   double all = 1, done = 0;
   for (const int size : options.sizes) all += static_cast<double>(size) * size;
   const auto show = [&] {
@@ -62,17 +64,21 @@ std::vector<ErrorAgainstTime> error_against_time(const Mesh& mesh, const View& v
     show();
     const SampleGrid samples = grid(size);
     const Image<TriangleId> nearest = cast(mesh, view, samples).triangles;
+    const FragmentCheck check = check_fragments(mesh, view, fragments, samples, nearest);
+    exact.samples.samples += check.samples;
+    exact.samples.covered += check.covered;
+    exact.samples.wrong += check.wrong + check.overlapping;
     rows.push_back(of_z_buffer<float>("float", mesh, view, fragments, samples, nearest, options.runs));
     done += 0.5 * size * size;
     show();
     rows.push_back(of_z_buffer<double>("double", mesh, view, fragments, samples, nearest, options.runs));
     done += 0.5 * size * size;
   }
-  ErrorAgainstTime exact;
   exact.method = "fragments";
   exact.numbers = "exact";
   exact.threads = static_cast<int>(std::min<std::size_t>(
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism), tbb::info::default_concurrency()));
+  exact.samples.other = exact.samples.wrong;  // nothing would excuse it
   exact.seconds = seconds(options.runs, [&] { (void)visible_fragments(mesh, view); });
   if (!rows.empty()) exact.area.visible = rows.back().area.visible;
   rows.push_back(std::move(exact));

@@ -19,7 +19,7 @@ struct ErrorAgainstTime {
   int threads = 1;
   int width = 0, height = 0;    ///< 0: not a picture of samples
   std::vector<double> seconds;  ///< of each run, ascending
-  ZBufferCheck samples;         ///< those wrong, and why
+  ZBufferCheck samples;         ///< those wrong, and why; of the exact method, those of all sizes
   AreaCheck area;               ///< in pixels of this size; of the exact method, of the largest
 };
 
@@ -30,10 +30,11 @@ struct ErrorAgainstTimeOptions {
 };
 
 /// Error against run time on one scene: the z-buffer in floats and doubles at each size, and last visible_fragments(), which is
-/// the line at error zero: its fragments are those that the others are measured with.
+/// the line at error zero: areas are measured with its fragments, and these are compared with the caster at each sample of each
+/// size.
 ///
 /// @param grid gives the samples of a size
-/// @pre paint() takes the fragments
+/// @throws PreconditionError as paint() does
 /// Cost: each method `runs` times, and a cast() for each size. The largest picture takes 20 bytes a sample and more.
 std::vector<ErrorAgainstTime> error_against_time(const Mesh& mesh, const View& view, const VisibleFragments& fragments,
                                                  const std::function<SampleGrid(int size)>& grid,

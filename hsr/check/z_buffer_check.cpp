@@ -12,7 +12,7 @@
 #include <unordered_map>
 
 #include "hsr/facet.h"
-#include "hsr/image/z_buffer_triangle.h"
+#include "hsr/image/scanned_triangle.h"
 
 namespace hsr {
 

@@ -85,12 +85,6 @@ void describe(Report& report, const Model& model, const Mesh& mesh, const Visibl
   for (const LeftOut& stage : lines.plan.left_out) report.leave_out(stage.stage, stage.why);
 }
 
-/// The samples of the picture: what the field of view frames, or all of the model.
-SampleGrid sample_grid_for(const ChosenView& chosen, const Mesh& mesh, const DrawingOptions& options, const PixelSize& size) {
-  if (const auto frame = frame_size(chosen.view, options)) return sample_grid(chosen.view, *frame, size.width, size.height);
-  return sample_grid(chosen.view, paper_rectangle(mesh, chosen.view), size.width, size.height);
-}
-
 /// The visible area of each face and each object that has one, in squares of the view's frame.
 Report::Json areas_json(const Model& model, const Mesh& mesh, const View& view, const VisibleFragments& fragments, bool exact) {
   const std::vector<Rational> of_fragment = visible_areas(mesh, view, fragments);
@@ -273,8 +267,10 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   bool is_right = true;
   if (a.check) {
     progress.stage("check");
-    const SampleGrid samples = sample_grid_for(chosen, mesh, drawing_options, size.value_or(PixelSize{1024, 1024}));
-    const Check found = report.timed("check", [&] { return check(mesh, chosen.view, *fragments, samples); });
+    const PixelSize pixels = size.value_or(PixelSize{1024, 1024});
+    const SampleGrid samples = samples_for(chosen.view, mesh, drawing_options, pixels.width, pixels.height);
+    const Check found =
+        report.timed("check", [&] { return on_samples([&] { return check(mesh, chosen.view, *fragments, samples); }); });
     report["check"] = check_json(found);
     is_right = found.is_right();
     progress.clear();
@@ -285,12 +281,18 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
     progress.stage("error against time");
     ErrorAgainstTimeOptions options;
     options.progress = line_options.progress;
-    if (size) std::erase_if(options.sizes, [&](int n) { return n > std::max(size->width, size->height); });
-    const auto grid = [&](int n) { return sample_grid_for(chosen, mesh, drawing_options, PixelSize{n, n}); };
-    errors =
-        report.timed("error against time", [&] { return error_against_time(mesh, chosen.view, *fragments, grid, options); });
+    if (size) {
+      const int most = std::max(size->width, size->height);
+      std::erase_if(options.sizes, [&](int n) { return n > most; });
+      if (options.sizes.empty()) options.sizes = {most};
+    }
+    const auto grid = [&](int n) { return samples_for(chosen.view, mesh, drawing_options, n, n); };
+    errors = report.timed("error against time", [&] {
+      return on_samples([&] { return error_against_time(mesh, chosen.view, *fragments, grid, options); });
+    });
     const bool is_explained = std::all_of(errors.begin(), errors.end(), [](const auto& e) { return e.samples.is_explained(); });
-    if (!is_explained) fmt::print(stderr, "hsr: check failed: differences of a z-buffer in the table are unexplained\n");
+    progress.clear();
+    if (!is_explained) fmt::print(stderr, "hsr: check failed: differences in the table are unexplained\n");
     is_right = is_right && is_explained;
   }
 

@@ -74,18 +74,12 @@ void describe(Report& report, const DepthSort& sorted, const Mesh& mesh) {
   if (c.cyclic_components == 0) report.leave_out("cuts in cycles", "the overlaps have no cycle");
 }
 
-/// The samples of the picture: what the field of view frames, or all of the model.
-SampleGrid samples_for(const ChosenView& chosen, const Mesh& mesh, const DrawingOptions& options, int width, int height) {
-  if (const auto frame = frame_size(chosen.view, options)) return sample_grid(chosen.view, *frame, width, height);
-  return sample_grid(chosen.view, paper_rectangle(mesh, chosen.view), width, height);
-}
-
 /// The pieces painted one over the other, with 4 x 4 samples to a pixel.
 std::string painted_png(const ChosenView& chosen, const Mesh& mesh, const PaintersOrder& order,
                         const std::vector<Colour>& colours, double opacity, const DrawingOptions& options,
                         const PixelSize& size) {
   constexpr int samples = 4;
-  const SampleGrid grid = samples_for(chosen, mesh, options, samples * size.width, samples * size.height);
+  const SampleGrid grid = samples_for(chosen.view, mesh, options, samples * size.width, samples * size.height);
   return image_png(box_filtered(paint(mesh, chosen.view, order, grid, colours, opacity), samples));
 }
 
@@ -154,8 +148,9 @@ void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
   bool is_right = true;
   if (a.check) {
     progress.stage("check");
-    const SampleGrid samples = samples_for(chosen, mesh, drawing_options, size.width, size.height);
-    const OrderCheck check = report.timed("check", [&] { return check_order(mesh, chosen.view, order, samples); });
+    const SampleGrid samples = samples_for(chosen.view, mesh, drawing_options, size.width, size.height);
+    const OrderCheck check =
+        report.timed("check", [&] { return on_samples([&] { return check_order(mesh, chosen.view, order, samples); }); });
     report["check"] = {{"samples", check.samples}, {"covered", check.covered}, {"wrong", check.wrong}};
     is_right = check.wrong == 0;
     progress.clear();
@@ -182,7 +177,7 @@ void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
         bytes =
             painting_svg(painting, a.opacity, {std::filesystem::path(model.name).filename().string(), "view: " + chosen.title});
       } else {
-        bytes = painted_png(chosen, mesh, order, colours, a.opacity, drawing_options, size);
+        bytes = on_samples([&] { return painted_png(chosen, mesh, order, colours, a.opacity, drawing_options, size); });
       }
       output.write(a.outputs[i], bytes);
     }

@@ -35,4 +35,9 @@ DrawingOptions PageArguments::options() const {
   return options;
 }
 
+SampleGrid samples_for(const View& view, const Mesh& mesh, const DrawingOptions& options, int width, int height) {
+  if (const auto frame = frame_size(view, options)) return sample_grid(view, *frame, width, height);
+  return sample_grid(view, paper_rectangle(mesh, view), width, height);
+}
+
 }  // namespace hsr::cli

@@ -3,7 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "geometry/error.h"
+#include "geometry/mesh.h"
 #include "hsr/drawing/drawing.h"
+#include "hsr/image/samples.h"
 
 namespace hsr::cli {
 
@@ -16,5 +19,20 @@ struct PageArguments {
   /// @throws InputError naming the option
   DrawingOptions options() const;
 };
+
+/// The samples of the picture: what the field of view frames, or all of the model.
+SampleGrid samples_for(const View& view, const Mesh& mesh, const DrawingOptions& options, int width, int height);
+
+/// Returns what `work` does with the samples of the picture.
+/// @throws InputError where there are none: doubles are too coarse for a picture that far from the origin
+template <class Work>
+auto on_samples(const Work& work) {
+  try {
+    return work();
+  } catch (const PreconditionError& e) {
+    throw InputError(std::string("the picture is too far from the origin for its size to have exact samples (") + e.what() +
+                     "), expected a model nearer to it, or no --check, csv or painted png");
+  }
+}
 
 }  // namespace hsr::cli

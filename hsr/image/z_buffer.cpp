@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hsr/image/z_buffer_triangle.h"
+#include "hsr/image/scanned_triangle.h"
 
 namespace hsr {
 

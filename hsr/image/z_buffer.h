@@ -9,7 +9,7 @@
 
 namespace hsr {
 
-/// What a z-buffer holds at a sample. Larger is nearer: Seen::nearness (z_buffer_triangle.h).
+/// What a z-buffer holds at a sample. Larger is nearer: Seen::nearness (projection.h).
 template <class Real>
 struct DepthPixel {
   Real nearness = -std::numeric_limits<Real>::infinity();

@@ -162,13 +162,6 @@ std::optional<ConvexPiece> Overlaps::common_part(const PieceOfFacet& a, const Pi
 }
 
 Overlap Overlaps::relation(const PieceOfFacet& a, const PieceOfFacet& b) {
-  if (a.near.empty() == b.near.empty()) return related(a, b);
-  // One has been cut.
-  if (a.near.empty()) return related({a.facet, a.shape, near_corners(a)}, b);
-  return related(a, {b.facet, b.shape, near_corners(b)});
-}
-
-Overlap Overlaps::related(const PieceOfFacet& a, const PieceOfFacet& b) {
   if (separates(a, b) || separates(b, a)) {
     ++counts_.image_sides;
     return Overlap::none;
@@ -190,12 +183,10 @@ Overlap Overlaps::related(const PieceOfFacet& a, const PieceOfFacet& b) {
   }
   ++counts_.intersection;
   std::optional<Sides> there;
-  if (!classic_) {
-    if (!a.near.empty())
-      there = near_sides(a, b);
-    else
-      there = near_sides({a.facet, a.shape, near_corners(a)}, {b.facet, b.shape, near_corners(b)});
-  }
+  if (!classic_)
+    there = a.near.empty() || b.near.empty()
+                ? near_sides({a.facet, a.shape, near_corners(a)}, {b.facet, b.shape, near_corners(b)})
+                : near_sides(a, b);
   if (!there) {
     const auto common = common_part(a, b);
     if (!common) return Overlap::none;

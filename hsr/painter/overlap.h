@@ -36,7 +36,7 @@ struct NearCorner {
 struct PieceOfFacet {
   TriangleId facet;
   ConvexPiece shape;
-  std::vector<NearCorner> near = {};  ///< by corner, once it has been cut; or empty
+  std::vector<NearCorner> near = {};  ///< by corner (Overlaps::near_corners); or empty: not asked for
 };
 
 /// The relation of pieces by the tests of Newell, Newell & Sancha, each exact. One object per thread.
@@ -73,7 +73,6 @@ class Overlaps {
   };
   Sides sides(const PieceOfFacet& a, const PieceOfFacet& b, bool are_of_a);
   std::optional<Sides> near_sides(const PieceOfFacet& a, const PieceOfFacet& b);
-  Overlap related(const PieceOfFacet& a, const PieceOfFacet& b);
 
   MapSight map_;
   const Sight& sight_;

@@ -411,7 +411,21 @@ TEST_CASE("a csv has error against time up to the size asked for", "[cli]") {
   CHECK(count(csv, "\nz-buffer,double,1,512,512,3,") == 1);
   CHECK(count(csv, "\nfragments,exact,") == 1);
   CHECK(json::parse(contents(at / "r.json"))["seconds"].contains("error against time"));
+  REQUIRE(run("draw " + model + " -q -o " + (at / "small.csv") + " --size 100x90").status == 0);
+  CHECK(count(contents(at / "small.csv"), "\nz-buffer,float,1,100,100,") == 1);
   check_refused(run("order " + model + " -o " + (at / "w.csv")), {".csv", ".json, .svg or .png"});
+}
+
+TEST_CASE("a picture that has no exact samples is refused", "[cli]") {
+  const Directory at;
+  const std::string model = write(at / "far.obj", "v 1e16 0 0\nv 10000000000000002 0 0\nv 1e16 1 0\nf 1 2 3\n");
+  const std::string view = " --eye 10000000000000004,3,5 --size 64x64 -o ";
+  const std::vector<std::string> words = {"far from the origin", "expected a model nearer"};
+  check_refused(run("draw " + model + view + (at / "a.csv")), words);
+  check_refused(run("draw " + model + " --check" + view + (at / "a.svg")), words);
+  check_refused(run("order " + model + " --check" + view + (at / "a.json")), words);
+  check_refused(run("order " + model + view + (at / "a.png")), words);
+  CHECK(run("order " + model + view + (at / "a.json")).status == 0);
 }
 
 TEST_CASE("JSON has the edges outside the frame, too", "[cli]") {

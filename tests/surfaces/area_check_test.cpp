@@ -95,7 +95,12 @@ TEST_CASE("error against time has a line for each size and number, and the exact
   }
   CHECK(rows[4].method == "fragments");
   CHECK(rows[4].area.wrong == 0);
+  CHECK(rows[4].samples.samples == 16 * 16 + 64 * 64);
+  CHECK(rows[4].samples.wrong == 0);
   CHECK(rows[4].seconds.size() == 3);
+  VisibleFragments wrong = fragments;
+  wrong.fragments.pop_back();
+  CHECK_FALSE(error_against_time(mesh, scene.view, wrong, grid, options).back().samples.is_explained());
   const std::string csv = error_csv(rows);
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 6);
   CHECK(csv.substr(0, 15) == "method,numbers,");

@@ -3,62 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <type_traits>
-#include <utility>
 
 #include "geometry/error_bounded.h"
 #include "geometry/rational_vector.h"
 #include "hsr/image/samples.h"
 #include "hsr/view.h"
 
-// What the z-buffer computes, step by step, in any kind of numbers: as it runs (float, double), with a proven bound of how far
-// that is from what is true (Bounded), and exactly (Rational). So its errors can be told from mistakes.
+// From space to the samples of a z-buffer, in any kind of numbers: as it runs (double), with a proven bound of how far that is
+// from what is true (ErrorBounded), and exactly (Rational). So its errors can be told from mistakes.
 
 namespace hsr {
 
-/// A number as the z-buffer has it, and how far from it the true one is at most.
-template <class Real>
-struct Bounded {
-  Real value = 0;
-  double error = 0;
-
-  static constexpr double u = std::numeric_limits<Real>::epsilon() / 2.0, lost = std::numeric_limits<Real>::denorm_min();
-  static constexpr double grow = ErrorBounded::grow;
-
-  friend Bounded operator+(Bounded a, Bounded b) {
-    const Real v = a.value + b.value;
-    return {v, (a.error + b.error + u * std::fabs(static_cast<double>(v))) * grow};
-  }
-  friend Bounded operator-(Bounded a) { return {-a.value, a.error}; }
-  friend Bounded operator-(Bounded a, Bounded b) { return a + -b; }
-  friend Bounded operator*(Bounded a, Bounded b) {
-    const Real v = a.value * b.value;
-    const double e = std::fabs(static_cast<double>(a.value)) * b.error + std::fabs(static_cast<double>(b.value)) * a.error +
-                     a.error * b.error + u * std::fabs(static_cast<double>(v));
-    return {v, e * grow + lost};
-  }
-  friend Bounded operator/(Bounded a, Bounded b) {
-    const Real v = a.value / b.value;
-    const double q = std::fabs(static_cast<double>(v)), below = std::fabs(static_cast<double>(b.value)) - b.error;
-    if (!(below > b.error)) return {v, HUGE_VAL};
-    return {v, ((a.error + q * b.error) / below + u * q) * 1.01 + lost};
-  }
-};
-
-namespace z_buffer_numbers {
+namespace projection_numbers {
 
 inline double over(double a, double b) { return a / b; }
 inline ErrorBounded over(const ErrorBounded& a, const ErrorBounded& b) { return quotient(a, b); }
 inline Rational over(const Rational& a, const Rational& b) { return a / b; }
-
-/// What comparisons look at.
-template <class Real>
-Real raw(const Bounded<Real>& x) {
-  return x.value;
-}
-inline float raw(float x) { return x; }
-inline double raw(double x) { return x; }
 
 template <class N>
 using Vector = std::array<N, 3>;
@@ -102,7 +62,7 @@ class Scaling {
 /// The power that makes the largest coordinate at least 1 and less than 2.
 inline int power_to_one(const Point3& p) { return -std::ilogb(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)})); }
 
-}  // namespace z_buffer_numbers
+}  // namespace projection_numbers
 
 /// Sample (i, j) is at (i, j). The nearness grows toward the viewer. Parallel: the way along the direction from the plane of
 /// the samples, with lengths and direction scaled by powers of two so that the largest coordinates of SampleGrid::right and of
@@ -116,11 +76,11 @@ struct Seen {
 /// From space to samples.
 template <class N>
 class Projection {
-  using V = z_buffer_numbers::Vector<N>;
+  using V = projection_numbers::Vector<N>;
 
  public:
   Projection(const View& view, const SampleGrid& grid) : is_perspective_(view.is_perspective()) {
-    using namespace z_buffer_numbers;
+    using namespace projection_numbers;
     scaled_ = Scaling<N>(power_to_one(grid.right));
     const V right = scaled_(vector<N>(grid.right)), down = scaled_(vector<N>(grid.down)), n = cross(right, down);
     // x and y of the plane of the samples: across . right = 1, across . down = 0, and so on.
@@ -144,18 +104,18 @@ class Projection {
   }
 
   Seen<N> operator()(const V& p) const {
-    using namespace z_buffer_numbers;
+    using namespace projection_numbers;
     const V q = scaled_(minus(p, from_));
     const N depth = dot(depth_, q);
     if (!is_perspective_) return {dot(across_, q), dot(down_, q), depth};
     const N scale = over(N{1}, depth);
     return {dot(across_, q) * scale - x_, dot(down_, q) * scale - y_, (N{1} - depth) * scale};
   }
-  Seen<N> operator()(const Point3& p) const { return (*this)(z_buffer_numbers::vector<N>(p)); }
+  Seen<N> operator()(const Point3& p) const { return (*this)(projection_numbers::vector<N>(p)); }
 
  private:
   bool is_perspective_;
-  z_buffer_numbers::Scaling<N> scaled_;
+  projection_numbers::Scaling<N> scaled_;
   V from_, across_, down_, depth_;
   N x_{}, y_{};
 };
@@ -163,7 +123,7 @@ class Projection {
 /// How far beyond the near plane, times a positive number.
 template <class N>
 N beyond_near(const View& view, const Point3& p) {
-  using namespace z_buffer_numbers;
+  using namespace projection_numbers;
   const auto eye = vector<N>(view.viewpoint.at), to_target = minus(vector<N>(view.target), eye);
   return dot(minus(vector<N>(p), eye), to_target) - N{view.near} * dot(to_target, to_target);
 }
@@ -177,7 +137,7 @@ inline bool is_before_near(const View& view, const Point3& p) {
 /// The point where an edge meets the near plane. From the lower index, so that two faces cut their edge at the same point.
 template <class N>
 Seen<N> seen_near_cut(const Projection<N>& project, const View& view, const Point3& lower, const Point3& higher) {
-  using namespace z_buffer_numbers;
+  using namespace projection_numbers;
   const N at_lower = beyond_near<N>(view, lower), at_higher = beyond_near<N>(view, higher);
   const auto p = vector<N>(lower);
   return project(sum(p, over(at_lower, at_lower - at_higher), minus(vector<N>(higher), p)));
@@ -197,86 +157,5 @@ int seen_corners(const Mesh& mesh, const View& view, const Projection<N>& projec
   }
   return count;
 }
-
-/// One triangle, scanned row by row. N: float, double, or Bounded of one of them, which scans the same samples.
-template <class N>
-class ScannedTriangle {
- public:
-  /// Farther away than this a corner is not drawn: products of coordinates stay finite.
-  static constexpr double far = 0x1p60;
-  static bool is_drawable(const Seen<N>& c) {
-    using z_buffer_numbers::raw;
-    return std::fabs(raw(c.x)) < far && std::fabs(raw(c.y)) < far && std::isfinite(raw(c.nearness));
-  }
-
-  /// False: no row has a sample of it. @pre corners are drawable
-  bool set(Seen<N> a, Seen<N> b, Seen<N> c, int width, int height) {
-    using z_buffer_numbers::raw;
-    width_ = width;
-    // Most triangles of a large mesh lie between the samples: leave early.
-    const auto [low, high] = std::minmax({raw(a.x), raw(b.x), raw(c.x)});
-    if (first_sample(low, width) == first_sample(high, width)) return false;
-    if (raw(b.y) < raw(a.y)) std::swap(a, b);
-    if (raw(c.y) < raw(a.y)) std::swap(a, c);
-    if (raw(c.y) < raw(b.y)) std::swap(b, c);
-    top_ = first_sample(raw(a.y), height);
-    bottom_ = first_sample(raw(c.y), height);
-    if (top_ == bottom_) return false;
-    const N bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-    const N area = bx * cy - by * cx;
-    if (raw(area) == 0) return false;
-    const N bz = b.nearness - a.nearness, cz = c.nearness - a.nearness;
-    step_x_ = (bz * cy - cz * by) / area;
-    step_y_ = (cz * bx - bz * cx) / area;
-    middle_ = first_sample(raw(b.y), height);
-    a_ = a;
-    b_ = b;
-    long_side_ = slope(cx, cy);
-    if (top_ < middle_) upper_side_ = slope(bx, by);
-    if (middle_ < bottom_) lower_side_ = slope(c.x - b.x, c.y - b.y);
-    // The long side ac is on the left where b is on the right of it.
-    b_on_right_ = raw(area) > 0;
-    return true;
-  }
-
-  int top() const { return top_; }
-  int bottom() const { return bottom_; }
-  /// The samples begin ... end - 1 of a row are drawn. @pre top() <= j < bottom()
-  std::pair<int, int> span(int j) const {
-    const N y{static_cast<Real>(j)};
-    const int at_long = column(a_, y, long_side_);
-    const int at_short = j < middle_ ? column(a_, y, upper_side_) : column(b_, y, lower_side_);
-    return b_on_right_ ? std::pair(at_long, at_short) : std::pair(at_short, at_long);
-  }
-  /// At the first sample of a row; from there on step() is added.
-  N nearness(int begin, int j) const {
-    return a_.nearness + (N{static_cast<Real>(begin)} - a_.x) * step_x_ + (N{static_cast<Real>(j)} - a_.y) * step_y_;
-  }
-  const N& step() const { return step_x_; }
-
- private:
-  using Real = std::remove_cvref_t<decltype(z_buffer_numbers::raw(std::declval<N>()))>;
-
-  /// The first sample at or after x, within 0 ... end.
-  static int first_sample(Real x, int end) {
-    if (!(x > 0)) return 0;
-    if (!(x < static_cast<Real>(end))) return end;
-    const int whole = static_cast<int>(x);
-    return whole + (static_cast<Real>(whole) < x ? 1 : 0);
-  }
-  /// Where a side is that flat, it crosses at most one row, next to its end.
-  static N slope(const N& x, const N& y) {
-    const N s = x / y;
-    return std::isfinite(z_buffer_numbers::raw(s)) ? s : N{};
-  }
-  int column(const Seen<N>& from, const N& y, const N& side) const {
-    return first_sample(z_buffer_numbers::raw(from.x + (y - from.y) * side), width_);
-  }
-
-  int width_ = 0, top_ = 0, middle_ = 0, bottom_ = 0;
-  bool b_on_right_ = false;
-  Seen<N> a_, b_;
-  N long_side_{}, upper_side_{}, lower_side_{}, step_x_{}, step_y_{};
-};
 
 }  // namespace hsr

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "hsr/image/bounded.h"
+#include "hsr/image/projection.h"
+
+namespace hsr {
+
+/// One triangle, scanned row by row. N: float, double, or Bounded of one of them, which scans the same samples.
+template <class N>
+class ScannedTriangle {
+ public:
+  /// Farther away than this a corner is not drawn: products of coordinates stay finite.
+  static constexpr double far = 0x1p60;
+  static bool is_drawable(const Seen<N>& c) {
+    return std::fabs(raw(c.x)) < far && std::fabs(raw(c.y)) < far && std::isfinite(raw(c.nearness));
+  }
+
+  /// False: no row has a sample of it. @pre corners are drawable
+  bool set(Seen<N> a, Seen<N> b, Seen<N> c, int width, int height) {
+    width_ = width;
+    // Most triangles of a large mesh lie between the samples: leave early.
+    const auto [low, high] = std::minmax({raw(a.x), raw(b.x), raw(c.x)});
+    if (first_sample(low, width) == first_sample(high, width)) return false;
+    if (raw(b.y) < raw(a.y)) std::swap(a, b);
+    if (raw(c.y) < raw(a.y)) std::swap(a, c);
+    if (raw(c.y) < raw(b.y)) std::swap(b, c);
+    top_ = first_sample(raw(a.y), height);
+    bottom_ = first_sample(raw(c.y), height);
+    if (top_ == bottom_) return false;
+    const N bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+    const N area = bx * cy - by * cx;
+    if (raw(area) == 0) return false;
+    const N bz = b.nearness - a.nearness, cz = c.nearness - a.nearness;
+    step_x_ = (bz * cy - cz * by) / area;
+    step_y_ = (cz * bx - bz * cx) / area;
+    middle_ = first_sample(raw(b.y), height);
+    a_ = a;
+    b_ = b;
+    long_side_ = slope(cx, cy);
+    if (top_ < middle_) upper_side_ = slope(bx, by);
+    if (middle_ < bottom_) lower_side_ = slope(c.x - b.x, c.y - b.y);
+    // The long side ac is on the left where b is on the right of it.
+    b_on_right_ = raw(area) > 0;
+    return true;
+  }
+
+  int top() const { return top_; }
+  int bottom() const { return bottom_; }
+  /// The samples begin ... end - 1 of a row are drawn. @pre top() <= j < bottom()
+  std::pair<int, int> span(int j) const {
+    const N y{static_cast<Real>(j)};
+    const int at_long = column(a_, y, long_side_);
+    const int at_short = j < middle_ ? column(a_, y, upper_side_) : column(b_, y, lower_side_);
+    return b_on_right_ ? std::pair(at_long, at_short) : std::pair(at_short, at_long);
+  }
+  /// At the first sample of a row; from there on step() is added.
+  N nearness(int begin, int j) const {
+    return a_.nearness + (N{static_cast<Real>(begin)} - a_.x) * step_x_ + (N{static_cast<Real>(j)} - a_.y) * step_y_;
+  }
+  const N& step() const { return step_x_; }
+
+ private:
+  using Real = std::remove_cvref_t<decltype(raw(std::declval<N>()))>;
+
+  /// The first sample at or after x, within 0 ... end.
+  static int first_sample(Real x, int end) {
+    if (!(x > 0)) return 0;
+    if (!(x < static_cast<Real>(end))) return end;
+    const int whole = static_cast<int>(x);
+    return whole + (static_cast<Real>(whole) < x ? 1 : 0);
+  }
+  /// Where a side is that flat, it crosses at most one row, next to its end.
+  static N slope(const N& x, const N& y) {
+    const N s = x / y;
+    return std::isfinite(raw(s)) ? s : N{};
+  }
+  int column(const Seen<N>& from, const N& y, const N& side) const {
+    return first_sample(raw(from.x + (y - from.y) * side), width_);
+  }
+
+  int width_ = 0, top_ = 0, middle_ = 0, bottom_ = 0;
+  bool b_on_right_ = false;
+  Seen<N> a_, b_;
+  N long_side_{}, upper_side_{}, lower_side_{}, step_x_{}, step_y_{};
+};
+
+}  // namespace hsr
