@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "hsr/image/projection.h"
@@ -10,15 +11,21 @@
 
 namespace hsr {
 
+template <class Real>
+struct RoundedNearness {
+  Real operator()(double nearness) const { return static_cast<Real>(nearness); }
+};
+
 /// The triangles of a mesh as every image-space method draws them: corners projected in doubles and rounded to `Real` (float,
 /// double), what lies before the near plane cut away. So methods that differ, differ by what they do with them.
 ///
+/// @param depth_of what a picture interpolates as the depth (it takes the place of Seen::nearness): linear in the nearness
 /// Exact: no. Triangles with a corner that is out of range (ScannedTriangle::is_drawable) are not drawn.
-template <class Real>
+template <class Real, class DepthOf = RoundedNearness<Real>>
 class DrawnTriangles {
  public:
-  DrawnTriangles(const Mesh& mesh, const View& view, const SampleGrid& samples)
-      : mesh_(mesh), view_(view), project_(view, samples), points_(mesh.points.size()) {
+  DrawnTriangles(const Mesh& mesh, const View& view, const SampleGrid& samples, DepthOf depth_of = {})
+      : mesh_(mesh), view_(view), depth_of_(std::move(depth_of)), project_(view, samples), points_(mesh.points.size()) {
     for (std::size_t v = 0; v < points_.size(); ++v) {
       const Point3& p = mesh.points[VertexId(v)];
       points_[v] = rounded(project_(p));
@@ -46,7 +53,7 @@ class DrawnTriangles {
         mesh_, view_, project_, t, [&](VertexId v) { return state_[v.value] == cut_away; },
         [&](VertexId v) { return project_(mesh_.points[v]); }, left);
     std::array<Seen<Real>, 4> seen;
-    std::transform(left.begin(), left.end(), seen.begin(), rounded);
+    std::transform(left.begin(), left.end(), seen.begin(), [&](const Seen<double>& s) { return rounded(s); });
     if (!std::all_of(seen.begin(), seen.begin() + corners, ScannedTriangle<Real>::is_drawable)) return;
     for (int m = 2; m < corners; ++m) draw(seen[0], seen[m - 1], seen[m]);
   }
@@ -56,12 +63,13 @@ class DrawnTriangles {
  private:
   enum : std::uint8_t { drawn = 0, cut_away = 1, out_of_range = 2 };
 
-  static Seen<Real> rounded(const Seen<double>& s) {
-    return {static_cast<Real>(s.x), static_cast<Real>(s.y), static_cast<Real>(s.nearness)};
+  Seen<Real> rounded(const Seen<double>& s) const {
+    return {static_cast<Real>(s.x), static_cast<Real>(s.y), depth_of_(s.nearness)};
   }
 
   const Mesh& mesh_;
   const View& view_;
+  DepthOf depth_of_;
   Projection<double> project_;
   std::vector<Seen<Real>> points_;   // by vertex
   std::vector<std::uint8_t> state_;  // by vertex; empty: all are drawn

@@ -63,6 +63,7 @@ class ScannedTriangle {
     return a_.nearness + (N{static_cast<Real>(begin)} - a_.x) * step_x_ + (N{static_cast<Real>(j)} - a_.y) * step_y_;
   }
   const N& step() const { return step_x_; }
+  const N& step_down() const { return step_y_; }
 
  private:
   using Real = std::remove_cvref_t<decltype(raw(std::declval<N>()))>;
