@@ -11,6 +11,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "hsr/check/exact_triangle.h"
 #include "hsr/facet.h"
 #include "hsr/image/scanned_triangle.h"
 
@@ -18,63 +19,9 @@ namespace hsr {
 
 namespace {
 
-using Exact = Seen<Rational>;
-
-/// An affine function of the sample, exactly, and rounded with a bound.
-class ImageFunction {
- public:
-  ImageFunction() = default;
-  ImageFunction(Rational origin, Rational right, Rational down)
-      : exact_{std::move(origin), std::move(right), std::move(down)},
-        rounded_{rounded(exact_[0]), rounded(exact_[1]), rounded(exact_[2])} {}
-
-  ErrorBounded near(int i, int j) const {
-    return rounded_[0] + rounded_[1] * ErrorBounded{static_cast<double>(i)} +
-           rounded_[2] * ErrorBounded{static_cast<double>(j)};
-  }
-  Rational at(int i, int j) const { return exact_[0] + Rational(i) * exact_[1] + Rational(j) * exact_[2]; }
-  /// With the rule for samples on edges (samples.h).
-  Sign sign(int i, int j) const {
-    const ErrorBounded x = near(i, j);
-    if (x.is_certain()) return sign_of(x.value);
-    if (const Sign s = at(i, j).sign(); s != Sign::zero) return s;
-    const Sign right = exact_[1].sign();
-    return right != Sign::zero ? right : exact_[2].sign();
-  }
-  /// How much it changes at most within a box around a sample.
-  Rational change(double half_width, double half_height) const {
-    return magnitude(exact_[1]) * Rational(half_width) + magnitude(exact_[2]) * Rational(half_height);
-  }
-  static Rational magnitude(const Rational& x) { return x.sign() == Sign::negative ? -x : x; }
-
- private:
-  static ErrorBounded rounded(const Rational& x) {
-    const double v = x.to_double();
-    return {v, ErrorBounded::u * std::fabs(v) + ErrorBounded::lost};
-  }
-
-  std::array<Rational, 3> exact_;
-  std::array<ErrorBounded, 3> rounded_;
-};
-
-/// The line through two points; its sign at c is that of twice_area(p, q, c).
-ImageFunction line(const Exact& p, const Exact& q) {
-  const Rational dx = q.x - p.x, dy = q.y - p.y;
-  return {dy * p.x - dx * p.y, -dy, dx};
-}
-
-Rational twice_area(const Exact& a, const Exact& b, const Exact& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 /// A triangle as it is seen, and as the z-buffer draws it.
 template <class Real>
-struct SeenTriangle {
-  std::vector<Exact> corners;  ///< of what is beyond the near plane; convex
-  bool has_area = false;
-  // With an area:
-  std::vector<ImageFunction> sides;  ///< not negative inside
-  ImageFunction nearness;
+struct SeenTriangle : ExactTriangle {
   // As drawn:
   std::array<Seen<Bounded<Real>>, 4> drawn;  ///< as many as corners
   bool is_drawn = false;                     ///< false: out of range
@@ -82,17 +29,13 @@ struct SeenTriangle {
   /// A sample that is drawn and should not be, or should and is not, is at most this far from an edge, both ways.
   double reach_x = 0, reach_y = 0;
 
-  bool covers(int i, int j) const {
-    return has_area && std::all_of(sides.begin(), sides.end(), [&](const auto& s) { return s.sign(i, j) == Sign::positive; });
-  }
-
   /// Whether a point of an edge is within reach of the sample. By the separating axes of a segment and a box.
   bool is_edge_within_reach(int i, int j) const {
     if (!(reach_x < HUGE_VAL && reach_y < HUGE_VAL)) return true;
     const Rational left = Rational(i) - Rational(reach_x), right = Rational(i) + Rational(reach_x),
                    top = Rational(j) - Rational(reach_y), bottom = Rational(j) + Rational(reach_y);
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Exact &p = corners[k], &q = corners[(k + 1) % corners.size()];
+      const ExactPoint &p = corners[k], &q = corners[(k + 1) % corners.size()];
       if (std::max(p.x, q.x) < left || std::min(p.x, q.x) > right || std::max(p.y, q.y) < top || std::min(p.y, q.y) > bottom)
         continue;
       const ImageFunction f = line(p, q);
@@ -123,7 +66,7 @@ template <class Real>
 class SeenTriangles {
  public:
   SeenTriangles(const Mesh& mesh, const View& view, const SampleGrid& grid)
-      : mesh_(mesh), view_(view), exact_(view, grid), near_(view, grid) {}
+      : mesh_(mesh), view_(view), exact_(mesh, view, grid), near_(view, grid) {}
 
   const SeenTriangle<Real>& operator()(TriangleId t) {
     std::unique_ptr<SeenTriangle<Real>>& made = made_[t.value];
@@ -133,16 +76,11 @@ class SeenTriangles {
 
  private:
   SeenTriangle<Real> make(TriangleId t) const {
-    const auto is_cut_away = [&](VertexId v) { return view_.is_perspective() && is_before_near(view_, mesh_.points[v]); };
-    std::array<Exact, 4> exact;
+    SeenTriangle<Real> result{exact_(t), {}, false, true, 0, 0};
     std::array<Seen<ErrorBounded>, 4> near;
-    const int count = seen_corners<Rational>(
-        mesh_, view_, exact_, t, is_cut_away, [&](VertexId v) { return exact_(mesh_.points[v]); }, exact);
     seen_corners<ErrorBounded>(
-        mesh_, view_, near_, t, is_cut_away, [&](VertexId v) { return near_(mesh_.points[v]); }, near);
-
-    SeenTriangle<Real> result;
-    result.corners.assign(exact.begin(), exact.begin() + count);
+        mesh_, view_, near_, t, [&](VertexId v) { return exact_.is_cut_away(v); },
+        [&](VertexId v) { return near_(mesh_.points[v]); }, near);
     result.is_drawn = true;
     double largest = 0;
     for (std::size_t k = 0; k < result.corners.size(); ++k) {
@@ -151,8 +89,8 @@ class SeenTriangles {
       result.reach_x = std::max(result.reach_x, d.x.error);
       result.reach_y = std::max(result.reach_y, d.y.error);
       largest = std::max({largest, std::fabs(static_cast<double>(d.x.value)), std::fabs(static_cast<double>(d.y.value))});
-      result.keeps_to_bounds = result.keeps_to_bounds && keeps_to(d.x, exact[k].x) && keeps_to(d.y, exact[k].y) &&
-                               keeps_to(d.nearness, exact[k].nearness);
+      result.keeps_to_bounds = result.keeps_to_bounds && keeps_to(d.x, result.corners[k].x) &&
+                               keeps_to(d.y, result.corners[k].y) && keeps_to(d.nearness, result.corners[k].nearness);
     }
     // A side's crossing with a row, from.x + (y - from.y) (dx / dy), rounds by at most 5.05 u |dx| in the product and u |x| of
     // what it gives; |dx| is at most twice the largest coordinate X, what it gives three times: 14 u X. Where the sign of the
@@ -162,21 +100,6 @@ class SeenTriangles {
     result.reach_y = (result.reach_y + 0x1p-118 * largest + 0x1p-60) * Bounded<Real>::grow;
     if (!(largest < ScannedTriangle<Bounded<Real>>::far)) result.reach_x = result.reach_y = HUGE_VAL;
 
-    const auto& c = result.corners;
-    for (std::size_t k = 2; k < c.size() && !result.has_area; ++k) {
-      const Rational area = twice_area(c[0], c[k - 1], c[k]);
-      if (area.sign() == Sign::zero) continue;
-      result.has_area = true;
-      const Rational x1 = c[k - 1].x - c[0].x, y1 = c[k - 1].y - c[0].y, z1 = c[k - 1].nearness - c[0].nearness;
-      const Rational x2 = c[k].x - c[0].x, y2 = c[k].y - c[0].y, z2 = c[k].nearness - c[0].nearness;
-      const Rational along_x = (z1 * y2 - z2 * y1) / area, along_y = (z2 * x1 - z1 * x2) / area;
-      result.nearness = {c[0].nearness - along_x * c[0].x - along_y * c[0].y, along_x, along_y};
-      for (std::size_t m = 0; m < c.size(); ++m) {
-        const Exact &p = c[m], &q = c[(m + 1) % c.size()];
-        if (p.x == q.x && p.y == q.y) continue;
-        result.sides.push_back(area.sign() == Sign::positive ? line(p, q) : line(q, p));
-      }
-    }
     return result;
   }
 
@@ -193,20 +116,10 @@ class SeenTriangles {
 
   const Mesh& mesh_;
   const View& view_;
-  Projection<Rational> exact_;
+  ExactTriangles exact_;
   Projection<ErrorBounded> near_;
   std::unordered_map<std::uint32_t, std::unique_ptr<SeenTriangle<Real>>> made_;
 };
-
-/// How much nearer a is than b at a sample, compared with a bound: positive, more than the bound; negative, less than -bound.
-Sign compared(const ImageFunction& a, const ImageFunction& b, int i, int j, double bound) {
-  const ErrorBounded d = a.near(i, j) - b.near(i, j);
-  if (d.value - d.error > bound) return Sign::positive;
-  if (d.value + d.error < -bound) return Sign::negative;
-  if (std::fabs(d.value) + d.error < bound) return Sign::zero;
-  const Rational exact = a.at(i, j) - b.at(i, j);
-  return exact > Rational(bound) ? Sign::positive : exact < Rational(-bound) ? Sign::negative : Sign::zero;
-}
 
 template <class Real>
 class Judge {

@@ -90,26 +90,36 @@ double transformed_depth(double z, double near, double far) {
   return (c - z) / (z + z * c);
 }
 
-double smallest_gap(DepthFormat format, double z, double near, double far) {
-  // d = f (z - n) / (z (f - n)); dd/dz = n f / (z^2 (f - n))
-  const double slope = near * far / (z * z * (far - near));
-  const double depth = far * (z - near) / (z * (far - near));
-  const auto step_of = [](double x, double epsilon) { return std::ldexp(epsilon, std::ilogb(std::max(x, 0x1p-1000))); };
-  constexpr double single = std::numeric_limits<float>::epsilon(), twice = std::numeric_limits<double>::epsilon();
+namespace {
+
+constexpr double single = std::numeric_limits<float>::epsilon(), twice = std::numeric_limits<double>::epsilon();
+
+/// Between a floating-point number and the next.
+double step_of(double x, double epsilon) { return std::ldexp(epsilon, std::ilogb(std::max(std::fabs(x), 0x1p-1000))); }
+
+}  // namespace
+
+double step(DepthFormat format, const DepthRange& range, double nearness) {
+  const double all = range.near - range.far, depth = range.depth(nearness);
   switch (format) {
     case DepthFormat::float32:
-      return step_of(depth, single) / slope;
+      return step_of(depth, single) * all;
     case DepthFormat::float64:
-      return step_of(depth, twice) / slope;
+      return step_of(depth, twice) * all;
     case DepthFormat::reversed_float32:
-      return step_of(1 - depth, single) / slope;
+      return step_of((nearness - range.far) / all, single) * all;
     case DepthFormat::logarithmic_float32: {
-      const double all = std::log(far / near);
-      return step_of(std::log(z / near) / all, single) * all * z;
+      const double log_range = std::log((range.near + 1) / (range.far + 1)), inverse = nearness + 1;
+      return step_of(std::log((range.near + 1) / inverse) / log_range, single) * log_range * inverse;
     }
     default:
-      return 1 / (std::ldexp(1.0, fixed_bits(format)) - 1) / slope;
+      return all / (std::ldexp(1.0, fixed_bits(format)) - 1);
   }
+}
+
+double smallest_gap(DepthFormat format, double z, double near, double far) {
+  // In units of z the nearness is 1 / z - 1: it changes by 1 / z^2.
+  return step(format, {1 / near - 1, 1 / far - 1, true}, 1 / z - 1) * z * z;
 }
 
 }  // namespace hsr

@@ -52,6 +52,9 @@ DepthRange depth_range(const Mesh& mesh, const View& view, const SampleGrid& sam
 /// @throws InputError unless 0 < near < far, finite, and the view is a perspective
 DepthRange depth_range(const View& view, const SampleGrid& samples, double near, double far);
 
+/// One step of the format at a nearness, as a nearness.
+double step(DepthFormat format, const DepthRange& range, double nearness);
+
 /// The lecture's form of the same: with z = -1 at the far plane and z = c = -n / f at the near one, as the view volume is
 /// normalised, z' = (c - z) / (z + z c), from 0 at the near plane to -1 at the far one.
 double transformed_depth(double z, double near, double far);

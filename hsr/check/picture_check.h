@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "hsr/image/depth_format.h"
+#include "hsr/image/image.h"
+#include "hsr/image/samples.h"
+#include "hsr/view.h"
+
+namespace hsr {
+
+/// How a picture differs from the truth at a sample.
+enum class Mistake : std::uint8_t {
+  none,
+  edge,   ///< the face that it shows does not cover the sample, or it shows none where one is: an edge is misplaced
+  tie,    ///< a face behind the nearest, by no more than the depth format tells
+  order,  ///< a face behind the nearest, by more: the method painted it over
+};
+
+/// A picture by any method against the nearest faces.
+struct PictureCheck {
+  std::uint64_t samples = 0, covered = 0;  ///< all; with a face in truth
+  std::uint64_t wrong = 0;                 ///< the sum of the following
+  std::uint64_t edge = 0, tie = 0, order = 0;
+  Image<Mistake> mistakes;
+
+  double wrong_share() const {
+    return covered == 0 ? (wrong == 0 ? 0.0 : 1.0) : static_cast<double>(wrong) / static_cast<double>(covered);
+  }
+};
+
+/// What a depth buffer can tell apart.
+struct DepthResolution {
+  DepthFormat format = DepthFormat::float64;
+  DepthRange range;
+};
+
+/// Compares a picture with what cast() sees, and says of each difference what kind it is: whether the shown face covers the
+/// sample, and how far it is behind the nearest, are decided exactly.
+///
+/// A tie is a difference of at most two steps of the format there: both depths were rounded. Without a resolution only equal
+/// depths are ties.
+/// @param shown, nearest triangles; those of one facet are the same
+/// Exact: yes. Cost: O(samples), and some rationals for each triangle at a differing sample; parallel.
+PictureCheck check_picture(const Mesh& mesh, const View& view, const SampleGrid& samples, const Image<TriangleId>& shown,
+                           const Image<TriangleId>& nearest, const std::optional<DepthResolution>& resolution = {});
+
+}  // namespace hsr
