@@ -149,7 +149,11 @@ AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFragments&
           const Point3 q = c.at.is_vertex ? sight.point(c.at.vertex) : map.point(c.at, fragment.facet).p;
           ring.push_back({signs.column_of(q) + 0.5, signs.row_of(q) + 0.5});
         }
-        for (std::size_t m = 0; m < ring.size(); ++m) coverage.add(ring[m], ring[(m + 1) % ring.size()]);
+        for (std::size_t m = 0; m < ring.size(); ++m) {
+          const PixelPoint &from = ring[m], &to = ring[(m + 1) % ring.size()];
+          coverage.add(from, to);
+          parts[p].boundary += std::hypot(to.x - from.x, to.y - from.y) / 2;
+        }
       }
       coverage.finish(fragment.facet, parts[p]);
     }
@@ -157,6 +161,7 @@ AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFragments&
   for (const AreaCheck& part : parts) {
     all.visible += part.visible;
     all.wrong += part.wrong;
+    all.boundary += part.boundary;
   }
   return all;
 }

@@ -12,6 +12,11 @@ namespace hsr {
 struct AreaCheck {
   double visible = 0;  ///< of all fragments, within the picture
   double wrong = 0;    ///< where the pixel shows another face than is visible, or nothing, or something where nothing is
+  /// Half the length of all sides of fragments: what two share counts once.
+  double boundary = 0;
+
+  /// How far the picture has an edge from where it is, in pixels, on average.
+  double edge_error() const { return boundary > 0 ? wrong / boundary : 0; }
 };
 
 /// Takes each sample of `shown` for the square of its pixel, and measures the part of it in which the facet of the triangle

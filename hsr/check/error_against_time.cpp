@@ -4,9 +4,9 @@
 #include <tbb/info.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "hsr/check/fragment_check.h"
+#include "hsr/check/measure.h"
 #include "hsr/image/caster.h"
 #include "hsr/image/z_buffer.h"
 #include "hsr/surfaces/visible_fragments.h"
@@ -14,19 +14,6 @@
 namespace hsr {
 
 namespace {
-
-template <class Work>
-std::vector<double> seconds(int runs, const Work& work) {
-  using Clock = std::chrono::steady_clock;
-  std::vector<double> all;
-  for (int r = 0; r < runs; ++r) {
-    const Clock::time_point start = Clock::now();
-    work();
-    all.push_back(std::chrono::duration<double>(Clock::now() - start).count());
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
 
 template <class Real>
 ErrorAgainstTime of_z_buffer(const char* numbers, const Mesh& mesh, const View& view, const VisibleFragments& fragments,
@@ -37,7 +24,7 @@ ErrorAgainstTime of_z_buffer(const char* numbers, const Mesh& mesh, const View& 
   row.width = grid.width;
   row.height = grid.height;
   DepthImage<Real> image;
-  row.seconds = seconds(runs, [&] {
+  row.seconds = seconds_of_runs(runs, [&] {
     image = {};  // or two are held at once
     image = z_buffer<Real>(mesh, view, grid);
   });
@@ -79,7 +66,7 @@ std::vector<ErrorAgainstTime> error_against_time(const Mesh& mesh, const View& v
   exact.threads = static_cast<int>(std::min<std::size_t>(
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism), tbb::info::default_concurrency()));
   exact.samples.other = exact.samples.wrong;  // nothing would excuse it
-  exact.seconds = seconds(options.runs, [&] { (void)visible_fragments(mesh, view); });
+  exact.seconds = seconds_of_runs(options.runs, [&] { (void)visible_fragments(mesh, view); });
   if (!rows.empty()) exact.area.visible = rows.back().area.visible;
   rows.push_back(std::move(exact));
   show();

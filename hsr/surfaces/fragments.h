@@ -38,7 +38,7 @@ struct FragmentOptions {
   /// Whether visible_fragments() leaves out, before any exact test, the far sides of closed bodies and what lies behind large
   /// faces; automatic: where it pays. Changes no result.
   When stages = When::automatic;
-  std::function<void(double done)> progress;  ///< called now and then with the share done, 0 ... 1; may throw to cancel
+  std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel
 };
 
 /// A point of a fragment in space, exactly: the point of the facet's plane that is seen there.

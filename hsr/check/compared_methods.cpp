@@ -1,0 +1,148 @@
+#include "hsr/check/compared_methods.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hsr/check/fragment_check.h"
+#include "hsr/image/caster.h"
+#include "hsr/image/depth_buffer.h"
+#include "hsr/image/painted_order.h"
+#include "hsr/image/z_buffer.h"
+#include "hsr/painter/bsp.h"
+#include "hsr/painter/depth_sort.h"
+#include "hsr/painter/z_sort.h"
+#include "hsr/surfaces/roberts_surfaces.h"
+#include "hsr/surfaces/visible_fragments.h"
+
+namespace hsr {
+
+namespace {
+
+constexpr const char* name(Arithmetic a) {
+  switch (a) {
+    case Arithmetic::staged:
+      return "exact, staged";
+    case Arithmetic::double_only:
+      return "doubles only";
+    case Arithmetic::interval:
+      return "intervals";
+    case Arithmetic::rational:
+      return "rationals only";
+  }
+  return "";
+}
+
+/// Makes a method of what computes a result and what shows it.
+template <class Result>
+RunnableMethod runnable(std::string method, std::string numbers, std::function<Result()> solve,
+                        std::function<ShownPicture(const Result&)> show, std::function<std::string(const Result&)> note = {}) {
+  const auto result = std::make_shared<std::optional<Result>>();
+  RunnableMethod m;
+  m.method = std::move(method);
+  m.numbers = std::move(numbers);
+  m.solve = [result, solve = std::move(solve)] {
+    result->reset();
+    result->emplace(solve());
+  };
+  m.show = [result, show = std::move(show)] { return show(**result); };
+  m.note = [result, note = std::move(note)] { return note ? note(**result) : std::string(); };
+  m.forget = [result] { result->reset(); };
+  return m;
+}
+
+ShownPicture shown(const DepthBuffer& buffer) {
+  ShownPicture picture{buffer.triangles, Image<std::uint8_t>(buffer.depths.width, buffer.depths.height)};
+  std::transform(buffer.depths.pixels.begin(), buffer.depths.pixels.end(), picture.depth.pixels.begin(),
+                 [](double d) { return static_cast<std::uint8_t>(std::clamp(std::floor(d * 256), 0.0, 255.0)); });
+  return picture;
+}
+
+template <class Real>
+ShownPicture shown_of_z_buffer(const DepthImage<Real>& image) {
+  ShownPicture picture{Image<TriangleId>(image.width, image.height), {}};
+  std::transform(image.pixels.begin(), image.pixels.end(), picture.triangles.pixels.begin(),
+                 [](const auto& p) { return p.triangle; });
+  return picture;
+}
+
+ShownPicture shown_order(const Mesh& mesh, const View& view, const SampleGrid& grid, const PaintersOrder& order) {
+  const Image<std::uint32_t> pieces = paint(mesh, view, order, grid);
+  ShownPicture picture{Image<TriangleId>(grid.width, grid.height), {}};
+  std::transform(pieces.pixels.begin(), pieces.pixels.end(), picture.triangles.pixels.begin(),
+                 [&](std::uint32_t p) { return p == no_piece ? TriangleId() : order.pieces[p].facet; });
+  return picture;
+}
+
+std::string pieces(std::size_t n) { return std::to_string(n) + (n == 1 ? " piece" : " pieces"); }
+
+}  // namespace
+
+std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid) {
+  std::vector<RunnableMethod> methods;
+  methods.push_back(runnable<DepthImage<float>>(
+      "z-buffer", "float", [&mesh, &view, grid] { return z_buffer<float>(mesh, view, grid); }, shown_of_z_buffer<float>));
+  methods.push_back(runnable<DepthImage<double>>(
+      "z-buffer", "double", [&mesh, &view, grid] { return z_buffer<double>(mesh, view, grid); }, shown_of_z_buffer<double>));
+  const DepthRange range = depth_range(mesh, view, grid);
+  const auto add = [&](const std::string& method, const std::string& numbers, const DepthBufferOptions& options) {
+    methods.push_back(runnable<DepthBuffer>(
+        method, numbers, [&mesh, &view, grid, range, options] { return depth_buffer(mesh, view, grid, range, options); },
+        shown));
+    methods.back().resolution = DepthResolution{options.format, range};
+  };
+  for (const DepthFormat format : depth_formats)
+    if (format != DepthFormat::logarithmic_float32 || range.is_perspective)
+      add("depth buffer", std::string(name(format)), {.format = format});
+  add("depth buffer, increments", "float 32",
+      {.format = DepthFormat::float32, .interpolation = DepthInterpolation::incremental});
+  add("depth buffer, barycentric", "float 32",
+      {.format = DepthFormat::float32, .interpolation = DepthInterpolation::barycentric});
+  methods.push_back(runnable<CastImage>(
+      "ray casting", name(Arithmetic::staged), [&mesh, &view, grid] { return cast(mesh, view, grid); },
+      [](const CastImage& image) {
+        return ShownPicture{image.triangles, {}};
+      }));
+  const auto add_painter = [&](const std::string& method, DepthKey key) {
+    methods.push_back(runnable<Image<TriangleId>>(
+        method, "double",
+        [&mesh, &view, grid, key] { return shown_order(mesh, view, grid, z_sort(mesh, view, key)).triangles; },
+        [](const Image<TriangleId>& image) {
+          return ShownPicture{image, {}};
+        }));
+  };
+  add_painter("painter, by the centroid", DepthKey::centroid);
+  add_painter("painter, by the farthest vertex", DepthKey::farthest_vertex);
+  return methods;
+}
+
+std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid) {
+  std::vector<RunnableMethod> methods;
+  const auto show_fragments = [&mesh, &view, grid](const VisibleFragments& fragments) {
+    std::uint64_t overlapping = 0;
+    return ShownPicture{paint(mesh, view, fragments, grid, overlapping), {}};
+  };
+  const auto count_fragments = [](const VisibleFragments& f) { return std::to_string(f.fragments.size()) + " fragments"; };
+  for (const Arithmetic arithmetic : {Arithmetic::staged, Arithmetic::double_only, Arithmetic::interval, Arithmetic::rational})
+    methods.push_back(runnable<VisibleFragments>(
+        "visible fragments", name(arithmetic),
+        [&mesh, &view, arithmetic] { return visible_fragments(mesh, view, {.arithmetic = arithmetic}); }, show_fragments,
+        count_fragments));
+  methods.push_back(runnable<VisibleFragments>(
+      "Roberts surfaces", name(Arithmetic::staged), [&mesh, &view] { return roberts_surfaces(mesh, view); }, show_fragments,
+      count_fragments));
+  methods.push_back(runnable<DepthSort>(
+      "depth sort", name(Arithmetic::staged), [&mesh, &view] { return depth_sort(mesh, view); },
+      [&mesh, &view, grid](const DepthSort& s) { return shown_order(mesh, view, grid, s.order); },
+      [](const DepthSort& s) {
+        return pieces(s.order.pieces.size()) + ", " + std::to_string(s.counts.cuts_at_intersections + s.counts.cuts_in_cycles) +
+               " cuts";
+      }));
+  methods.push_back(runnable<PaintersOrder>(
+      "BSP", name(Arithmetic::staged), [&mesh, &view] { return BspTree(mesh).order(view); },
+      [&mesh, &view, grid](const PaintersOrder& order) { return shown_order(mesh, view, grid, order); },
+      [](const PaintersOrder& order) { return pieces(order.pieces.size()); }));
+  for (RunnableMethod& m : methods) m.is_object_space = true;
+  return methods;
+}
+
+}  // namespace hsr

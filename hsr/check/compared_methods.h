@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "hsr/check/picture_check.h"
+#include "hsr/image/image.h"
+#include "hsr/image/samples.h"
+#include "hsr/view.h"
+
+namespace hsr {
+
+/// What a method shows at each sample, and the depths it has there.
+struct ShownPicture {
+  Image<TriangleId> triangles;
+  Image<std::uint8_t> depth;  ///< 0 near ... 255 far; may be empty
+};
+
+/// A method that compare() can run: `solve` is what is timed, `show` gives its picture, `note` says more of its result.
+struct RunnableMethod {
+  std::string method, numbers;
+  bool is_object_space = false;
+  std::optional<DepthResolution> resolution;
+  std::function<void()> solve;
+  std::function<ShownPicture()> show;
+  std::function<std::string()> note;
+  std::function<void()> forget;  ///< frees the result
+};
+
+/// All methods that make pictures of samples, on one grid. They hold references: mesh and view must live on.
+std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid);
+/// All methods in object space, their pictures on the grid.
+std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid);
+
+}  // namespace hsr
