@@ -79,16 +79,24 @@ std::string pieces(std::size_t n) { return std::to_string(n) + (n == 1 ? " piece
 
 std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid) {
   std::vector<RunnableMethod> methods;
+  const DepthRange range = depth_range(mesh, view, grid);
+  const auto resolution = [&](DepthFormat format) {
+    const bool is_single =
+        format == DepthFormat::float32 || format == DepthFormat::reversed_float32 || format == DepthFormat::logarithmic_float32;
+    // Corners are within the picture or not far from it, and take a few roundings to a sample.
+    return DepthResolution{format, range, (is_single ? 0x1p-22 : 0x1p-51) * std::max(grid.width, grid.height)};
+  };
   methods.push_back(runnable<DepthImage<float>>(
       "z-buffer", "float", [&mesh, &view, grid] { return z_buffer<float>(mesh, view, grid); }, shown_of_z_buffer<float>));
+  methods.back().resolution = resolution(DepthFormat::float32);
   methods.push_back(runnable<DepthImage<double>>(
       "z-buffer", "double", [&mesh, &view, grid] { return z_buffer<double>(mesh, view, grid); }, shown_of_z_buffer<double>));
-  const DepthRange range = depth_range(mesh, view, grid);
+  methods.back().resolution = resolution(DepthFormat::float64);
   const auto add = [&](const std::string& method, const std::string& numbers, const DepthBufferOptions& options) {
     methods.push_back(runnable<DepthBuffer>(
         method, numbers, [&mesh, &view, grid, range, options] { return depth_buffer(mesh, view, grid, range, options); },
         shown));
-    methods.back().resolution = DepthResolution{options.format, range};
+    methods.back().resolution = resolution(options.format);
   };
   for (const DepthFormat format : depth_formats)
     if (format != DepthFormat::logarithmic_float32 || range.is_perspective)

@@ -85,8 +85,8 @@ class Comparer {
   std::string why_not(const RunnableMethod& method) const {
     if (!method.is_object_space) return {};
     const double staged = staged_seconds_;
-    const double factor = method.numbers == "rationals only"    ? 400
-                          : method.numbers == "intervals"       ? 20
+    const double factor = method.numbers == "rationals only"    ? 2500
+                          : method.numbers == "intervals"       ? 40
                           : method.method == "Roberts surfaces" ? 30
                                                                 : 0;
     if (staged * factor < too_long) return {};

@@ -26,7 +26,11 @@ class Judge {
     const ExactTriangle &a = made(shown), &b = made(nearest);
     if (!a.covers(i, j)) return Mistake::edge;
     double bound = 0;
-    if (resolution_) bound = 2 * step(resolution_->format, resolution_->range, a.nearness.near(i, j).value);
+    if (resolution_) {
+      const double reach = resolution_->coordinate_error;
+      bound = 2 * step(resolution_->format, resolution_->range, a.nearness.near(i, j).value) +
+              (a.nearness.change(reach, reach) + b.nearness.change(reach, reach)).to_double();
+    }
     return compared(b.nearness, a.nearness, i, j, bound) == Sign::positive ? Mistake::order : Mistake::tie;
   }
 

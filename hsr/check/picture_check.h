@@ -34,15 +34,18 @@ struct PictureCheck {
 struct DepthResolution {
   DepthFormat format = DepthFormat::float64;
   DepthRange range;
+  /// How far from where it is a corner may be drawn, in samples: on a slope that is a difference of depth, too.
+  double coordinate_error = 0;
 };
 
 /// Compares a picture with what cast() sees, and says of each difference what kind it is: whether the shown face covers the
 /// sample, and how far it is behind the nearest, are decided exactly.
 ///
-/// A tie is a difference of at most two steps of the format there: both depths were rounded. Without a resolution only equal
-/// depths are ties.
+/// A tie is a difference of at most two steps of the format there, since both depths were rounded, and of what the slopes of
+/// the two change within the error of coordinates. Without a resolution only equal depths are ties.
 /// @param shown, nearest triangles; those of one facet are the same
-/// Exact: yes. Cost: O(samples), and some rationals for each triangle at a differing sample; parallel.
+/// Exact: yes, but for the resolution, which is what it is said to be. Cost: O(samples), and some rationals for each triangle
+/// at a differing sample; parallel.
 PictureCheck check_picture(const Mesh& mesh, const View& view, const SampleGrid& samples, const Image<TriangleId>& shown,
                            const Image<TriangleId>& nearest, const std::optional<DepthResolution>& resolution = {});
 

@@ -11,6 +11,7 @@ struct CheckFailed {};
 
 /// Each adds one verb to the command; its callback does the work and may throw InputError.
 /// @param unfinished the files that an interrupt must remove
+void add_compare(CLI::App& app, UnfinishedFiles& unfinished);
 void add_draw(CLI::App& app, UnfinishedFiles& unfinished);
 void add_info(CLI::App& app, UnfinishedFiles& unfinished);
 void add_order(CLI::App& app, UnfinishedFiles& unfinished);

@@ -28,8 +28,9 @@ extern "C" void on_interrupt(int signal) {
 void add_later(CLI::App& app, const std::string& verb, const std::string& description) {
   CLI::App* sub = app.add_subcommand(verb, description + " (a later release)");
   sub->allow_extras();
-  sub->callback(
-      [verb] { throw hsr::InputError(verb + ": comes in a later release; this one has draw, order, verify and info"); });
+  sub->callback([verb] {
+    throw hsr::InputError(verb + ": comes in a later release; this one has draw, order, verify, compare and info");
+  });
 }
 
 int fail(const std::string& message) {
@@ -61,14 +62,14 @@ int main(int argc, char** argv) {
   hsr::cli::add_info(app, unfinished);
   hsr::cli::add_order(app, unfinished);
   hsr::cli::add_verify(app, unfinished);
-  add_later(app, "compare", "All methods on one scene");
+  hsr::cli::add_compare(app, unfinished);
   add_later(app, "stability", "Where each method and arithmetic breaks");
   const std::string verb = argc > 1 ? argv[1] : "";
   try {
     const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
     const bool known = std::any_of(verbs.begin(), verbs.end(), [&](const CLI::App* v) { return v->get_name() == verb; });
     if (!verb.empty() && verb.front() != '-' && !known)
-      throw hsr::InputError(verb + ": no such verb, expected draw, order, verify or info ('hsr --help' lists them)");
+      throw hsr::InputError(verb + ": no such verb, expected draw, order, verify, compare or info ('hsr --help' lists them)");
     app.parse(argc, argv);
     std::cout.flush();
     if (std::fflush(stdout) != 0 || !std::cout) throw hsr::InputError("standard output: cannot be written");

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "hsr/write/output_file.h"
+
+namespace hsr::cli {
+
+/// A directory of results: made with the first file if it is not there; files in it are replaced one by one, each complete or
+/// as it was.
+class OutputDirectory {
+ public:
+  /// @throws InputError if it is a file
+  OutputDirectory(std::string path, UnfinishedFiles& unfinished);
+
+  /// @param name may have directories in it @throws InputError if they cannot be made
+  void write(const std::string& name, std::string_view bytes);
+  std::string path(const std::string& name) const;
+
+ private:
+  std::string path_;
+  UnfinishedFiles& unfinished_;
+};
+
+/// "AMD EPYC, 2 processors, g++ 12.2.0; 2026-11-25"
+std::string machine_and_date();
+
+}  // namespace hsr::cli

@@ -1,0 +1,245 @@
+#include "hsr/write/comparison_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+#include "hsr/write/html_page.h"
+#include "hsr/write/json_text.h"
+
+namespace hsr {
+
+namespace {
+
+std::string full_name(const ComparedMethod& m) { return m.method + ", " + m.numbers; }
+
+/// One series for each method and its numbers, in the order of the table, with a point for each size.
+template <class Point>
+std::vector<PlotSeries> series(const Comparison& c, const Point& point) {
+  std::vector<PlotSeries> all;
+  for (const ComparedMethod& m : c.methods) {
+    const std::string name = full_name(m);
+    auto s = std::find_if(all.begin(), all.end(), [&](const PlotSeries& x) { return x.name == name; });
+    if (s == all.end()) {
+      all.push_back({name, {}, false});
+      s = all.end() - 1;
+    }
+    s->points.push_back(point(m));
+  }
+  return all;
+}
+
+/// y = a x^power through the first point of a series.
+PlotSeries guide(const std::string& name, const PlotSeries& along, double power) {
+  PlotSeries g{name, {}, true};
+  if (along.points.empty()) return g;
+  const auto& first = along.points.front();
+  for (const auto& p : along.points) g.points.push_back({p[0], first[1] * std::pow(p[0] / first[0], power)});
+  return g;
+}
+
+std::string milliseconds(double s) { return html_number(1000 * s).text + " ms"; }
+
+constexpr std::string_view slider_style = R"(<style>
+.pick{display:flex;gap:.5rem 1.5rem;flex-wrap:wrap;align-items:center;margin:.5rem 0}
+.pick label{display:flex;gap:.4rem;align-items:center}
+.pair{position:relative;width:min(100%,640px);aspect-ratio:1;border:1px solid var(--faint);background:#fff;overflow:hidden;isolation:isolate}
+.pair img{position:absolute;inset:0;width:100%;height:100%;image-rendering:auto}
+.pair .bar{position:absolute;top:0;bottom:0;width:2px;background:#e0006c;z-index:3}
+.pair.pale .truth{opacity:.25}
+#position{width:min(100%,640px)}
+.says{display:flex;justify-content:space-between;gap:1rem;max-width:640px;font-size:13.5px}
+.says div:last-child{text-align:right}
+.key span{display:inline-block;width:.8em;height:.8em;border-radius:2px;margin:0 .3em 0 1em}
+</style>)";
+
+constexpr std::string_view slider_markup = R"(
+<div class="pick">
+<label>left <select id="left"></select></label><label>right <select id="right"></select></label>
+<label><input type="radio" name="what" value="picture" checked> picture</label>
+<label><input type="radio" name="what" value="mistakes"> difference to exact</label>
+<label><input type="radio" name="what" value="depth"> depth</label>
+</div>
+<div class="pair" id="pair"><img class="truth" id="truth" alt="What is visible, exactly"><img id="l" alt=""><img id="r" alt=""><div class="bar" id="bar"></div></div>
+<input type="range" id="position" min="0" max="100" value="50" aria-label="Where the left method ends and the right one begins">
+<div class="says"><div id="says-l"></div><div id="says-r"></div></div>
+<p class="key">Differences:<span style="background:#1e64ff"></span>edge misplaced<span style="background:#ff9600"></span>tie within the depth format<span style="background:#e1001e"></span>wrong order</p>
+)";
+
+constexpr std::string_view slider_script = R"(
+const get=id=>document.getElementById(id),left=get('left'),right=get('right'),empty='data:image/gif;base64,R0lGODlhAQABAAAAACH5BAEKAAEALAAAAAABAAEAAAICTAEAOw==';
+shown.forEach((m,k)=>{for(const s of [left,right])s.add(new Option(m.name,k))});
+left.value=Math.min(1,shown.length-1);right.value=0;get('truth').src=shown[0].picture;
+function draw(){const what=document.querySelector('input[name=what]:checked').value,at=get('position').value;
+get('pair').classList.toggle('pale',what=='mistakes');
+[['l',left],['r',right]].forEach(([id,s])=>{const m=shown[s.value];
+get(id).src=what=='picture'?m.changes||empty:what=='mistakes'?m.mistakes||empty:m.depth||empty;
+get('says-'+id).textContent=m.says+(what=='depth'&&!m.depth?' (has no depths)':'')});
+get('l').style.clipPath='inset(0 '+(100-at)+'% 0 0)';get('r').style.clipPath='inset(0 0 0 '+at+'%)';get('bar').style.left='calc('+at+'% - 1px)'}
+for(const e of [left,right,get('position'),...document.querySelectorAll('input[name=what]')])e.addEventListener('input',draw);
+get('pair').addEventListener('pointermove',e=>{if(e.buttons){const b=get('pair').getBoundingClientRect();get('position').value=100*(e.clientX-b.left)/b.width;draw();e.preventDefault()}});
+draw();
+)";
+
+void add_slider(HtmlPage& page, const Comparison& c, const std::vector<ComparisonImages>& images) {
+  page.heading("Two methods beside each other");
+  page.html(slider_style);
+  page.html(slider_markup);
+  std::string data = "const shown=[";
+  const auto add = [&](const std::string& name, const std::string& says, const ComparisonImages& i, bool is_truth) {
+    data += "{name:";
+    append_string(data, name);
+    data += ",says:";
+    append_string(data, says);
+    const auto url = [&](const char* key, const std::string& png) {
+      data += std::string(",") + key + ":\"" + (png.empty() ? "" : png_url(png)) + "\"";
+    };
+    if (is_truth) url("picture", i.shown);
+    url("changes", is_truth ? "" : i.changes);
+    url("mistakes", is_truth ? "" : i.mistakes);
+    url("depth", i.depth);
+    data += "},\n";
+  };
+  if (!images.empty()) add("exact", "exact", images[0], true);
+  for (const ComparedMethod& m : c.methods)
+    if (m.picture >= 0)
+      add(full_name(m),
+          full_name(m) + ": " + std::to_string(m.wrong) + " of " + std::to_string(m.covered) + " samples wrong, " +
+              milliseconds(m.median()),
+          images[static_cast<std::size_t>(m.picture)], false);
+  page.script(data + "];\n");
+  page.script(slider_script);
+}
+
+}  // namespace
+
+std::vector<NamedPlot> comparison_plots(const Comparison& c) {
+  std::vector<NamedPlot> plots;
+  plots.push_back({"area-against-time",
+                   {"Wrong visible area against run time", "seconds (median)", "share of the visible area",
+                    series(c,
+                           [](const ComparedMethod& m) {
+                             return std::array{m.median(), m.wrong_area_share};
+                           }),
+                    "exact: 0"}});
+  plots.push_back({"samples-against-time",
+                   {"Wrong samples against run time", "seconds (median)", "share of the covered samples",
+                    series(c,
+                           [](const ComparedMethod& m) {
+                             return std::array{m.median(), m.wrong_share()};
+                           }),
+                    "0"}});
+  const auto only_pictures = [](std::vector<PlotSeries> all) {
+    all.erase(std::remove_if(all.begin(), all.end(), [](const PlotSeries& s) { return s.points.size() < 2; }), all.end());
+    return all;
+  };
+  std::vector<PlotSeries> area = only_pictures(series(c, [](const ComparedMethod& m) {
+    return std::array{static_cast<double>(m.size), m.wrong_area_share};
+  }));
+  if (!area.empty()) area.push_back(guide("1 / samples each way", area.front(), -1));
+  plots.push_back({"area-against-size",
+                   {"Wrong visible area against resolution", "samples each way", "share of the visible area", area, "0"}});
+  plots.push_back({"edges-against-size",
+                   {"Edge position error against resolution", "samples each way", "share of the picture's width",
+                    only_pictures(series(c,
+                                         [](const ComparedMethod& m) {
+                                           return std::array{static_cast<double>(m.size), m.edge_error / m.size};
+                                         })),
+                    "0"}});
+  std::vector<PlotSeries> time = only_pictures(series(c, [](const ComparedMethod& m) {
+    return std::array{static_cast<double>(m.size), m.median()};
+  }));
+  if (!time.empty()) time.push_back(guide("samples", time.front(), 2));
+  plots.push_back({"time-against-size", {"Run time against resolution", "samples each way", "seconds (median)", time, "0"}});
+  std::vector<PlotSeries> growth;
+  for (const Growth& g : c.growth) {
+    PlotSeries s{g.method + ": n^" + html_number(g.slope).text, {}, false};
+    for (std::size_t k = 0; k < g.faces.size(); ++k) s.points.push_back({g.faces[k], g.seconds[k]});
+    growth.push_back(std::move(s));
+  }
+  if (growth.size() > 1) {
+    growth.push_back(guide("n", growth[1], 1));
+    growth.push_back(guide("n^2", growth[1], 2));
+  }
+  plots.push_back(
+      {"time-against-faces",
+       {"Run time against the number of triangles n (the first n, shuffled)", "triangles", "seconds", growth, "0"}});
+  return plots;
+}
+
+std::string comparison_page(const Comparison& c, const std::vector<ComparisonImages>& images, const PageText& text) {
+  HtmlPage page(text.title);
+  page.list(text.facts);
+  add_slider(page, c, images);
+
+  page.heading("Error against run time");
+  page.paragraph(
+      "Both axes by powers of ten. A point is a method at one resolution; exact methods have no error and stand on the line "
+      "below the diagram. Wrong area: each pixel is taken as a square of what its sample shows, and compared with the exact "
+      "fragments in it. One thread each unless said otherwise.");
+  page.html("<div class=\"plots\">");
+  for (const NamedPlot& p : comparison_plots(c)) page.html(plot_svg(p.plot));
+  page.html("</div>");
+
+  page.heading("All figures");
+  page.paragraph(
+      "Seconds by the clock: the median of the runs, which were shuffled, the least and the most. Memory: the most that was "
+      "taken during the first run. Edge error: wrong area over the length of all visible edges, in pixels. Click or press "
+      "Enter "
+      "on a head to sort.");
+  std::vector<std::vector<HtmlCell>> rows;
+  for (const ComparedMethod& m : c.methods) {
+    const auto count = [](std::uint64_t n) { return HtmlCell{std::to_string(n), static_cast<double>(n), true}; };
+    rows.push_back({{m.method},
+                    {m.numbers},
+                    {m.is_object_space ? "object" : "image"},
+                    count(static_cast<std::uint64_t>(m.size)),
+                    html_number(m.median()),
+                    html_number(m.seconds.front()),
+                    html_number(m.seconds.back()),
+                    count(m.seconds.size()),
+                    html_bytes(static_cast<double>(m.peak_bytes)),
+                    count(m.wrong),
+                    html_share(m.wrong_share()),
+                    count(m.edge),
+                    count(m.tie),
+                    count(m.order),
+                    html_share(m.wrong_area_share),
+                    html_number(m.edge_error),
+                    {m.note}});
+  }
+  page.table({"method", "numbers", "space", "samples each way", "seconds", "least", "most", "runs", "memory", "wrong samples",
+              "of covered", "edge", "tie", "order", "wrong area", "edge error", "note"},
+             rows);
+
+  page.heading("Stages: what they cost and save");
+  rows.clear();
+  for (const ComparedStage& s : c.stages)
+    rows.push_back(
+        {{s.stage}, {s.kind}, html_number(s.seconds), html_number(s.without), html_number(s.without - s.seconds), {s.result}});
+  page.table({"stage", "kind", "seconds with it", "without", "saved", "result"}, rows);
+
+  page.heading("Left out");
+  std::vector<std::string> left_out;
+  for (const LeftOut& l : c.left_out) left_out.push_back(l.stage + ": " + l.why);
+  if (left_out.empty()) left_out.push_back("nothing");
+  page.list(left_out);
+  return page.text();
+}
+
+std::string comparison_csv(const Comparison& c) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(12);
+  text << "method,numbers,space,size,runs,seconds_median,seconds_least,seconds_most,peak_bytes,samples,covered,wrong,edge,tie,"
+          "order,wrong_share,wrong_area_share,edge_error_pixels\n";
+  for (const ComparedMethod& m : c.methods)
+    text << '"' << m.method << "\",\"" << m.numbers << "\"," << (m.is_object_space ? "object" : "image") << ',' << m.size << ','
+         << m.seconds.size() << ',' << m.median() << ',' << m.seconds.front() << ',' << m.seconds.back() << ',' << m.peak_bytes
+         << ',' << m.samples << ',' << m.covered << ',' << m.wrong << ',' << m.edge << ',' << m.tie << ',' << m.order << ','
+         << m.wrong_share() << ',' << m.wrong_area_share << ',' << m.edge_error << '\n';
+  return text.str();
+}
+
+}  // namespace hsr

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hsr {
+
+std::string html_escaped(std::string_view text);
+/// "data:image/png;base64,..."
+std::string png_url(std::string_view png);
+
+/// A cell shows a text; a column is sorted by `value` where that is a number, else by the text.
+struct HtmlCell {
+  std::string text;
+  double value = 0;
+  bool is_number = false;
+};
+/// With as many digits as a reader needs.
+HtmlCell html_number(double x);
+/// "12.5 %", or "0" only for zero itself
+HtmlCell html_share(double x);
+HtmlCell html_bytes(double bytes);
+
+/// One HTML page that needs nothing else: light and dark as the system has it or by a button, tables sorted by the buttons in
+/// their heads, all by keyboard.
+class HtmlPage {
+ public:
+  explicit HtmlPage(std::string title) : title_(std::move(title)) {}
+
+  void heading(std::string_view text);
+  void paragraph(std::string_view text);
+  void list(const std::vector<std::string>& items);
+  void table(const std::vector<std::string>& columns, const std::vector<std::vector<HtmlCell>>& rows);
+  void html(std::string_view markup) { body_ += markup; }
+  void script(std::string_view text) { script_ += text; }
+
+  std::string text() const;
+
+ private:
+  std::string title_, body_, script_;
+};
+
+}  // namespace hsr

@@ -1,0 +1,154 @@
+#include "hsr/write/plot_svg.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "hsr/write/html_page.h"
+
+namespace hsr {
+
+namespace {
+
+constexpr double width = 760, height = 440, left = 70, right = 500, top = 36, bottom = 370, zero_line = 392;
+constexpr std::array<const char*, 8> colours = {"#3566c4", "#c4472b", "#2b8a57", "#8a4fbf",
+                                                "#b07a10", "#15879b", "#b8397f", "#6b6f76"};
+
+std::string number(double x, int digits = 4) {
+  std::array<char, 32> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits);
+  return {text.data(), end};
+}
+
+std::string colour(std::size_t k) {
+  k %= colours.size();
+  return "var(--c" + std::to_string(k) + "," + colours[k] + ")";
+}
+
+/// Powers of ten around what is there.
+struct Axis {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+
+  void add(double x) {
+    low = std::min(low, std::log10(x));
+    high = std::max(high, std::log10(x));
+  }
+  void finish() {
+    if (!(low <= high)) low = 0, high = 1;
+    low = std::floor(low + 1e-9);
+    high = std::max(std::ceil(high - 1e-9), low + 1);
+  }
+  double share(double x) const { return (std::log10(x) - low) / (high - low); }
+  /// So that at most a dozen have a number.
+  double step() const { return std::max(1.0, std::ceil((high - low) / 10)); }
+};
+
+std::string mark(std::size_t shape, double x, double y, const std::string& colour, const std::string& tip) {
+  const auto at = [&](double dx, double dy) { return number(x + dx) + "," + number(y + dy); };
+  std::string element;
+  switch (shape % 4) {
+    case 0:
+      element = "<circle cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\"4\"";
+      break;
+    case 1:
+      element = "<rect x=\"" + number(x - 3.5) + "\" y=\"" + number(y - 3.5) + "\" width=\"7\" height=\"7\"";
+      break;
+    case 2:
+      element = "<polygon points=\"" + at(0, -4.5) + " " + at(4.5, 3.5) + " " + at(-4.5, 3.5) + "\"";
+      break;
+    default:
+      element = "<polygon points=\"" + at(0, -5) + " " + at(5, 0) + " " + at(0, 5) + " " + at(-5, 0) + "\"";
+  }
+  return element + " fill=\"" + colour + "\"" +
+         (tip.empty() ? "/>" : "><title>" + html_escaped(tip) + "</title></" + element.substr(1, element.find(' ') - 1) + ">");
+}
+
+std::string text(double x, double y, const std::string& words, const std::string& more = "") {
+  return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" fill=\"var(--ink,#222)\" " + more + ">" + html_escaped(words) +
+         "</text>\n";
+}
+
+std::string line(double x1, double y1, double x2, double y2, const std::string& stroke) {
+  return "<line x1=\"" + number(x1) + "\" y1=\"" + number(y1) + "\" x2=\"" + number(x2) + "\" y2=\"" + number(y2) +
+         "\" stroke=\"" + stroke + "\"/>\n";
+}
+
+std::string power_of_ten(double exponent) {
+  if (exponent >= -3 && exponent <= 4) return number(std::pow(10, exponent));
+  return "1e" + std::to_string(static_cast<int>(exponent));
+}
+
+}  // namespace
+
+std::string plot_svg(const Plot& plot) {
+  Axis xs, ys;
+  bool has_zero = false;
+  const auto is_shown = [](const std::array<double, 2>& p) {
+    return p[0] > 0 && p[1] >= 0 && std::isfinite(p[0]) && std::isfinite(p[1]);
+  };
+  for (const PlotSeries& s : plot.series)
+    for (const auto& p : s.points) {
+      if (!is_shown(p)) continue;
+      xs.add(p[0]);
+      if (p[1] > 0)
+        ys.add(p[1]);
+      else
+        has_zero = true;
+    }
+  xs.finish();
+  ys.finish();
+  const auto x_at = [&](double x) { return left + xs.share(x) * (right - left); };
+  const auto y_at = [&](double y) { return y > 0 ? bottom - ys.share(y) * (bottom - top) : zero_line; };
+
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(width) + " " + number(height) +
+                    "\" role=\"img\" aria-label=\"" + html_escaped(plot.title) +
+                    "\" font-family=\"system-ui, sans-serif\" font-size=\"12\">\n";
+  out += "<rect width=\"" + number(width) + "\" height=\"" + number(height) + "\" fill=\"var(--paper,#fff)\"/>\n";
+  out += text(left, 20, plot.title, "font-size=\"14\" font-weight=\"600\"");
+  for (double e = xs.low; e <= xs.high + 0.5; e += xs.step()) {
+    const double x = x_at(std::pow(10, e));
+    out += line(x, top, x, bottom, "var(--faint,#ddd)");
+    out += text(x, has_zero ? 410 : 386, power_of_ten(e), "text-anchor=\"middle\"");
+  }
+  for (double e = ys.low; e <= ys.high + 0.5; e += ys.step()) {
+    const double y = y_at(std::pow(10, e));
+    out += line(left, y, right, y, "var(--faint,#ddd)");
+    out += text(left - 6, y + 4, power_of_ten(e), "text-anchor=\"end\"");
+  }
+  if (has_zero) {
+    out += line(left, zero_line, right, zero_line, "var(--ink,#222)");
+    out += text(left - 6, zero_line + 4, plot.zero_label, "text-anchor=\"end\"");
+  }
+  out += text((left + right) / 2, has_zero ? 430 : 408, plot.x_label, "text-anchor=\"middle\"");
+  out += text(0, 0, plot.y_label,
+              "text-anchor=\"middle\" transform=\"translate(16 " + number((top + bottom) / 2) + ") rotate(-90)\"");
+
+  double legend = top + 6;
+  // As many lines as fit; a name that was there is not said twice.
+  const double legend_step = std::min(18.0, (height - 50) / static_cast<double>(std::max<std::size_t>(plot.series.size(), 1)));
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const PlotSeries& s = plot.series[k];
+    std::string path;
+    for (const auto& p : s.points)
+      if (is_shown(p)) path += (path.empty() ? "M" : "L") + number(x_at(p[0]), 6) + " " + number(y_at(p[1]), 6);
+    if (path.empty()) continue;
+    out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour(k) + "\" stroke-width=\"1.5\"" +
+           (s.is_theory ? " stroke-dasharray=\"5 4\"" : "") + "/>\n";
+    if (!s.is_theory)
+      for (const auto& p : s.points)
+        if (is_shown(p))
+          out += mark(k / colours.size() + k, x_at(p[0]), y_at(p[1]), colour(k),
+                      s.name + ": " + number(p[0]) + ", " + number(p[1])) +
+                 "\n";
+    if (s.is_theory)
+      out += "<path d=\"M512 " + number(legend) + "h18\" stroke=\"" + colour(k) +
+             "\" stroke-dasharray=\"5 4\" stroke-width=\"1.5\"/>\n";
+    else
+      out += mark(k / colours.size() + k, 521, legend, colour(k), "") + "\n";
+    out += text(536, legend + 4, s.name, legend_step < 13 ? "font-size=\"10\"" : "");
+    legend += legend_step;
+  }
+  return out + "</svg>\n";
+}
+
+}  // namespace hsr

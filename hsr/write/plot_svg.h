@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace hsr {
+
+struct PlotSeries {
+  std::string name;
+  std::vector<std::array<double, 2>> points;  ///< drawn in this order
+  bool is_theory = false;                     ///< a dashed line without marks
+};
+
+/// A diagram with axes by powers of ten. What is 0 on the second axis stands on a line of its own below it: exact results are a
+/// line at error zero. Points that are not above 0 on the first axis, or not finite, are left out.
+struct Plot {
+  std::string title, x_label, y_label;
+  std::vector<PlotSeries> series;
+  std::string zero_label = "0";
+};
+
+/// An <svg> element, 760 by 440, that stands alone or in a page, whose custom properties --ink, --paper, --faint and --c0 ...
+/// --c7 give it its colours.
+std::string plot_svg(const Plot& plot);
+
+}  // namespace hsr
