@@ -19,12 +19,16 @@ namespace {
 class Judge {
  public:
   Judge(const Mesh& mesh, const View& view, const SampleGrid& grid, const std::optional<DepthResolution>& resolution)
-      : make_(mesh, view, grid), resolution_(resolution) {}
+      : mesh_(mesh), make_(mesh, view, grid), resolution_(resolution) {}
 
   Mistake operator()(TriangleId shown, TriangleId nearest, int i, int j) {
     if (!shown.is_valid() || !nearest.is_valid()) return Mistake::edge;
-    const ExactTriangle &a = made(shown), &b = made(nearest);
-    if (!a.covers(i, j)) return Mistake::edge;
+    // A picture may show a facet by any of its triangles.
+    const TriangleId end = facet_end(mesh_, facet_of(mesh_, shown));
+    TriangleId at = facet_of(mesh_, shown);
+    while (at < end && !made(at).covers(i, j)) at = TriangleId(at.value + 1U);
+    if (at == end) return Mistake::edge;
+    const ExactTriangle &a = made(at), &b = made(nearest);
     double bound = 0;
     if (resolution_) {
       const double reach = resolution_->coordinate_error;
@@ -41,6 +45,7 @@ class Judge {
     return *triangle;
   }
 
+  const Mesh& mesh_;
   ExactTriangles make_;
   std::optional<DepthResolution> resolution_;
   std::unordered_map<std::uint32_t, std::unique_ptr<ExactTriangle>> made_;

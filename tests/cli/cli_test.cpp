@@ -171,7 +171,10 @@ TEST_CASE("bad usage is one line that says what was expected", "[cli]") {
   check_refused(run("draw " + model + out + " --threads 0"), {"threads"});
   check_refused(run("draw " + model + out + " --size 0x5"), {"0x5"});
   check_refused(run("draw " + model + " -o " + (d / "no/such/a.svg")), {"no/such"});
-  check_refused(run("compare " + model + out), {"compare", "later"});
+  check_refused(run("stability" + out), {"stability", "later"});
+  check_refused(run("compare " + model + " -o " + model), {"cube.obj", "directory"});
+  check_refused(run("compare " + model + out + " --size 8"), {"--size", "found 8"});
+  check_refused(run("compare " + model + out + " --runs 0"), {"--runs", "found 0"});
   check_refused(run("order " + model + out + " --method best"), {"best", "depth-sort"});
   check_refused(run("order " + model + out + " --opacity 0"), {"--opacity", "found 0"});
   check_refused(run("verify " + (d / "no.json")), {"no.json"});
@@ -179,6 +182,33 @@ TEST_CASE("bad usage is one line that says what was expected", "[cli]") {
   check_refused(run("draw " + model + out + " --crease 181"), {"--crease", "181"});
   check_refused(run(""), {"--help"});
   CHECK(d.files() == 1);  // nothing half written
+}
+
+TEST_CASE("compare writes a page that needs nothing else, a table, a report, pictures and plots", "[cli][compare]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  const Outcome outcome = run("compare " + model + " -o " + (d / "out/cube") + " --size 64 --runs 2");
+  INFO(outcome.text);
+  REQUIRE(outcome.status == 0);
+  const std::string page = contents(d / "out/cube/index.html");
+  CHECK(page.find("<!DOCTYPE html>") == 0);
+  CHECK(page.find("src=\"http") == std::string::npos);
+  CHECK(page.find("href=") == std::string::npos);
+  CHECK(page.size() < 5'000'000);
+  const auto report = nlohmann::json::parse(contents(d / "out/cube/report.json"));
+  std::size_t exact = 0;
+  for (const auto& m : report["methods"]) {
+    CHECK(m["edge"].get<int>() + m["tie"].get<int>() + m["order"].get<int>() == m["wrong"].get<int>());
+    if (m["space"] != "object" || m["numbers"] == "doubles only") continue;
+    CHECK(m["wrong"] == 0);
+    CHECK(m["wrong_area_share"] == 0);
+    ++exact;
+  }
+  CHECK(exact >= 4);
+  CHECK(report["growth"].size() == 4);
+  CHECK(contents(d / "out/cube/table.csv").find("\"z-buffer\",\"float\"") != std::string::npos);
+  CHECK(fs::exists(d / "out/cube/pictures/exact.png"));
+  CHECK(fs::exists(d / "out/cube/plots/area-against-time.svg"));
 }
 
 TEST_CASE("bad models are one line with file and line", "[cli]") {
