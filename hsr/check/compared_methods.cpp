@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "hsr/check/fragment_check.h"
 #include "hsr/image/caster.h"
@@ -110,6 +111,7 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
       [](const CastImage& image) {
         return ShownPicture{image.triangles, {}};
       }));
+  methods.back().is_exact = true;
   const auto add_painter = [&](const std::string& method, DepthKey key) {
     methods.push_back(runnable<Image<TriangleId>>(
         method, "double",
@@ -135,9 +137,13 @@ std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& v
         "visible fragments", name(arithmetic),
         [&mesh, &view, arithmetic] { return visible_fragments(mesh, view, {.arithmetic = arithmetic}); }, show_fragments,
         count_fragments));
+  // Other arithmetic than the staged one is for comparison.
+  methods[2].cost = 500;
+  methods[3].cost = 3000;
   methods.push_back(runnable<VisibleFragments>(
       "Roberts surfaces", name(Arithmetic::staged), [&mesh, &view] { return roberts_surfaces(mesh, view); }, show_fragments,
       count_fragments));
+  methods.back().cost = 60;
   methods.push_back(runnable<DepthSort>(
       "depth sort", name(Arithmetic::staged), [&mesh, &view] { return depth_sort(mesh, view); },
       [&mesh, &view, grid](const DepthSort& s) { return shown_order(mesh, view, grid, s.order); },
@@ -149,7 +155,10 @@ std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& v
       "BSP", name(Arithmetic::staged), [&mesh, &view] { return BspTree(mesh).order(view); },
       [&mesh, &view, grid](const PaintersOrder& order) { return shown_order(mesh, view, grid, order); },
       [](const PaintersOrder& order) { return pieces(order.pieces.size()); }));
-  for (RunnableMethod& m : methods) m.is_object_space = true;
+  for (RunnableMethod& m : methods) {
+    m.is_object_space = true;
+    m.is_exact = m.numbers != name(Arithmetic::double_only);
+  }
   return methods;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +23,8 @@ struct ShownPicture {
 struct RunnableMethod {
   std::string method, numbers;
   bool is_object_space = false;
+  bool is_exact = false;
+  double cost = 1;  ///< object space: how many times as long as visible fragments it may take, as we have seen
   std::optional<DepthResolution> resolution;
   std::function<void()> solve;
   std::function<ShownPicture()> show;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "geometry/error.h"
 #include "hsr/check/area_check.h"
 #include "hsr/check/compared_methods.h"
 #include "hsr/check/measure.h"
@@ -36,8 +37,8 @@ class Comparer {
 
   Comparison run() {
     show("truth", 0);
-    // What is measured against. Its own time is measured like that of the others, later.
-    fragments_ = visible_fragments(mesh_, view_);
+    // What areas are measured against, and how long others may take; its own time is measured like that of the others, later.
+    fragments_seconds_ = timed([&] { fragments_ = visible_fragments(mesh_, view_); });
     std::vector<int> sizes;
     for (const int size : {options_.size / 4, options_.size / 2, options_.size, 2 * options_.size})
       if (size >= 1) sizes.push_back(size);
@@ -54,7 +55,7 @@ class Comparer {
   }
 
   template <class Work>
-  auto timed(const Work& work) {
+  double timed(const Work& work) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options_.threads));
     return seconds_of(work);
   }
@@ -81,16 +82,26 @@ class Comparer {
     }
   }
 
-  /// Other arithmetic than the staged one is for comparison, and slower by these factors at most, as we have seen.
   std::string why_not(const RunnableMethod& method) const {
-    if (!method.is_object_space) return {};
-    const double staged = staged_seconds_;
-    const double factor = method.numbers == "rationals only"    ? 2500
-                          : method.numbers == "intervals"       ? 40
-                          : method.method == "Roberts surfaces" ? 30
-                                                                : 0;
-    if (staged * factor < too_long) return {};
-    return "would take up to " + std::to_string(static_cast<int>(staged * factor)) + " s";
+    const double most = method.cost * fragments_seconds_;
+    if (!method.is_object_space || method.cost <= 1 || most < too_long) return {};
+    return "would take up to " + std::to_string(static_cast<int>(most)) + " s";
+  }
+
+  /// Does a piece of work that may be refused, or where plain doubles are used may contradict themselves: that is a result.
+  /// @return whether it was done
+  template <class Work>
+  bool attempt(const std::string& what, bool is_exact, const Work& work) {
+    try {
+      work();
+      return true;
+    } catch (const InputError& e) {
+      result_.left_out.push_back({what, std::string("refused: ") + e.what()});
+    } catch (const InvariantError& e) {
+      if (is_exact) throw;
+      result_.left_out.push_back({what, std::string("broke down: ") + e.what()});
+    }
+    return false;
   }
 
   void run_first(const RunnableMethod& method, int size, const SampleGrid& grid, const Image<TriangleId>& nearest) {
@@ -98,22 +109,18 @@ class Comparer {
     row.method = method.method;
     row.numbers = method.numbers;
     row.is_object_space = method.is_object_space;
+    row.is_exact = method.is_exact;
     row.size = size;
     ShownPicture picture;
-    try {
+    const bool is_done = attempt(method.method + ", " + method.numbers, method.is_exact, [&] {
       const PeakMemory memory;
       row.seconds.push_back(timed(method.solve));
       row.peak_bytes = memory.bytes();
       picture = method.show();
       row.note = method.note();
-      method.forget();
-    } catch (const std::exception& e) {
-      // Plain doubles may contradict themselves: that is a result.
-      row.note = e.what();
-      result_.left_out.push_back({row.method + ", " + row.numbers, std::string("broke down: ") + e.what()});
-      return;
-    }
-    if (method.method == "visible fragments" && staged_seconds_ == 0) staged_seconds_ = row.seconds.front();
+    });
+    method.forget();
+    if (!is_done) return;
     PictureCheck check = check_picture(mesh_, view_, grid, picture.triangles, nearest, method.resolution);
     row.samples = check.samples;
     row.covered = check.covered;
@@ -121,8 +128,9 @@ class Comparer {
     row.edge = check.edge;
     row.tie = check.tie;
     row.order = check.order;
-    const bool is_exact = method.is_object_space && check.wrong == 0;
-    if (!is_exact) {
+    if (method.is_object_space) {
+      row.wrong_area_share = row.wrong_share();
+    } else {
       const AreaCheck area = check_area(mesh_, view_, fragments_, grid, picture.triangles);
       row.wrong_area_share = area.visible > 0 ? area.wrong / area.visible : 0;
       row.edge_error = area.edge_error();
@@ -169,8 +177,10 @@ class Comparer {
       }
       const Mesh mesh = make_mesh({mesh_.points.begin(), mesh_.points.end()}, polygons);
       const auto add = [&](Growth& g, const auto& work) {
+        double seconds = 0;
+        if (!attempt(g.method + ", " + std::to_string(n) + " triangles", true, [&] { seconds = timed(work); })) return;
         g.faces.push_back(static_cast<double>(n));
-        g.seconds.push_back(timed(work));
+        g.seconds.push_back(seconds);
       };
       DepthImage<float> image;
       add(all[0], [&] { image = z_buffer<float>(mesh, view_, grid); });
@@ -217,15 +227,17 @@ class Comparer {
   /// Coherence of frames: a tree for all frames of a turntable against a sort for each.
   void turn() {
     constexpr int frames = 36;
-    std::optional<BspTree> tree;
-    const double build = timed([&] { tree.emplace(mesh_); });
-    std::vector<std::uint32_t> far_to_near;
-    const double walks = timed([&] {
-      for (int k = 0; k < frames; ++k) tree->walk(view_, far_to_near);
+    attempt("36 frames by one BSP", true, [&] {
+      std::optional<BspTree> tree;
+      const double build = timed([&] { tree.emplace(mesh_); });
+      std::vector<std::uint32_t> far_to_near;
+      const double walks = timed([&] {
+        for (int k = 0; k < frames; ++k) tree->walk(view_, far_to_near);
+      });
+      const double sort = timed([&] { (void)depth_sort(mesh_, view_); });
+      result_.stages.push_back({"36 frames: one BSP, walked for each, instead of a depth sort for each", "coherence",
+                                build + walks, frames * sort, std::to_string(tree->pieces()) + " pieces a frame"});
     });
-    const double sort = timed([&] { (void)depth_sort(mesh_, view_); });
-    result_.stages.push_back({"36 frames: one BSP, walked for each, instead of a depth sort for each", "coherence",
-                              build + walks, frames * sort, std::to_string(tree->pieces()) + " pieces a frame"});
   }
 
   const Mesh& mesh_;
@@ -234,7 +246,7 @@ class Comparer {
   const ComparisonOptions& options_;
   Comparison result_;
   VisibleFragments fragments_;
-  double staged_seconds_ = 0;
+  double fragments_seconds_ = 0;
   std::vector<std::pair<std::size_t, RunnableMethod>> again_;
   std::mt19937_64 random_{options_.seed};
 };

@@ -19,15 +19,18 @@ struct ComparedMethod {
   std::string method;   ///< "z-buffer", "depth sort", ...
   std::string numbers;  ///< depth format or arithmetic: "fixed 24", "float", "exact", ...
   bool is_object_space = false;
+  bool is_exact = false;        ///< it promises the nearest face at each sample
   int size = 0;                 ///< samples each way; of object-space methods, of the picture that it is checked with
   std::vector<double> seconds;  ///< of each run, ascending
   std::size_t peak_bytes = 0;   ///< at most, of the first run, beside the scene and what was there before
   std::uint64_t samples = 0, covered = 0, wrong = 0, edge = 0, tie = 0, order = 0;  ///< PictureCheck
-  double wrong_area_share = 0;  ///< of the visible area, pixels taken as squares; exact results: 0
-  double edge_error = 0;        ///< pixels of this size; AreaCheck::edge_error
-  std::string note;             ///< pieces, cuts, what went wrong; or empty
-  int picture = -1;             ///< of Comparison::pictures, or none
+  /// Of the visible area. Image space: pixels taken as squares. Object space has no pixels: the share of wrong samples.
+  double wrong_area_share = 0;
+  double edge_error = 0;  ///< image space: pixels of this size; AreaCheck::edge_error
+  std::string note;       ///< pieces, cuts; or empty
+  int picture = -1;       ///< of Comparison::pictures, or none
 
+  std::string name() const { return method + ", " + numbers; }
   double median() const { return seconds.empty() ? 0 : seconds[seconds.size() / 2]; }
   double wrong_share() const {
     return covered == 0 ? (wrong == 0 ? 0.0 : 1.0) : static_cast<double>(wrong) / static_cast<double>(covered);
@@ -62,7 +65,7 @@ struct Comparison {
   std::vector<ComparedPicture> pictures;  ///< all of one size; the first is the truth
   std::vector<Growth> growth;
   std::vector<ComparedStage> stages;
-  std::vector<LeftOut> left_out;  ///< what was not run, and what the plan of a drawing does without
+  std::vector<LeftOut> left_out;  ///< what was not run or refused, and what the plan of a drawing does without
 };
 
 struct ComparisonOptions {

@@ -25,12 +25,13 @@ PeakMemory::PeakMemory() {
 #ifdef __GLIBC__
   malloc_trim(0);  // or the work would use what others left
 #endif
-  std::ofstream("/proc/self/clear_refs") << "5";  // the peak is forgotten
+  std::ofstream file("/proc/self/clear_refs");
+  is_told_ = static_cast<bool>(file << "5" << std::flush);  // the peak is forgotten
   before_ = status("VmRSS");
 }
 
 std::size_t PeakMemory::bytes() const {
-  const std::size_t most = status("VmHWM");
+  const std::size_t most = is_told_ ? status("VmHWM") : 0;
   return most > before_ ? most - before_ : 0;
 }
 

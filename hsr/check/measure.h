@@ -33,6 +33,7 @@ class PeakMemory {
   std::size_t bytes() const;
 
  private:
+  bool is_told_ = false;
   std::size_t before_ = 0;
 };
 

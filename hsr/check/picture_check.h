@@ -24,10 +24,6 @@ struct PictureCheck {
   std::uint64_t wrong = 0;                 ///< the sum of the following
   std::uint64_t edge = 0, tie = 0, order = 0;
   Image<Mistake> mistakes;
-
-  double wrong_share() const {
-    return covered == 0 ? (wrong == 0 ? 0.0 : 1.0) : static_cast<double>(wrong) / static_cast<double>(covered);
-  }
 };
 
 /// What a depth buffer can tell apart.

@@ -1,12 +1,9 @@
 #include <fmt/format.h>
-#include <tbb/info.h>
 
 #include <CLI/CLI.hpp>
-#include <ctime>
+#include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <optional>
 
 #include "geometry/error.h"
 #include "hsr/check/comparison.h"
@@ -18,7 +15,9 @@
 #include "hsr/cli/view_options.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/read/read.h"
+#include "hsr/write/comparison_csv.h"
 #include "hsr/write/comparison_page.h"
+#include "hsr/write/comparison_plots.h"
 
 namespace hsr::cli {
 
@@ -133,7 +132,7 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
   for (const ComparedMethod& m : comparison.methods) {
     if (m.picture < 0) continue;
     const ComparisonImages& i = images[static_cast<std::size_t>(m.picture)];
-    const std::string name = "pictures/" + file_name(m.method + ", " + m.numbers);
+    const std::string name = "pictures/" + file_name(m.name());
     directory.write(name + ".png", i.shown);
     directory.write(name + "-difference.png", i.mistakes);
     if (!i.depth.empty()) directory.write(name + "-depth.png", i.depth);
@@ -157,9 +156,9 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
 
   // An exact method that shows another face than the caster is a defect of hsr, and never goes unsaid.
   for (const ComparedMethod& m : comparison.methods)
-    if (m.is_object_space && m.numbers != "doubles only" && m.wrong > 0) {
-      fmt::print(stderr, "hsr: compare: {}, {}, shows another face than the nearest at {} samples: please report it\n",
-                 m.method, m.numbers, m.wrong);
+    if (m.is_exact && m.wrong > 0) {
+      fmt::print(stderr, "hsr: compare: {} shows another face than the nearest at {} samples: please report it\n", m.name(),
+                 m.wrong);
       throw CheckFailed();
     }
 }

@@ -59,9 +59,10 @@ double step(DepthFormat format, const DepthRange& range, double nearness);
 /// normalised, z' = (c - z) / (z + z c), from 0 at the near plane to -1 at the far one.
 double transformed_depth(double z, double near, double far);
 
-/// The smallest gap, in the unit of z, that two surfaces at distance z must have for every buffer of this format to tell them
-/// apart, with near and far plane at n and f: the derivative of the depth, times its step there (of a logarithmic buffer, its
-/// own). So z^2 (f - n) / (n f 2^b), about z^2 / (n 2^b), of `bits` b fixed bits.
+/// The gap, in the unit of z, between two surfaces at distance z whose depths are one step of the format apart, with near and
+/// far plane at n and f: the step over the derivative of the depth (of a logarithmic buffer, its own). So
+/// z^2 (f - n) / (n f 2^b), about z^2 / (n 2^b), of b fixed bits. Both depths are rounded: to be told apart for sure, surfaces
+/// need a few of these.
 /// Source: Akeley & Su 2006; Reed 2015 (reversed); Kemen 2009 (logarithmic).
 double smallest_gap(DepthFormat format, double z, double near, double far);
 

@@ -1,43 +1,13 @@
 #include "hsr/write/comparison_page.h"
 
-#include <algorithm>
-#include <cmath>
-#include <locale>
-#include <sstream>
-
+#include "hsr/write/comparison_plots.h"
 #include "hsr/write/html_page.h"
 #include "hsr/write/json_text.h"
+#include "hsr/write/svg_text.h"
 
 namespace hsr {
 
 namespace {
-
-std::string full_name(const ComparedMethod& m) { return m.method + ", " + m.numbers; }
-
-/// One series for each method and its numbers, in the order of the table, with a point for each size.
-template <class Point>
-std::vector<PlotSeries> series(const Comparison& c, const Point& point) {
-  std::vector<PlotSeries> all;
-  for (const ComparedMethod& m : c.methods) {
-    const std::string name = full_name(m);
-    auto s = std::find_if(all.begin(), all.end(), [&](const PlotSeries& x) { return x.name == name; });
-    if (s == all.end()) {
-      all.push_back({name, {}, false});
-      s = all.end() - 1;
-    }
-    s->points.push_back(point(m));
-  }
-  return all;
-}
-
-/// y = a x^power through the first point of a series.
-PlotSeries guide(const std::string& name, const PlotSeries& along, double power) {
-  PlotSeries g{name, {}, true};
-  if (along.points.empty()) return g;
-  const auto& first = along.points.front();
-  for (const auto& p : along.points) g.points.push_back({p[0], first[1] * std::pow(p[0] / first[0], power)});
-  return g;
-}
 
 std::string milliseconds(double s) { return html_number(1000 * s).text + " ms"; }
 
@@ -64,7 +34,6 @@ constexpr std::string_view slider_markup = R"(
 <div class="pair" id="pair"><img class="truth" id="truth" alt="What is visible, exactly"><img id="l" alt=""><img id="r" alt=""><div class="bar" id="bar"></div></div>
 <input type="range" id="position" min="0" max="100" value="50" aria-label="Where the left method ends and the right one begins">
 <div class="says"><div id="says-l"></div><div id="says-r"></div></div>
-<p class="key">Differences:<span style="background:#1e64ff"></span>edge misplaced<span style="background:#ff9600"></span>tie within the depth format<span style="background:#e1001e"></span>wrong order</p>
 )";
 
 constexpr std::string_view slider_script = R"(
@@ -86,6 +55,15 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
   page.heading("Two methods beside each other");
   page.html(slider_style);
   page.html(slider_markup);
+  std::string legend = "<p class=\"key\">Differences:";
+  for (const auto& [mistake, words] :
+       {std::pair(Mistake::edge, "edge misplaced"), std::pair(Mistake::tie, "tie within the depth format"),
+        std::pair(Mistake::order, "wrong order")}) {
+    legend += "<span style=\"background:";
+    append_colour(legend, mistake_colour(mistake));
+    legend += "\"></span>" + std::string(words);
+  }
+  page.html(legend + "</p>\n");
   std::string data = "const shown=[";
   const auto add = [&](const std::string& name, const std::string& says, const ComparisonImages& i, bool is_truth) {
     data += "{name:";
@@ -104,8 +82,8 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
   if (!images.empty()) add("exact", "exact", images[0], true);
   for (const ComparedMethod& m : c.methods)
     if (m.picture >= 0)
-      add(full_name(m),
-          full_name(m) + ": " + std::to_string(m.wrong) + " of " + std::to_string(m.covered) + " samples wrong, " +
+      add(m.name(),
+          m.name() + ": " + std::to_string(m.wrong) + " of " + std::to_string(m.covered) + " samples wrong, " +
               milliseconds(m.median()),
           images[static_cast<std::size_t>(m.picture)], false);
   page.script(data + "];\n");
@@ -113,60 +91,6 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
 }
 
 }  // namespace
-
-std::vector<NamedPlot> comparison_plots(const Comparison& c) {
-  std::vector<NamedPlot> plots;
-  plots.push_back({"area-against-time",
-                   {"Wrong visible area against run time", "seconds (median)", "share of the visible area",
-                    series(c,
-                           [](const ComparedMethod& m) {
-                             return std::array{m.median(), m.wrong_area_share};
-                           }),
-                    "exact: 0"}});
-  plots.push_back({"samples-against-time",
-                   {"Wrong samples against run time", "seconds (median)", "share of the covered samples",
-                    series(c,
-                           [](const ComparedMethod& m) {
-                             return std::array{m.median(), m.wrong_share()};
-                           }),
-                    "0"}});
-  const auto only_pictures = [](std::vector<PlotSeries> all) {
-    all.erase(std::remove_if(all.begin(), all.end(), [](const PlotSeries& s) { return s.points.size() < 2; }), all.end());
-    return all;
-  };
-  std::vector<PlotSeries> area = only_pictures(series(c, [](const ComparedMethod& m) {
-    return std::array{static_cast<double>(m.size), m.wrong_area_share};
-  }));
-  if (!area.empty()) area.push_back(guide("1 / samples each way", area.front(), -1));
-  plots.push_back({"area-against-size",
-                   {"Wrong visible area against resolution", "samples each way", "share of the visible area", area, "0"}});
-  plots.push_back({"edges-against-size",
-                   {"Edge position error against resolution", "samples each way", "share of the picture's width",
-                    only_pictures(series(c,
-                                         [](const ComparedMethod& m) {
-                                           return std::array{static_cast<double>(m.size), m.edge_error / m.size};
-                                         })),
-                    "0"}});
-  std::vector<PlotSeries> time = only_pictures(series(c, [](const ComparedMethod& m) {
-    return std::array{static_cast<double>(m.size), m.median()};
-  }));
-  if (!time.empty()) time.push_back(guide("samples", time.front(), 2));
-  plots.push_back({"time-against-size", {"Run time against resolution", "samples each way", "seconds (median)", time, "0"}});
-  std::vector<PlotSeries> growth;
-  for (const Growth& g : c.growth) {
-    PlotSeries s{g.method + ": n^" + html_number(g.slope).text, {}, false};
-    for (std::size_t k = 0; k < g.faces.size(); ++k) s.points.push_back({g.faces[k], g.seconds[k]});
-    growth.push_back(std::move(s));
-  }
-  if (growth.size() > 1) {
-    growth.push_back(guide("n", growth[1], 1));
-    growth.push_back(guide("n^2", growth[1], 2));
-  }
-  plots.push_back(
-      {"time-against-faces",
-       {"Run time against the number of triangles n (the first n, shuffled)", "triangles", "seconds", growth, "0"}});
-  return plots;
-}
 
 std::string comparison_page(const Comparison& c, const std::vector<ComparisonImages>& images, const PageText& text) {
   HtmlPage page(text.title);
@@ -226,20 +150,6 @@ std::string comparison_page(const Comparison& c, const std::vector<ComparisonIma
   if (left_out.empty()) left_out.push_back("nothing");
   page.list(left_out);
   return page.text();
-}
-
-std::string comparison_csv(const Comparison& c) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(12);
-  text << "method,numbers,space,size,runs,seconds_median,seconds_least,seconds_most,peak_bytes,samples,covered,wrong,edge,tie,"
-          "order,wrong_share,wrong_area_share,edge_error_pixels\n";
-  for (const ComparedMethod& m : c.methods)
-    text << '"' << m.method << "\",\"" << m.numbers << "\"," << (m.is_object_space ? "object" : "image") << ',' << m.size << ','
-         << m.seconds.size() << ',' << m.median() << ',' << m.seconds.front() << ',' << m.seconds.back() << ',' << m.peak_bytes
-         << ',' << m.samples << ',' << m.covered << ',' << m.wrong << ',' << m.edge << ',' << m.tie << ',' << m.order << ','
-         << m.wrong_share() << ',' << m.wrong_area_share << ',' << m.edge_error << '\n';
-  return text.str();
 }
 
 }  // namespace hsr

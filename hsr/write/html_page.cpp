@@ -2,17 +2,12 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
+
+#include "hsr/write/svg_text.h"
 
 namespace hsr {
 
 namespace {
-
-std::string digits(double x, int n) {
-  std::array<char, 32> text;
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, n);
-  return {text.data(), end};
-}
 
 constexpr std::string_view style = R"(
 :root{--ink:#1d2026;--paper:#fff;--faint:#dcdfe4;--panel:#f5f6f8;--link:#2456b3;
@@ -53,20 +48,15 @@ table.tBodies[0].append(...rows)}));
 
 }  // namespace
 
-std::string html_escaped(std::string_view text) {
+std::string rounded_text(double x, int digits) {
+  std::array<char, 32> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits);
+  return {text.data(), end};
+}
+
+std::string html_escaped(const std::string& text) {
   std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
+  append_text(out, text);
   return out;
 }
 
@@ -82,17 +72,17 @@ std::string png_url(std::string_view png) {
   return out;
 }
 
-HtmlCell html_number(double x) { return {digits(x, 3), x, true}; }
+HtmlCell html_number(double x) { return {rounded_text(x, 3), x, true}; }
 
-HtmlCell html_share(double x) { return {x == 0 ? "0" : digits(100 * x, 3) + " %", x, true}; }
+HtmlCell html_share(double x) { return {x == 0 ? "0" : rounded_text(100 * x, 3) + " %", x, true}; }
 
 HtmlCell html_bytes(double bytes) {
-  return {bytes < 1e6 ? digits(bytes / 1e3, 3) + " kB" : digits(bytes / 1e6, 3) + " MB", bytes, true};
+  return {bytes < 1e6 ? rounded_text(bytes / 1e3, 3) + " kB" : rounded_text(bytes / 1e6, 3) + " MB", bytes, true};
 }
 
-void HtmlPage::heading(std::string_view text) { body_ += "<h2>" + html_escaped(text) + "</h2>\n"; }
+void HtmlPage::heading(const std::string& text) { body_ += "<h2>" + html_escaped(text) + "</h2>\n"; }
 
-void HtmlPage::paragraph(std::string_view text) { body_ += "<p>" + html_escaped(text) + "</p>\n"; }
+void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + html_escaped(text) + "</p>\n"; }
 
 void HtmlPage::list(const std::vector<std::string>& items) {
   body_ += "<ul>\n";
@@ -107,8 +97,8 @@ void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<
   for (const auto& row : rows) {
     body_ += "<tr>";
     for (const HtmlCell& c : row)
-      body_ +=
-          (c.is_number ? "<td class=\"n\" data-v=\"" + digits(c.value, 17) + "\">" : "<td>") + html_escaped(c.text) + "</td>";
+      body_ += (c.is_number ? "<td class=\"n\" data-v=\"" + rounded_text(c.value, 17) + "\">" : "<td>") + html_escaped(c.text) +
+               "</td>";
     body_ += "</tr>\n";
   }
   body_ += "</tbody></table></div>\n";

@@ -6,7 +6,9 @@
 
 namespace hsr {
 
-std::string html_escaped(std::string_view text);
+/// With so many digits, in the shortest form: "0.25", "1e-07"
+std::string rounded_text(double x, int digits);
+std::string html_escaped(const std::string& text);
 /// "data:image/png;base64,..."
 std::string png_url(std::string_view png);
 
@@ -28,8 +30,8 @@ class HtmlPage {
  public:
   explicit HtmlPage(std::string title) : title_(std::move(title)) {}
 
-  void heading(std::string_view text);
-  void paragraph(std::string_view text);
+  void heading(const std::string& text);
+  void paragraph(const std::string& text);
   void list(const std::vector<std::string>& items);
   void table(const std::vector<std::string>& columns, const std::vector<std::vector<HtmlCell>>& rows);
   void html(std::string_view markup) { body_ += markup; }

@@ -1,7 +1,6 @@
 #include "hsr/write/plot_svg.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "hsr/write/html_page.h"
@@ -10,15 +9,11 @@ namespace hsr {
 
 namespace {
 
-constexpr double width = 760, height = 440, left = 70, right = 500, top = 36, bottom = 370, zero_line = 392;
+constexpr double width = 800, height = 440, left = 70, right = 500, top = 36, bottom = 370, zero_line = 392;
 constexpr std::array<const char*, 8> colours = {"#3566c4", "#c4472b", "#2b8a57", "#8a4fbf",
                                                 "#b07a10", "#15879b", "#b8397f", "#6b6f76"};
 
-std::string number(double x, int digits = 4) {
-  std::array<char, 32> text;
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits);
-  return {text.data(), end};
-}
+std::string number(double x, int digits = 4) { return rounded_text(x, digits); }
 
 std::string colour(std::size_t k) {
   k %= colours.size();
@@ -35,8 +30,8 @@ struct Axis {
   }
   void finish() {
     if (!(low <= high)) low = 0, high = 1;
-    low = std::floor(low + 1e-9);
-    high = std::max(std::ceil(high - 1e-9), low + 1);
+    low = std::floor(low);
+    high = std::max(std::ceil(high), low + 1);
   }
   double share(double x) const { return (std::log10(x) - low) / (high - low); }
   /// So that at most a dozen have a number.
@@ -74,7 +69,7 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
 }
 
 std::string power_of_ten(double exponent) {
-  if (exponent >= -3 && exponent <= 4) return number(std::pow(10, exponent));
+  if (exponent >= -3 && exponent <= 4) return number(std::pow(10, exponent), 6);
   return "1e" + std::to_string(static_cast<int>(exponent));
 }
 

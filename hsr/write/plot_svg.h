@@ -20,7 +20,7 @@ struct Plot {
   std::string zero_label = "0";
 };
 
-/// An <svg> element, 760 by 440, that stands alone or in a page, whose custom properties --ink, --paper, --faint and --c0 ...
+/// An <svg> element, 800 by 440, that stands alone or in a page, whose custom properties --ink, --paper, --faint and --c0 ...
 /// --c7 give it its colours.
 std::string plot_svg(const Plot& plot);
 
