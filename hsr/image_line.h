@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "hsr/sight.h"
 
@@ -35,14 +36,23 @@ class ImageLine {
     return det > bound ? Sign::positive : det < -bound ? Sign::negative : Sign::zero;
   }
 
+  /// The sign of O(a, b, p) where doubles tell it, a zero too: exact images on a line along an axis need only comparisons, and
+  /// elevations are full of them.
+  std::optional<Sign> side_by_doubles(VertexId p) const {
+    const Sign certain = certain_side(p);
+    if (certain != Sign::zero) return certain;
+    if (sight_.image_error() != 0 || (dx_ != 0 && dy_ != 0)) return std::nullopt;
+    const ImagePoint& c = sight_.image(p);
+    return dx_ == 0 ? -sign_of(dy_) * sign_of(c.x - ax_) : sign_of(dx_) * sign_of(c.y - ay_);
+  }
+
   /// The sign of O(a, b, p). Exact.
   Sign side(VertexId p, Predicates& exact) const {
-    const Sign certain = certain_side(p);
-    if (certain != Sign::zero) {
-      ++exact.counts().filter;
-      return certain;
-    }
-    return side_beyond_filter(p, exact);
+    const std::optional<Sign> s = side_by_doubles(p);
+    if (!s) return exact.side_beyond_filter(sight_.sight_plane(a_, b_), sight_.point(p));
+    ++exact.counts().filter;
+    if (*s == Sign::zero) ++exact.counts().zero;
+    return *s;
   }
 
   /// Whether a and b are seen as one point, so that there is no line. Exact.
@@ -70,18 +80,6 @@ class ImageLine {
     const double rx = c.x - ox, ry = c.y - oy, dot = dx_ * rx + dy_ * ry;
     const double bound = 2 * (least_ + slope_ * (std::fabs(rx) + std::fabs(ry) + std::fabs(ox) + std::fabs(oy)));
     return dot > bound ? Sign::positive : dot < -bound ? Sign::negative : Sign::zero;
-  }
-
-  /// Exact images on a line along an axis need only comparisons: elevations are full of them.
-  Sign side_beyond_filter(VertexId p, Predicates& exact) const {
-    if (sight_.image_error() == 0 && (dx_ == 0 || dy_ == 0)) {
-      ++exact.counts().filter;
-      const ImagePoint& c = sight_.image(p);
-      const Sign s = dx_ == 0 ? -sign_of(dy_) * sign_of(c.x - ax_) : sign_of(dx_) * sign_of(c.y - ay_);
-      if (s == Sign::zero) ++exact.counts().zero;
-      return s;
-    }
-    return exact.side_beyond_filter(sight_.sight_plane(a_, b_), sight_.point(p));
   }
 
   const Sight& sight_;

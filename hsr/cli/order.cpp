@@ -55,6 +55,7 @@ const char* const examples = R"(Examples:
 
 void describe(Report& report, const DepthSort& sorted, const Mesh& mesh) {
   const DepthSortCounts& c = sorted.counts;
+  report["clusters"] = c.clusters;
   report["tests"] = {{"candidates", c.candidates}, {"apart", c.apart},           {"by_plane", c.by_plane},
                      {"coplanar", c.coplanar},     {"by_overlap", c.by_overlap}, {"overlapping", c.overlapping},
                      {"piercing", c.piercing}};
@@ -70,6 +71,9 @@ void describe(Report& report, const DepthSort& sorted, const Mesh& mesh) {
     cycles.push_back({{"faces", std::move(faces)}, {"witnesses", std::move(witnesses)}});
   }
   report["cycles"] = std::move(cycles);
+  if (c.clusters > 1)
+    report.leave_out("relations across clusters",
+                     fmt::format("planes that no face crosses part the scene into {} clusters", c.clusters));
   if (c.piercing == 0) report.leave_out("cuts at intersections", "no two faces pierce each other");
   if (c.cyclic_components == 0) report.leave_out("cuts in cycles", "the overlaps have no cycle");
 }

@@ -7,42 +7,27 @@
 
 namespace hsr {
 
-ConvexPiece convex_piece(const Sight& sight, TriangleId t) {
-  const auto& c = sight.mesh().triangles[t];
-  ConvexPiece piece;
-  const bool forward = sight.facing(t) == Sign::negative;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = forward ? k : 2 - k;               // the side
-    const std::size_t from = forward ? k : (2 - k + 1) % 3;  // its first corner
-    piece.lines.push_back(side_of_triangle(sight, t, i));
-    piece.points.push_back(MapPoint::of_vertex(c[from]));
-  }
-  return piece;
-}
+ConvexPiece convex_piece(const Sight& sight, TriangleId t) { return convex_piece(sight, t, sight.mesh().triangles[t]); }
 
-namespace {
-
-/// A convex ring of vertices as it is seen.
-ConvexPiece piece_of_ring(const Sight& sight, TriangleId facet, std::vector<VertexId> ring) {
-  if (sight.facing(facet) == Sign::positive) std::reverse(ring.begin(), ring.end());
+ConvexPiece convex_piece(const Sight& sight, TriangleId facet, std::span<const VertexId> ring) {
   ConvexPiece piece;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const VertexId u = ring[k], v = ring[(k + 1) % ring.size()];
+  const bool forward = sight.facing(facet) == Sign::negative;
+  const std::size_t n = ring.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const VertexId u = ring[forward ? k : n - 1 - k], v = ring[forward ? (k + 1) % n : (2 * n - 2 - k) % n];
     piece.points.push_back(MapPoint::of_vertex(u));
     piece.lines.push_back({MapLine::edge(u, v), u < v ? Sign::positive : Sign::negative});
   }
   return piece;
 }
 
-}  // namespace
-
 std::vector<ConvexPiece> convex_pieces(MapSight& map, TriangleId facet) {
   const Sight& sight = map.sight();
   const TriangleId end = facet_end(map.mesh(), facet);
   std::vector<ConvexPiece> pieces;
   if (end.value - facet.value > 1)
-    if (auto ring = convex_ring(sight, facet, map.exact()); !ring.empty())
-      pieces.push_back(piece_of_ring(sight, facet, std::move(ring)));
+    if (const auto ring = convex_ring(sight, facet, map.exact()); !ring.empty())
+      pieces.push_back(convex_piece(sight, facet, ring));
   if (pieces.empty())
     for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U))
       if (sight.reaches_beyond_near(t)) pieces.push_back(convex_piece(sight, t));

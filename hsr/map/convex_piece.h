@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "hsr/map/map_sight.h"
@@ -17,6 +18,9 @@ struct ConvexPiece {
 
 /// A triangle that is not seen edge-on.
 ConvexPiece convex_piece(const Sight& sight, TriangleId t);
+
+/// A convex ring of vertices of the facet, as its triangles run.
+ConvexPiece convex_piece(const Sight& sight, TriangleId facet, std::span<const VertexId> ring);
 
 /// A facet that is not seen edge-on, beyond the near plane: one piece if it is convex, or one of each triangle.
 std::vector<ConvexPiece> convex_pieces(MapSight& map, TriangleId facet);

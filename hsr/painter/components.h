@@ -16,6 +16,19 @@ struct Graph {
   }
 };
 
+/// @param for_each_edge calls its argument with (from, to) for each edge, and does so twice
+template <class F>
+Graph make_graph(std::size_t nodes, const F& for_each_edge) {
+  std::vector<std::uint32_t> next(nodes + 1, 0);
+  for_each_edge([&](std::uint32_t from, std::uint32_t) { ++next[from + 1]; });
+  for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
+  Graph graph;
+  graph.first = next;
+  graph.targets.resize(next.back());
+  for_each_edge([&](std::uint32_t from, std::uint32_t to) { graph.targets[next[from]++] = to; });
+  return graph;
+}
+
 /// The nodes in an order in which each comes before all that it leads to; those in cycles, and what only they lead to, are left
 /// out. Of several that may come next, the one that could first. Cost: O(nodes + edges). Source: Kahn 1962.
 std::vector<std::uint32_t> topological_order(const Graph& graph);

@@ -36,7 +36,8 @@ class Sorter {
   DepthSort sort();
 
  private:
-  void find_relations();
+  bool order_whole(const OverlapGraph& found);
+  void begin_cutting(const OverlapGraph& found);
   void resolve_piercing();
   void resolve_cycles();
   void resolve(std::vector<std::uint32_t> nodes);
@@ -46,6 +47,7 @@ class Sorter {
   void order_by_planes(const std::vector<std::uint32_t>& component);
   bool split(std::uint32_t piece, const MapHalfPlane& line);
   void relate(std::uint32_t a, std::uint32_t b);
+  const PieceOfFacet& shaped(std::uint32_t piece);
   void count_pieces(std::size_t more);
   template <class F>
   void for_each_neighbour(std::uint32_t piece, const F& visit) const;
@@ -57,8 +59,11 @@ class Sorter {
   const View& view_;
   Sight sight_;
   Overlaps overlaps_;
-  std::vector<PieceOfFacet> pieces_;
-  std::vector<std::uint8_t> is_cut_;  // its parts stand for it
+  FacePieces faces_;
+  Clusters clusters_;
+  std::vector<std::uint32_t> cluster_of_;  // by piece
+  std::vector<PieceOfFacet> pieces_;       // first those of the faces, whose shapes are made where they are needed
+  std::vector<std::uint8_t> is_cut_;       // its parts stand for it
   // The relations that were found first, by piece; those of parts of pieces.
   std::vector<std::uint32_t> first_neighbour_;
   std::vector<Neighbour> neighbours_;
@@ -72,22 +77,40 @@ class Sorter {
   DepthSort result_;
 };
 
-void Sorter::find_relations() {
-  OverlapGraph found = overlap_graph(sight_, pieces_, options_.classic);
-  DepthSortCounts& c = result_.counts;
-  c.candidates = found.candidates;
-  c.apart = found.counts.image_sides;
-  c.by_plane = found.counts.planes;
-  c.coplanar = found.counts.coplanar;
-  c.by_overlap = found.counts.intersection;
-  c.overlapping = found.pairs.size();
-  result_.order.decisions += found.decisions;
+/// The same items, those of one cluster together, these ascending.
+template <class F>
+std::vector<std::uint32_t> by_cluster(const std::vector<std::uint32_t>& items, std::size_t clusters, const F& cluster_of) {
+  if (clusters == 1) return items;
+  std::vector<std::uint32_t> next(clusters + 1, 0), sorted(items.size());
+  for (const std::uint32_t i : items) ++next[cluster_of(i) + 1];
+  for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
+  for (const std::uint32_t i : items) sorted[next[cluster_of(i)]++] = i;
+  return sorted;
+}
+
+/// Most scenes have an order of whole pieces: it takes no more than the relations. False: something must be cut.
+bool Sorter::order_whole(const OverlapGraph& found) {
+  if (result_.counts.piercing > 0) return false;
+  const std::vector<std::uint32_t> order = topological_order(make_graph(faces_.size(), [&](const auto& visit) {
+    for (const Overlapping& pair : found.pairs) visit(pair.first, pair.second);
+  }));
+  if (order.size() != faces_.size()) return false;
+  result_.order.pieces.reserve(faces_.size());
+  result_.order.corners.reserve(faces_.corners.size());
+  for (const std::uint32_t piece : by_cluster(order, clusters_.size(), [&](std::uint32_t p) { return cluster_of_[p]; }))
+    append(sight_, faces_, piece, result_.order);
+  return true;
+}
+
+void Sorter::begin_cutting(const OverlapGraph& found) {
+  most_ = options_.most_pieces > 0 ? options_.most_pieces : std::max<std::size_t>(100'000, faces_.size() * 64);
+  pieces_.resize(faces_.size());
+  for (std::size_t i = 0; i < pieces_.size(); ++i) pieces_[i].facet = faces_.facet[i];
+  is_cut_.assign(pieces_.size(), 0);
+  block_of_.assign(pieces_.size(), none);
   first_neighbour_.assign(pieces_.size() + 1, 0);
   for (const Overlapping& pair : found.pairs) {
-    if (pair.piercing) {
-      ++c.piercing;
-      piercing_.push_back({std::min(pair.first, pair.second), std::max(pair.first, pair.second)});
-    }
+    if (pair.piercing) piercing_.push_back({std::min(pair.first, pair.second), std::max(pair.first, pair.second)});
     ++first_neighbour_[pair.first + 1];
     ++first_neighbour_[pair.second + 1];
   }
@@ -105,16 +128,22 @@ template <class F>
 void Sorter::for_each_neighbour(std::uint32_t piece, const F& visit) const {
   if (piece + 1 < first_neighbour_.size())
     for (std::uint32_t k = first_neighbour_[piece]; k < first_neighbour_[piece + 1]; ++k) visit(neighbours_[k]);
+  if (more_neighbours_.empty()) return;
   const auto more = more_neighbours_.find(piece);
   if (more != more_neighbours_.end())
     for (const Neighbour& n : more->second) visit(n);
 }
 
+const PieceOfFacet& Sorter::shaped(std::uint32_t p) {
+  PieceOfFacet& piece = pieces_[p];
+  if (piece.shape.points.empty()) piece.shape = faces_.shape(sight_, p);
+  if (piece.near.empty()) piece.near = overlaps_.near_corners(piece);
+  return piece;
+}
+
 void Sorter::relate(std::uint32_t a, std::uint32_t b) {
   if (pieces_[a].facet == pieces_[b].facet) return;
-  for (PieceOfFacet* piece : {&pieces_[a], &pieces_[b]})
-    if (piece->near.empty()) piece->near = overlaps_.near_corners(*piece);
-  const Overlap how = overlaps_.relation(pieces_[a], pieces_[b]);
+  const Overlap how = overlaps_.relation(shaped(a), shaped(b));
   if (how == Overlap::none) return;
   if (how == Overlap::piercing) piercing_.push_back({std::min(a, b), std::max(a, b)});
   more_neighbours_[a].push_back({b, how == Overlap::second_behind});
@@ -128,7 +157,7 @@ void Sorter::count_pieces(std::size_t more) {
 
 /// Cuts a piece in two along a line. False: it does not pass through it.
 bool Sorter::split(std::uint32_t piece, const MapHalfPlane& line) {
-  PieceOfFacet inside = pieces_[piece];
+  PieceOfFacet inside = shaped(piece);
   auto outside = cut(overlaps_.map(), inside.shape, line);
   if (!outside || inside.shape.points.empty()) return false;
   count_pieces(2);
@@ -139,6 +168,7 @@ bool Sorter::split(std::uint32_t piece, const MapHalfPlane& line) {
   is_cut_[piece] = 1;
   is_cut_.resize(pieces_.size(), 0);
   block_of_.resize(pieces_.size(), none);
+  cluster_of_.resize(pieces_.size(), cluster_of_[piece]);
   std::vector<std::uint32_t> around;
   for_each_neighbour(piece, [&](const Neighbour& n) {
     if (is_cut_[n.piece] == 0) around.push_back(n.piece);
@@ -238,7 +268,7 @@ bool Sorter::cut_cycle(const std::vector<std::uint32_t>& cycle, std::vector<std:
 PaintersCycle Sorter::named(const std::vector<std::uint32_t>& cycle) {
   PaintersCycle found;
   for (std::size_t k = 0; k < cycle.size(); ++k) {
-    const PieceOfFacet &here = pieces_[cycle[k]], &next = pieces_[cycle[(k + 1) % cycle.size()]];
+    const PieceOfFacet &here = shaped(cycle[k]), &next = shaped(cycle[(k + 1) % cycle.size()]);
     found.facets.push_back(here.facet);
     // The middle of the corners of the common part, on this face: inside it, as it is convex.
     std::array<Rational, 3> middle;
@@ -255,8 +285,8 @@ PaintersCycle Sorter::named(const std::vector<std::uint32_t>& cycle) {
 
 std::optional<MapHalfPlane> Sorter::parting_line(std::uint32_t piece, std::uint32_t before, std::uint32_t after) {
   MapSight& map = overlaps_.map();
-  const auto low = overlaps_.common_part(pieces_[piece], pieces_[before]),
-             high = overlaps_.common_part(pieces_[piece], pieces_[after]);
+  const auto low = overlaps_.common_part(shaped(piece), shaped(before)),
+             high = overlaps_.common_part(shaped(piece), shaped(after));
   if (!low || !high) return std::nullopt;
   const auto all_on = [&](const ConvexPiece& part, const MapLine& line, Sign side) {
     return std::all_of(part.points.begin(), part.points.end(),
@@ -264,7 +294,7 @@ std::optional<MapHalfPlane> Sorter::parting_line(std::uint32_t piece, std::uint3
   };
   std::vector<MapHalfPlane> lines;
   for (const std::uint32_t other : {before, after}) {
-    for (const MapHalfPlane& h : pieces_[other].shape.lines)
+    for (const MapHalfPlane& h : shaped(other).shape.lines)
       if (h.line.kind == MapLine::Kind::edge) lines.push_back(h);
     const MapLine meet = MapLine::meet(pieces_[piece].facet, pieces_[other].facet);
     if (!map.coplanar(pieces_[piece].facet, pieces_[other].facet)) lines.push_back({meet, Sign::positive});
@@ -278,7 +308,7 @@ std::optional<MapHalfPlane> Sorter::parting_line(std::uint32_t piece, std::uint3
 void Sorter::order_by_planes(const std::vector<std::uint32_t>& component) {
   std::vector<PieceOfFacet> pieces;
   for (const std::uint32_t p : component) {
-    pieces.push_back(pieces_[p]);
+    pieces.push_back(shaped(p));
     block_of_[p] = static_cast<std::uint32_t>(blocks_.size());
   }
   blocks_.push_back(ordered_by_planes(overlaps_.map(), std::move(pieces),
@@ -290,7 +320,7 @@ void Sorter::emit() {
   // A node for each piece that is left, and for each block.
   std::vector<std::uint32_t> node_of(pieces_.size(), none), of_block(blocks_.size(), none);
   std::vector<std::uint32_t> piece_of;  // or none
-  std::vector<std::uint32_t> block_at;
+  std::vector<std::uint32_t> block_at, cluster_at;
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
     if (is_cut_[i] != 0) continue;
     const std::uint32_t block = block_of_[i];
@@ -302,8 +332,8 @@ void Sorter::emit() {
     if (block != none) of_block[block] = node_of[i];
     piece_of.push_back(block == none ? i : none);
     block_at.push_back(block);
+    cluster_at.push_back(cluster_of_[i]);
   }
-  std::vector<std::uint32_t> count(piece_of.size() + 1, 0);
   const auto for_each_edge = [&](const auto& visit) {
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       if (node_of[i] == none) continue;
@@ -312,18 +342,18 @@ void Sorter::emit() {
       });
     }
   };
-  for_each_edge([&](std::uint32_t from, std::uint32_t) { ++count[from + 1]; });
-  Graph graph;
-  for (std::size_t k = 1; k < count.size(); ++k) count[k] += count[k - 1];
-  graph.first = count;
-  graph.targets.resize(count.back());
-  for_each_edge([&](std::uint32_t from, std::uint32_t to) { graph.targets[count[from]++] = to; });
-  const std::vector<std::uint32_t> order = topological_order(graph);
+  const std::vector<std::uint32_t> order = topological_order(make_graph(piece_of.size(), for_each_edge));
   if (order.size() != piece_of.size() && options_.arithmetic != Arithmetic::double_only)
     throw InvariantError("depth_sort: a cycle is left");
-  for (const std::uint32_t node : order) {
+  result_.order.pieces.reserve(pieces_.size());
+  result_.order.corners.reserve(faces_.corners.size());
+  for (const std::uint32_t node : by_cluster(order, clusters_.size(), [&](std::uint32_t k) { return cluster_at[k]; })) {
     if (piece_of[node] != none) {
-      append(mesh_, pieces_[piece_of[node]], result_.order);
+      const std::uint32_t piece = piece_of[node];
+      if (piece < faces_.size())
+        append(sight_, faces_, piece, result_.order);
+      else
+        append(mesh_, pieces_[piece], result_.order);
     } else {
       for (const PieceOfFacet& piece : blocks_[block_at[node]]) append(mesh_, piece, result_.order);
     }
@@ -331,11 +361,23 @@ void Sorter::emit() {
 }
 
 DepthSort Sorter::sort() {
-  pieces_ = convex_pieces(sight_);
-  most_ = options_.most_pieces > 0 ? options_.most_pieces : std::max<std::size_t>(100'000, pieces_.size() * 64);
-  is_cut_.assign(pieces_.size(), 0);
-  block_of_.assign(pieces_.size(), none);
-  find_relations();
+  faces_ = face_pieces(sight_);
+  clusters_ = options_.classic ? one_cluster(faces_) : clusters(sight_, faces_);
+  cluster_of_ = clusters_.cluster_of();
+  const OverlapGraph found = overlap_graph(sight_, faces_, clusters_, options_.classic);
+  DepthSortCounts& c = result_.counts;
+  c.clusters = clusters_.size();
+  c.candidates = found.candidates;
+  c.apart = found.counts.image_sides;
+  c.by_plane = found.counts.planes;
+  c.coplanar = found.counts.coplanar;
+  c.by_overlap = found.counts.intersection;
+  c.overlapping = found.pairs.size();
+  c.piercing = static_cast<std::uint64_t>(
+      std::count_if(found.pairs.begin(), found.pairs.end(), [](const Overlapping& pair) { return pair.piercing; }));
+  result_.order.decisions += found.decisions;
+  if (order_whole(found)) return std::move(result_);
+  begin_cutting(found);
   resolve_piercing();
   resolve_cycles();
   emit();

@@ -4,21 +4,8 @@
 
 #include "geometry/error.h"
 #include "hsr/facet.h"
-#include "hsr/parallel.h"
 
 namespace hsr {
-
-std::vector<PieceOfFacet> convex_pieces(const Sight& sight) {
-  const Mesh& mesh = sight.mesh();
-  return collected<PieceOfFacet>(mesh.triangles.size(), [&](std::size_t begin, std::size_t end, auto& part) {
-    MapSight map(sight);
-    for (std::size_t i = begin; i < end; ++i) {
-      const TriangleId t(i);
-      if (facet_of(mesh, t) != t || sight.facing(t) == Sign::zero) continue;
-      for (ConvexPiece& shape : convex_pieces(map, t)) part.push_back({t, std::move(shape)});
-    }
-  });
-}
 
 namespace {
 
@@ -65,6 +52,32 @@ void append(const Mesh& mesh, const PieceOfFacet& piece, PaintersOrder& order) {
     order.corners.push_back(c);
   }
   check_countable(order.corners.size(), "corners of a painting order");
+  out.end_corner = static_cast<std::uint32_t>(order.corners.size());
+  order.pieces.push_back(out);
+}
+
+void append(const Sight& sight, const FacePieces& pieces, std::size_t piece, PaintersOrder& order) {
+  const Mesh& mesh = sight.mesh();
+  const TriangleId facet = pieces.facet[piece];
+  const std::span<const VertexId> ring = pieces.ring(piece);
+  if (ring.empty()) {
+    append(mesh, {facet, pieces.shape(sight, piece)}, order);
+    return;
+  }
+  const bool forward = sight.facing(facet) == Sign::negative;
+  const std::size_t n = ring.size();
+  // The ring of a planar face has no diagonals: it has two corners more than the face has triangles.
+  const bool is_face =
+      mesh.faces[mesh.face_of[facet]] == FaceUse::planar && n == std::size_t{facet_end(mesh, facet).value - facet.value} + 2;
+  OrderedPiece out{facet, static_cast<std::uint32_t>(order.corners.size()), 0};
+  for (std::size_t k = 0; k < n; ++k) {
+    const VertexId u = ring[forward ? k : n - 1 - k], v = ring[forward ? (k + 1) % n : (2 * n - 2 - k) % n];
+    const MapLine line = MapLine::edge(u, v);
+    PieceCorner& c = order.corners.emplace_back();
+    c.vertex = u;
+    c.side = {Cut::Kind::sight, 0, line.u, line.v};
+    c.original = is_face || is_original(mesh, facet, line);
+  }
   out.end_corner = static_cast<std::uint32_t>(order.corners.size());
   order.pieces.push_back(out);
 }

@@ -96,7 +96,7 @@ Sign Overlaps::nearer(const PieceOfFacet& a, const PieceOfFacet& b, std::size_t 
   return is_of_a ? -behind : behind;
 }
 
-Overlaps::Sides Overlaps::sides(const PieceOfFacet& a, const PieceOfFacet& b, bool are_of_a) {
+Sides Overlaps::sides(const PieceOfFacet& a, const PieceOfFacet& b, bool are_of_a) {
   Sides found;
   const std::size_t count = (are_of_a ? a : b).shape.points.size();
   for (std::size_t k = 0; k < count && !(found.nearer && found.farther); ++k) found.add(nearer(a, b, k, are_of_a));
@@ -105,7 +105,7 @@ Overlaps::Sides Overlaps::sides(const PieceOfFacet& a, const PieceOfFacet& b, bo
 
 /// Whether a is nearer and farther than b where their images overlap, if doubles tell: at the corners of the common part, which
 /// are corners of one inside the other and crossings of sides.
-std::optional<Overlaps::Sides> Overlaps::near_sides(const PieceOfFacet& a, const PieceOfFacet& b) {
+std::optional<Sides> Overlaps::near_sides(const PieceOfFacet& a, const PieceOfFacet& b) {
   Sides found;
   const std::size_t n = a.near.size(), m = b.near.size();
   // By side of the one, then by corner of the other.

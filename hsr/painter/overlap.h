@@ -26,6 +26,16 @@ struct OverlapCounts {
   friend bool operator==(const OverlapCounts&, const OverlapCounts&) = default;
 };
 
+/// Where one piece is nearer than another, and where farther: on some lines of sight that tell.
+struct Sides {
+  bool nearer = false, farther = false;
+
+  void add(Sign s) {
+    nearer = nearer || s == Sign::positive;
+    farther = farther || s == Sign::negative;
+  }
+};
+
 /// Where a corner of a piece is seen, and where it is on its facet, each within a proven bound; infinite: not known.
 struct NearCorner {
   ErrorBounded x, y;  ///< in the image (MapSight::place)
@@ -35,7 +45,7 @@ struct NearCorner {
 /// A convex piece of a facet that is not seen edge-on.
 struct PieceOfFacet {
   TriangleId facet;
-  ConvexPiece shape;
+  ConvexPiece shape = {};             ///< empty: as FacePieces has it, and not asked for
   std::vector<NearCorner> near = {};  ///< by corner (Overlaps::near_corners); or empty: not asked for
 };
 
@@ -63,14 +73,6 @@ class Overlaps {
   ErrorBounded side(const PieceOfFacet& piece, std::size_t k, const NearCorner& p) const;
   ErrorBounded beyond(TriangleId facet, const NearCorner& p) const;
   Sign nearer(const PieceOfFacet& a, const PieceOfFacet& b, std::size_t corner, bool is_of_a);
-  struct Sides {
-    bool nearer = false, farther = false;
-
-    void add(Sign s) {
-      nearer = nearer || s == Sign::positive;
-      farther = farther || s == Sign::negative;
-    }
-  };
   Sides sides(const PieceOfFacet& a, const PieceOfFacet& b, bool are_of_a);
   std::optional<Sides> near_sides(const PieceOfFacet& a, const PieceOfFacet& b);
 

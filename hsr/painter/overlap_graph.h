@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "hsr/painter/clusters.h"
 #include "hsr/painter/overlap.h"
 
 namespace hsr {
@@ -15,17 +15,14 @@ struct Overlapping {
 };
 
 struct OverlapGraph {
-  std::vector<Overlapping> pairs;  ///< in the order of a tree of the image
+  std::vector<Overlapping> pairs;  ///< by cluster, in the order of a tree of the image
   std::uint64_t candidates = 0;    ///< pairs whose boxes overlap in the image
   OverlapCounts counts;
   DecisionCounts decisions;
 };
 
-/// A box of the image of a piece.
-ImageBox box_of(const MapSight& map, const PieceOfFacet& piece);
-
-/// Which pieces overlap, and how. @param classic call piercing every pair that no plane of the two separates
+/// Which pieces of one cluster overlap, and how. @param classic call piercing every pair that no plane of the two separates
 /// Exact: yes. Cost: O(n log n + k) for k pairs of boxes that overlap, parallel.
-OverlapGraph overlap_graph(const Sight& sight, std::span<const PieceOfFacet> pieces, bool classic);
+OverlapGraph overlap_graph(const Sight& sight, const FacePieces& pieces, const Clusters& clusters, bool classic);
 
 }  // namespace hsr

@@ -11,7 +11,7 @@ PaintersOrder z_sort(const Mesh& mesh, const View& view, DepthKey key) {
   PaintersOrder order;
   if (mesh.triangles.empty()) return order;
   const Sight sight(mesh, view, Arithmetic::staged);
-  const std::vector<PieceOfFacet> pieces = convex_pieces(sight);
+  const FacePieces pieces = face_pieces(sight);
   const Camera camera = sight.camera();
   const Point3& e = camera.eye.at;
   // Along the direction in which the eye looks.
@@ -26,16 +26,22 @@ PaintersOrder z_sort(const Mesh& mesh, const View& view, DepthKey key) {
   std::vector<Place> places;
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     double farthest = -HUGE_VAL, sum = 0;
-    for (const MapPoint& p : pieces[i].shape.points) {
-      const double d = depth(p.is_vertex ? sight.point(p.vertex) : map.point(p, pieces[i].facet).p);
+    std::size_t corners = 0;
+    const auto add = [&](const Point3& p) {
+      const double d = depth(p);
       farthest = std::max(farthest, d);
       sum += d;
-    }
-    places.push_back({key == DepthKey::centroid ? sum / static_cast<double>(pieces[i].shape.points.size()) : farthest, i});
+      ++corners;
+    };
+    for (const VertexId v : pieces.ring(i)) add(sight.point(v));
+    if (corners == 0)
+      for (const MapPoint& p : pieces.shape(sight, i).points)
+        add(p.is_vertex ? sight.point(p.vertex) : map.point(p, pieces.facet[i]).p);
+    places.push_back({key == DepthKey::centroid ? sum / static_cast<double>(corners) : farthest, i});
   }
   std::sort(places.begin(), places.end(),
             [](const Place& x, const Place& y) { return x.depth != y.depth ? x.depth > y.depth : x.piece > y.piece; });
-  for (const Place& p : places) append(mesh, pieces[p.piece], order);
+  for (const Place& p : places) append(sight, pieces, p.piece, order);
   return order;
 }
 
