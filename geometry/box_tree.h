@@ -44,6 +44,12 @@ std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes);
 class BoxTree {
  public:
   enum class Depth { hiding, touching, any };
+  /// What visit_pairs() has found for a leaf and its siblings.
+  struct PairSearch {
+    std::uint32_t parent = 0xffffffffU;
+    bool is_shared = false;  // the parents serve all of its leaves: there are not too many
+    std::vector<std::uint32_t> parents, leaves;
+  };
 
   BoxTree() = default;
   explicit BoxTree(std::span<const ImageBox> boxes);
@@ -61,12 +67,14 @@ class BoxTree {
 
   /// Appends the leaves that overlap the query, until there are `limit` of them. False: there are more.
   template <Depth depth>
-  bool leaves(const ImageBox& query, std::size_t limit, std::vector<std::uint32_t>& found, std::uint32_t first = 0) const;
+  bool leaves(const ImageBox& query, std::size_t limit, std::vector<std::uint32_t>& found, std::uint32_t first = 0) const {
+    return nodes<depth>(query, 0, limit, found, first);
+  }
   std::uint32_t leaf_count() const { return static_cast<std::uint32_t>((order_.size() + width - 1) / width); }
   /// Calls f(i, k) for every two boxes that touch (any: in the image), the one in this leaf and the other later in the tree:
-  /// each pair once, over all leaves. @param leaves for the search
+  /// each pair once, over all leaves. @param search serves leaf after leaf
   template <Depth depth = Depth::touching, class F>
-  void visit_pairs(std::uint32_t leaf, std::vector<std::uint32_t>& leaves, F&& f) const;
+  void visit_pairs(std::uint32_t leaf, PairSearch& search, F&& f) const;
   /// False: f returned false.
   template <Depth depth, class F>
   bool visit_leaf(std::uint32_t leaf, const ImageBox& query, F&& f) const {
@@ -87,6 +95,23 @@ class BoxTree {
   static unsigned overlaps(const Node& node, const ImageBox& query);
   template <Depth depth, class F>
   void visit_boxes(const ImageBox& query, F& f) const;
+  /// Appends the nodes of a level of which a box overlaps the query, but for those that end before the leaf `first`.
+  template <Depth depth>
+  bool nodes(const ImageBox& query, std::uint32_t level, std::size_t limit, std::vector<std::uint32_t>& found,
+             std::uint32_t first) const;
+  /// What is not in use is no number, and adds nothing.
+  static ImageBox united(const Node& n) {
+    ImageBox all = ImageBox::nothing();
+    for (std::size_t k = 0; k < width; ++k) {
+      for (std::size_t d = 0; d < 2; ++d) {
+        all.low[d] = std::min(all.low[d], n.low[d][k]);
+        all.high[d] = std::max(all.high[d], n.high[d][k]);
+      }
+      all.farthest = std::min(all.farthest, n.farthest[k]);
+      all.nearest = std::max(all.nearest, n.nearest[k]);
+    }
+    return all;
+  }
   ImageBox box(std::uint32_t leaf, std::size_t k) const {
     const Node& n = nodes_[leaf];
     return {{n.low[0][k], n.low[1][k]}, {n.high[0][k], n.high[1][k]}, n.farthest[k], n.nearest[k]};
@@ -156,8 +181,8 @@ void BoxTree::visit_boxes(const ImageBox& query, F& f) const {
 }
 
 template <BoxTree::Depth depth>
-bool BoxTree::leaves(const ImageBox& query, std::size_t limit, std::vector<std::uint32_t>& found,
-                     [[maybe_unused]] std::uint32_t first) const {
+bool BoxTree::nodes(const ImageBox& query, std::uint32_t wanted, std::size_t limit, std::vector<std::uint32_t>& found,
+                    std::uint32_t first) const {
   if (nodes_.empty()) return true;
   const std::size_t end = found.size() + limit;
   std::array<std::pair<std::uint32_t, std::uint32_t>, 12 * width> stack;
@@ -167,7 +192,7 @@ bool BoxTree::leaves(const ImageBox& query, std::size_t limit, std::vector<std::
     const auto [level, place] = stack[--top];
     if ((std::uint64_t{place} + 1) << 3 * level <= first) continue;  // all of its leaves are before
     unsigned hit = overlaps<depth>(nodes_[level_begin_[level] + place], query);
-    if (level == 0) {
+    if (level == wanted) {
       if (hit == 0) continue;
       if (found.size() == end) return false;
       found.push_back(place);
@@ -179,20 +204,34 @@ bool BoxTree::leaves(const ImageBox& query, std::size_t limit, std::vector<std::
 }
 
 template <BoxTree::Depth depth, class F>
-void BoxTree::visit_pairs(std::uint32_t leaf, std::vector<std::uint32_t>& found, F&& f) const {
-  const std::size_t count = std::min(width, order_.size() - leaf * width);
-  ImageBox all = ImageBox::nothing();
-  for (std::size_t k = 0; k < count; ++k) all.add(box(leaf, k));
+void BoxTree::visit_pairs(std::uint32_t leaf, PairSearch& search, F&& f) const {
   constexpr std::size_t limit = 64, none = 0xffffffffU;
-  found.clear();
-  const bool shares = leaves<depth>(all, limit, found, leaf);
+  const bool has_parents = level_begin_.size() > 1;
+  const auto parent = static_cast<std::uint32_t>(leaf / width);
+  if (search.parent != parent) {
+    search.parent = parent;
+    search.parents.clear();
+    search.is_shared = !has_parents || nodes<depth>(united(nodes_[level_begin_[1] + parent]), 1, limit, search.parents, leaf);
+  }
+  // The leaves from this one on that may have anything.
+  const auto find = [&](const ImageBox& query) {
+    search.leaves.clear();
+    if (!has_parents || !search.is_shared) {
+      leaves<depth>(query, none, search.leaves, leaf);
+      return;
+    }
+    for (const std::uint32_t p : search.parents)
+      for (unsigned hit = overlaps<depth>(nodes_[level_begin_[1] + p], query); hit != 0; hit &= hit - 1) {
+        const auto other = static_cast<std::uint32_t>(p * width + static_cast<unsigned>(__builtin_ctz(hit)));
+        if (other >= leaf) search.leaves.push_back(other);
+      }
+  };
+  if (search.is_shared) find(united(nodes_[leaf]));
+  const std::size_t count = std::min(width, order_.size() - leaf * width);
   for (std::size_t k = 0; k < count; ++k) {
     const ImageBox query = box(leaf, k);
-    if (!shares) {
-      found.clear();
-      leaves<depth>(query, none, found, leaf);
-    }
-    for (const std::uint32_t other : found) {
+    if (!search.is_shared) find(query);
+    for (const std::uint32_t other : search.leaves) {
       unsigned hit = overlaps<depth>(nodes_[other], query);
       if (other == leaf) hit &= ~0U << (k + 1);
       for (; hit != 0; hit &= hit - 1)

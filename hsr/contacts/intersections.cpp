@@ -46,7 +46,7 @@ class Finder {
   const Occluders& occluders_;
   Predicates exact_;
   std::vector<std::uint8_t>& has_contact_;
-  std::vector<std::uint32_t> leaves_;
+  BoxTree::PairSearch search_;
 };
 
 std::array<Sign, 3> Finder::sides(const PlaneFilter& filter, const Plane& plane, TriangleId s, TriangleId t) {
@@ -73,7 +73,7 @@ void Finder::look_around(std::uint32_t leaf, std::vector<Intersection>& found) {
   TriangleId turned_to;
   Plane plane;
   PlaneFilter filter;
-  occluders_.tree.visit_pairs(leaf, leaves_, [&](std::uint32_t i, std::uint32_t k) {
+  occluders_.tree.visit_pairs(leaf, search_, [&](std::uint32_t i, std::uint32_t k) {
     const TriangleId s = occluders_.triangles[i], t = occluders_.triangles[k];
     if (facet_of(mesh_, s) == facet_of(mesh_, t)) return;
     if (s != turned_to) {

@@ -116,7 +116,10 @@ OverlapGraph overlap_graph(const Sight& sight, const FacePieces& pieces, const C
   std::vector<ImageBox> boxes(pieces.size());  // by place in the clusters
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 1024), [&](const auto& range) {
     const MapSight map(sight);
-    for (std::size_t i = range.begin(); i != range.end(); ++i) boxes[i] = box_of(map, pieces, clusters.pieces[i]);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      boxes[i] = box_of(map, pieces, clusters.pieces[i]);
+      boxes[i].farthest = boxes[i].nearest = 0;  // depth does not matter: without it the tree is the finer in the image
+    }
   });
   constexpr std::size_t small = 64, block = 64, leaves = 64;  // block: of small clusters
   std::deque<BoxTree> trees;
@@ -139,10 +142,10 @@ OverlapGraph overlap_graph(const Sight& sight, const FacePieces& pieces, const C
       const Work& w = work[part];
       Finder finder(sight, pieces, images, classic);
       const auto look_at = [&](std::size_t i, std::size_t k) { finder.look_at(clusters.pieces[i], clusters.pieces[k]); };
-      std::vector<std::uint32_t> found;
+      BoxTree::PairSearch search;
       const std::size_t first = clusters.first[w.first_cluster];
       for (std::uint32_t leaf = w.first_leaf; leaf < w.end_leaf; ++leaf)
-        w.tree->visit_pairs<BoxTree::Depth::any>(leaf, found,
+        w.tree->visit_pairs<BoxTree::Depth::any>(leaf, search,
                                                  [&](std::uint32_t i, std::uint32_t k) { look_at(first + i, first + k); });
       for (std::size_t c = w.first_cluster; w.tree == nullptr && c < w.end_cluster; ++c)
         for (std::size_t i = clusters.first[c]; i < clusters.first[c + 1]; ++i)

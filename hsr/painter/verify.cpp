@@ -171,10 +171,10 @@ void Verifier::find_part_pairs() {
   std::vector<std::vector<PartPair>> found((tree.leaf_count() + block - 1) / block);
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t at) {
     PaintedSides sides(parts_.points(), parts_.rows(), view_);
-    std::vector<std::uint32_t> leaves;
+    BoxTree::PairSearch search;
     const std::size_t end = std::min<std::size_t>((at + 1) * block, tree.leaf_count());
     for (std::size_t leaf = at * block; leaf < end; ++leaf)
-      tree.visit_pairs<BoxTree::Depth::any>(static_cast<std::uint32_t>(leaf), leaves, [&](std::uint32_t i, std::uint32_t k) {
+      tree.visit_pairs<BoxTree::Depth::any>(static_cast<std::uint32_t>(leaf), search, [&](std::uint32_t i, std::uint32_t k) {
         if (polygon_of(i) == polygon_of(k)) return;
         if (const auto pair = relation(sides, i, k)) found[at].push_back(*pair);
       });

@@ -185,9 +185,9 @@ class Invariants {
       add(boxes.back(), s.side.to);
     }
     const BoxTree tree(boxes);
-    std::vector<std::uint32_t> leaves;
+    BoxTree::PairSearch search;
     for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
-      tree.visit_pairs(leaf, leaves, [&](std::uint32_t i, std::uint32_t k) { check_pair(sides_[i], sides_[k]); });
+      tree.visit_pairs(leaf, search, [&](std::uint32_t i, std::uint32_t k) { check_pair(sides_[i], sides_[k]); });
   }
 
   void check_pair(const Side& s, const Side& t) {

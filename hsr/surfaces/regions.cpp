@@ -52,9 +52,9 @@ std::vector<std::uint32_t> groups_of(MapSight& map, const VisibleFragments& frag
   }
   DisjointSets same(mesh.triangles.size());
   const BoxTree tree(boxes);
-  std::vector<std::uint32_t> leaves;
+  BoxTree::PairSearch search;
   for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
-    tree.visit_pairs(leaf, leaves, [&](std::uint32_t i, std::uint32_t k) {
+    tree.visit_pairs(leaf, search, [&](std::uint32_t i, std::uint32_t k) {
       const TriangleId s = facets[i], t = facets[k];
       if (colours[mesh.face_of[s].value] == colours[mesh.face_of[t].value] && same.find(s.value) != same.find(t.value) &&
           map.coplanar(s, t))

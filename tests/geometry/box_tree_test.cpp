@@ -91,9 +91,9 @@ TEST_CASE("the tree finds every two boxes that touch, once", "[geometry][box_tre
           if (overlap(boxes[i], boxes[k]) && boxes[i].nearest >= boxes[k].farthest && boxes[k].nearest >= boxes[i].farthest)
             expected.emplace_back(i, k);
       const BoxTree tree(boxes);
-      std::vector<std::uint32_t> scratch;
+      BoxTree::PairSearch search;
       for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
-        tree.visit_pairs(leaf, scratch,
+        tree.visit_pairs(leaf, search,
                          [&](std::uint32_t i, std::uint32_t k) { pairs.emplace_back(std::min(i, k), std::max(i, k)); });
       std::sort(pairs.begin(), pairs.end());
       CHECK(pairs == expected);
