@@ -36,4 +36,11 @@ inline bool is_edge_of_face(const Mesh& mesh, TriangleId t, std::size_t k) {
   return !e.is_valid() || mesh.edges[e].of_face || !mesh.edges[e].diagonal;
 }
 
+/// Whether a ring of corners goes around a whole face, so that all of its sides are edges of it: rings of planar faces have two
+/// corners more than the face has triangles.
+inline bool goes_around_face(const Mesh& mesh, TriangleId facet, std::size_t corners) {
+  return mesh.faces[mesh.face_of[facet]] == FaceUse::planar &&
+         corners == std::size_t{facet_end(mesh, facet).value - facet.value} + 2;
+}
+
 }  // namespace hsr

@@ -92,8 +92,13 @@ class BspBuilder {
   bool is_side_of(const Cut& cut, const Cut& face) const;
   PlacedCorner placed(const PieceCorner& corner, TriangleId facet) const;
   Side side(const Divider& d, const Part& part);
+  void take_sample(const std::vector<std::uint32_t>& parts);
   Divider choose(const std::vector<std::uint32_t>& parts);
-  std::size_t score(const Divider& d, const std::vector<std::uint32_t>& parts);
+  std::size_t score(const Divider& d, bool is_large);
+  struct Sorted {
+    std::vector<std::uint32_t> behind, before, inside;
+  };
+  void sort_parts(const Divider& d, const std::vector<std::uint32_t>& parts, Sorted& sorted);
   void divide(const Task& task);
   std::array<std::uint32_t, 2> split(std::uint32_t part, const Divider& d);
   std::uint64_t random() {  // splitmix64, Steele, Lea & Flood 2014
@@ -106,6 +111,14 @@ class BspBuilder {
     return parts[static_cast<std::size_t>(random() % parts.size())];
   }
 
+  /// Corners of some parts of a node, a coordinate at a time: what planes are tried on.
+  struct Sample {
+    std::vector<double> x, y, z, error;
+    std::vector<double> side;        // of a plane, by corner: 1, before it; -1, behind; 0, or doubles do not tell
+    std::vector<std::uint32_t> end;  // by part
+    std::vector<TriangleId> facet;
+  };
+
   BspTree& tree_;
   const Mesh& mesh_;
   Shared& shared_;
@@ -116,6 +129,9 @@ class BspBuilder {
   std::vector<PlacedCorner> corners_;
   std::vector<Task> waiting_;
   std::vector<Sign> signs_;
+  std::vector<PlacedCorner> crossings_;
+  Sample sample_;
+  std::vector<VertexId> vertices_;  // that planes across axes are tried at
 };
 
 /// The sides of a facet as planes parallel to an axis: they do not depend on a view.
@@ -147,7 +163,7 @@ void BspBuilder::add_facet(TriangleId facet) {
     }
   }
   for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
-    for (std::size_t k = 0; k < 3; ++k) original[k] = is_edge_of_face(mesh_, t, k) ? 1 : 0;
+    for (std::size_t k = 0; k < 3; ++k) original[k] = goes_around_face(mesh_, facet, 3) || is_edge_of_face(mesh_, t, k) ? 1 : 0;
     add_part(facet, mesh_.triangles[t], axis, original);
   }
 }
@@ -224,46 +240,94 @@ Side BspBuilder::side(const Divider& d, const Part& part) {
   return before ? Side::before : behind ? Side::behind : Side::inside;
 }
 
-/// Little is good: cuts, and parts more on one side than on the other. As large as possible: the plane divides nothing.
-std::size_t BspBuilder::score(const Divider& d, const std::vector<std::uint32_t>& parts) {
-  std::array<std::size_t, 4> count = {0, 0, 0, 0};
+void BspBuilder::take_sample(const std::vector<std::uint32_t>& parts) {
+  Sample& s = sample_;
+  for (std::vector<double>* v : {&s.x, &s.y, &s.z, &s.error}) v->clear();
+  s.end.clear();
+  s.facet.clear();
   const std::size_t n = std::min(tested, parts.size());
-  for (std::size_t k = 0; k < n; ++k) ++count[static_cast<std::size_t>(side(d, parts_[parts[k * parts.size() / n]]))];
-  const auto [behind, before, inside, both] = count;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Part& part = parts_[parts[k * parts.size() / n]];
+    for (std::uint32_t c = part.first; c < part.end; ++c) {
+      const PlacedCorner& corner = corners_[c];
+      s.x.push_back(corner.p.x);
+      s.y.push_back(corner.p.y);
+      s.z.push_back(corner.p.z);
+      s.error.push_back(corner.error);
+    }
+    s.end.push_back(static_cast<std::uint32_t>(s.x.size()));
+    s.facet.push_back(part.facet);
+  }
+  s.side.resize(s.x.size());
+}
+
+/// Little is good: cuts, and parts more on one side than on the other. As large as possible: the plane divides nothing. By
+/// doubles: what is too near to the plane for them counts as in it, and no tree is wrong for that.
+std::size_t BspBuilder::score(const Divider& d, bool is_large) {
+  Sample& s = sample_;
+  const std::size_t corners = s.x.size(), n = s.end.size();
+  const bool is_face = d.cut.kind == Cut::Kind::face;
+  double* const sides = s.side.data();
+  const double* const error = s.error.data();
+  const auto side = [](double value, double bound) { return (value > bound ? 1.0 : 0.0) - (value < -bound ? 1.0 : 0.0); };
+  if (is_face) {
+    const PlaneFilter f = d.filter;
+    const double spread = (std::fabs(f.nx) + std::fabs(f.ny) + std::fabs(f.nz) + 3 * f.slope) * 1.01;
+    const double *const x = s.x.data(), *const y = s.y.data(), *const z = s.z.data();
+    for (std::size_t i = 0; i < corners; ++i) {
+      const ErrorBounded value = f({x[i], y[i], z[i]});
+      sides[i] = side(value.value, value.error + spread * error[i]);
+    }
+  } else {
+    const double* const at = d.cut.axis == 0 ? s.x.data() : d.cut.axis == 1 ? s.y.data() : s.z.data();
+    for (std::size_t i = 0; i < corners; ++i) sides[i] = side(at[i] - d.at, error[i]);
+  }
+  std::array<std::size_t, 4> count = {0, 0, 0, 0};  // by whether some is behind, and before
+  std::uint32_t corner = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    double least = 0, most = 0;
+    for (; corner < s.end[k]; ++corner) {
+      least = std::min(least, sides[corner]);
+      most = std::max(most, sides[corner]);
+    }
+    const bool is_own = is_face && TriangleId(d.cut.u) == s.facet[k];
+    ++count[is_own ? 0U : unsigned{least < 0} | unsigned{most > 0} << 1U];
+  }
+  const auto [inside, behind, before, both] = count;
   const bool divides = (behind > 0 && before > 0) || inside > 0;
-  if (!divides || behind + both == n || before + both == n) return d.cut.kind == Cut::Kind::face ? 9 * n : ~std::size_t{0};
+  if (!divides || behind + both == n || before + both == n) return is_face ? 9 * n : ~std::size_t{0};
+  // A face that all others lie on one side of takes itself out of a large node, and no more.
+  if (is_large && (behind + both == 0 || before + both == 0) && inside <= 1) return 2 * n;
   return 8 * both + (behind > before ? behind - before : before - behind);
 }
 
 BspBuilder::Divider BspBuilder::choose(const std::vector<std::uint32_t>& parts) {
+  if (parts.size() == 1) return divider({Cut::Kind::face, 0, parts_[parts.front()].facet.value, 0});
+  take_sample(parts);
+  const bool is_small = parts.size() <= small_node;
   Divider best;
   std::size_t least = ~std::size_t{0};
   const auto consider = [&](const Cut& cut) {
     const Divider d = divider(cut);
-    const std::size_t s = score(d, parts);
-    if (s >= least && least != ~std::size_t{0}) return;
-    if (s == ~std::size_t{0}) return;
+    const std::size_t s = score(d, !is_small);
+    if (s >= least) return;
     least = s;
     best = d;
   };
-  const bool is_small = parts.size() <= small_node;
   if (!is_small) {
     // Vertices at quantiles of each coordinate.
-    std::vector<VertexId> sample;
+    vertices_.clear();
     for (std::size_t k = 0; k < 31; ++k) {
       const Part& part = parts_[any(parts)];
-      for (std::uint32_t c = part.first; c < part.end; ++c)
-        if (corners_[c].corner.vertex.is_valid()) {
-          sample.push_back(corners_[c].corner.vertex);
-          break;
-        }
+      const VertexId v = corners_[part.first + random() % (part.end - part.first)].corner.vertex;
+      if (v.is_valid()) vertices_.push_back(v);
     }
-    for (int axis = 0; axis < 3 && !sample.empty(); ++axis) {
-      std::sort(sample.begin(), sample.end(), [&](VertexId u, VertexId v) {
+    for (int axis = 0; axis < 3 && !vertices_.empty(); ++axis) {
+      std::sort(vertices_.begin(), vertices_.end(), [&](VertexId u, VertexId v) {
         return std::pair(sight_.point(u)[axis], u) < std::pair(sight_.point(v)[axis], v);
       });
       for (const std::size_t tenths : {3U, 4U, 5U, 6U, 7U})
-        consider({Cut::Kind::across, static_cast<std::uint8_t>(axis), sample[sample.size() * tenths / 10].value, 0});
+        consider({Cut::Kind::across, static_cast<std::uint8_t>(axis), vertices_[vertices_.size() * tenths / 10].value, 0});
     }
   }
   const std::size_t planes = is_small ? std::min<std::size_t>(8, parts.size()) : 4;
@@ -280,9 +344,17 @@ std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t index, const Divide
   const std::size_t n = part.end - part.first;
   signs_.clear();
   for (std::uint32_t k = part.first; k < part.end; ++k) signs_.push_back(side(d, corners_[k], part.facet));
+  // A convex part has two sides that cross the plane, or fewer; both halves have the corners there.
+  crossings_.clear();
+  for (std::size_t k = 0; k < n; ++k) {
+    const PieceCorner& c = corners_[part.first + k].corner;
+    if (signs_[k] * signs_[(k + 1) % n] == Sign::negative)
+      crossings_.push_back(placed({{}, c.side, d.cut, c.side, c.original}, part.facet));
+  }
   std::array<std::uint32_t, 2> halves;
   for (const Sign wanted : {Sign::negative, Sign::positive}) {
     Part half{part.facet, static_cast<std::uint32_t>(corners_.size()), 0};
+    auto crossing = crossings_.begin();
     for (std::size_t k = 0; k < n; ++k) {
       const PlacedCorner corner = corners_[part.first + k];
       const Sign here = signs_[k] * wanted, next = signs_[(k + 1) % n] * wanted;
@@ -291,16 +363,13 @@ std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t index, const Divide
         c.corner.original = false;
         return c;
       };
-      const auto crossing = [&] {
-        return placed({{}, corner.corner.side, d.cut, corner.corner.side, corner.corner.original}, part.facet);
-      };
       if (here == Sign::positive) {
         corners_.push_back(corner);
-        if (next == Sign::negative) corners_.push_back(along_cut(crossing()));
+        if (next == Sign::negative) corners_.push_back(along_cut(*crossing++));
       } else if (here == Sign::zero) {
         corners_.push_back(next == Sign::positive ? corner : along_cut(corner));
       } else if (next == Sign::positive) {
-        corners_.push_back(crossing());
+        corners_.push_back(*crossing++);
       }
     }
     half.end = static_cast<std::uint32_t>(corners_.size());
@@ -315,30 +384,41 @@ std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t index, const Divide
   return halves;
 }
 
+void BspBuilder::sort_parts(const Divider& d, const std::vector<std::uint32_t>& parts, Sorted& sorted) {
+  for (const std::uint32_t part : parts) switch (side(d, parts_[part])) {
+      case Side::behind:
+        sorted.behind.push_back(part);
+        break;
+      case Side::before:
+        sorted.before.push_back(part);
+        break;
+      case Side::inside:
+        sorted.inside.push_back(part);
+        break;
+      case Side::both: {
+        const auto halves = split(part, d);
+        sorted.behind.push_back(halves[0]);
+        sorted.before.push_back(halves[1]);
+        break;
+      }
+    }
+}
+
 void BspBuilder::divide(const Task& task) {
-  const Divider d = choose(task.parts);
+  Divider d = choose(task.parts);
+  Sorted sorted;
+  sort_parts(d, task.parts, sorted);
+  auto& [behind, before, inside] = sorted;
+  if (inside.empty() && (behind.empty() || before.empty())) {
+    // Doubles were mistaken about a plane across an axis. The plane of a face always has that face in it.
+    sorted = {};
+    d = divider({Cut::Kind::face, 0, parts_[task.parts.front()].facet.value, 0});
+    sort_parts(d, task.parts, sorted);
+  }
   const auto node = static_cast<std::uint32_t>(tree_.nodes_.size());
   tree_.nodes_.push_back({d.cut, 0, 0, static_cast<std::uint32_t>(tree_.pieces_.size()), 0});
   tree_.depth_ = std::max<std::size_t>(tree_.depth_, task.depth);
   if (node > 0) (task.is_before ? tree_.nodes_[task.parent].before : tree_.nodes_[task.parent].behind) = node;
-  std::vector<std::uint32_t> behind, before, inside;
-  for (const std::uint32_t part : task.parts) switch (side(d, parts_[part])) {
-      case Side::behind:
-        behind.push_back(part);
-        break;
-      case Side::before:
-        before.push_back(part);
-        break;
-      case Side::inside:
-        inside.push_back(part);
-        break;
-      case Side::both: {
-        const auto halves = split(part, d);
-        behind.push_back(halves[0]);
-        before.push_back(halves[1]);
-        break;
-      }
-    }
   std::stable_sort(inside.begin(), inside.end(),
                    [&](std::uint32_t x, std::uint32_t y) { return parts_[x].facet < parts_[y].facet; });
   for (const std::uint32_t part : inside) {

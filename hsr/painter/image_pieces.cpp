@@ -66,9 +66,7 @@ void append(const Sight& sight, const FacePieces& pieces, std::size_t piece, Pai
   }
   const bool forward = sight.facing(facet) == Sign::negative;
   const std::size_t n = ring.size();
-  // The ring of a planar face has no diagonals: it has two corners more than the face has triangles.
-  const bool is_face =
-      mesh.faces[mesh.face_of[facet]] == FaceUse::planar && n == std::size_t{facet_end(mesh, facet).value - facet.value} + 2;
+  const bool is_face = goes_around_face(mesh, facet, n);
   OrderedPiece out{facet, static_cast<std::uint32_t>(order.corners.size()), 0};
   for (std::size_t k = 0; k < n; ++k) {
     const VertexId u = ring[forward ? k : n - 1 - k], v = ring[forward ? (k + 1) % n : (2 * n - 2 - k) % n];
