@@ -331,7 +331,8 @@ BspBuilder::Divider BspBuilder::choose(const std::vector<std::uint32_t>& parts) 
     }
   }
   const std::size_t planes = is_small ? std::min<std::size_t>(8, parts.size()) : 4;
-  for (std::size_t k = 0; k < planes; ++k) {
+  // In a small node the first plane that cuts nothing is good enough.
+  for (std::size_t k = 0; k < planes && !(is_small && least <= parts.size()); ++k) {
     const std::uint32_t part = is_small ? parts[k * parts.size() / planes] : any(parts);
     consider({Cut::Kind::face, 0, parts_[part].facet.value, 0});
   }
