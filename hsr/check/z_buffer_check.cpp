@@ -53,9 +53,7 @@ struct SeenTriangle : ExactTriangle {
       if (j < scanned.top() || j >= scanned.bottom()) continue;
       const auto [begin, end] = scanned.span(j);
       if (i < begin || i >= end) continue;
-      Bounded<Real> depth = scanned.nearness(begin, j);
-      for (int at = begin; at < i; ++at) depth = depth + scanned.step();
-      return depth;
+      return scanned.nearness(i, j);
     }
     return {};
   }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "hsr/image/projection.h"
 #include "hsr/image/scanned_triangle.h"
+#include "hsr/parallel.h"
 
 namespace hsr {
 
@@ -20,22 +22,24 @@ struct RoundedNearness {
 /// double), what lies before the near plane cut away. So methods that differ, differ by what they do with them.
 ///
 /// @param depth_of what a picture interpolates as the depth (it takes the place of Seen::nearness): linear in the nearness
-/// Exact: no. Triangles with a corner that is out of range (ScannedTriangle::is_drawable) are not drawn.
+/// Exact: no. Triangles with a corner that is out of range (ScannedTriangle::is_drawable) are not drawn. Corners are projected
+/// in parallel.
 template <class Real, class DepthOf = RoundedNearness<Real>>
 class DrawnTriangles {
  public:
   DrawnTriangles(const Mesh& mesh, const View& view, const SampleGrid& samples, DepthOf depth_of = {})
       : mesh_(mesh), view_(view), depth_of_(std::move(depth_of)), project_(view, samples), points_(mesh.points.size()) {
-    for (std::size_t v = 0; v < points_.size(); ++v) {
+    state_.resize(points_.size(), drawn);
+    std::atomic<bool> all_are_drawn = true;
+    for_each(points_.size(), [&](std::size_t v) {
       const Point3& p = mesh.points[VertexId(v)];
       points_[v] = rounded(project_(p));
-      const std::uint8_t s = view.is_perspective() && is_before_near(view, p) ? cut_away
-                             : ScannedTriangle<Real>::is_drawable(points_[v]) ? drawn
-                                                                              : out_of_range;
-      if (s == drawn) continue;
-      state_.resize(points_.size(), drawn);
-      state_[v] = s;
-    }
+      state_[v] = view.is_perspective() && is_before_near(view, p) ? cut_away
+                  : ScannedTriangle<Real>::is_drawable(points_[v]) ? drawn
+                                                                   : out_of_range;
+      if (state_[v] != drawn) all_are_drawn.store(false, std::memory_order_relaxed);
+    });
+    if (all_are_drawn) state_.clear();
   }
 
   std::size_t size() const { return mesh_.triangles.size(); }
@@ -58,7 +62,8 @@ class DrawnTriangles {
     for (int m = 2; m < corners; ++m) draw(seen[0], seen[m - 1], seen[m]);
   }
 
-  std::size_t memory() const { return points_.size() * sizeof(Seen<Real>) + state_.size(); }
+  /// In bytes.
+  std::size_t memory() const { return points_.capacity() * sizeof(Seen<Real>) + state_.capacity(); }
 
  private:
   enum : std::uint8_t { drawn = 0, cut_away = 1, out_of_range = 2 };

@@ -20,12 +20,30 @@ class ScannedTriangle {
     return std::fabs(raw(c.x)) < far && std::fabs(raw(c.y)) < far && std::isfinite(raw(c.nearness));
   }
 
+  /// The samples left ... right - 1 of rows top ... bottom - 1, around a triangle.
+  struct Box {
+    int left = 0, right = 0, top = 0, bottom = 0;
+    bool is_empty() const { return left == right || top == bottom; }
+  };
+  static Box box(const Seen<N>& a, const Seen<N>& b, const Seen<N>& c, int width, int height) {
+    Box box;
+    const auto [left, right] = std::minmax({raw(a.x), raw(b.x), raw(c.x)});
+    box.left = first_sample(left, width);
+    box.right = first_sample(right, width);
+    if (box.left == box.right) return box;
+    const auto [top, bottom] = std::minmax({raw(a.y), raw(b.y), raw(c.y)});
+    box.top = first_sample(top, height);
+    box.bottom = first_sample(bottom, height);
+    return box;
+  }
+
   /// False: no row has a sample of it. @pre corners are drawable
   bool set(Seen<N> a, Seen<N> b, Seen<N> c, int width, int height) {
-    width_ = width;
     // Most triangles of a large mesh lie between the samples: leave early.
     const auto [low, high] = std::minmax({raw(a.x), raw(b.x), raw(c.x)});
-    if (first_sample(low, width) == first_sample(high, width)) return false;
+    left_ = first_sample(low, width);
+    right_ = first_sample(high, width);
+    if (left_ == right_) return false;
     if (raw(b.y) < raw(a.y)) std::swap(a, b);
     if (raw(c.y) < raw(a.y)) std::swap(a, c);
     if (raw(c.y) < raw(b.y)) std::swap(b, c);
@@ -51,17 +69,20 @@ class ScannedTriangle {
 
   int top() const { return top_; }
   int bottom() const { return bottom_; }
-  /// The samples begin ... end - 1 of a row are drawn. @pre top() <= j < bottom()
+  int left() const { return left_; }
+  int right() const { return right_; }
+  /// The samples begin ... end - 1 of a row are drawn, left() <= begin, end <= right(). @pre top() <= j < bottom()
   std::pair<int, int> span(int j) const {
     const N y{static_cast<Real>(j)};
     const int at_long = column(a_, y, long_side_);
     const int at_short = j < middle_ ? column(a_, y, upper_side_) : column(b_, y, lower_side_);
     return b_on_right_ ? std::pair(at_long, at_short) : std::pair(at_short, at_long);
   }
-  /// At the first sample of a row; from there on step() is added.
-  N nearness(int begin, int j) const {
-    return a_.nearness + (N{static_cast<Real>(begin)} - a_.x) * step_x_ + (N{static_cast<Real>(j)} - a_.y) * step_y_;
-  }
+  /// What the nearness of the samples of a row has in common.
+  N on_row(int j) const { return a_.nearness + (N{static_cast<Real>(j)} - a_.y) * step_y_; }
+  /// At a sample of a row. Each on its own, so that a span may begin anywhere, and samples side by side be computed at once.
+  N nearness(const N& row, int i) const { return row + (N{static_cast<Real>(i)} - a_.x) * step_x_; }
+  N nearness(int i, int j) const { return nearness(on_row(j), i); }
   const N& step() const { return step_x_; }
   const N& step_down() const { return step_y_; }
 
@@ -81,10 +102,11 @@ class ScannedTriangle {
     return std::isfinite(raw(s)) ? s : N{};
   }
   int column(const Seen<N>& from, const N& y, const N& side) const {
-    return first_sample(raw(from.x + (y - from.y) * side), width_);
+    // Rounding may put the side beyond the corners, by less than a sample.
+    return std::clamp(first_sample(raw(from.x + (y - from.y) * side), right_), left_, right_);
   }
 
-  int width_ = 0, top_ = 0, middle_ = 0, bottom_ = 0;
+  int left_ = 0, right_ = 0, top_ = 0, middle_ = 0, bottom_ = 0;
   bool b_on_right_ = false;
   Seen<N> a_, b_;
   N long_side_{}, upper_side_{}, lower_side_{}, step_x_{}, step_y_{};

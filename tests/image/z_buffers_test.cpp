@@ -1,0 +1,88 @@
+#include <catch2/catch.hpp>
+
+#include "geometry/error.h"
+#include "hsr/image/row_z_buffer.h"
+#include "hsr/image/tiled_z_buffer.h"
+#include "tests/scenes/random_scenes.h"
+
+namespace hsr {
+namespace {
+
+template <class Real>
+void check_same(const Mesh& mesh, const View& view, const SampleGrid& grid) {
+  const DepthImage<Real> plain = z_buffer<Real>(mesh, view, grid);
+  CHECK(row_z_buffer<Real>(mesh, view, grid).image == plain);
+  CHECK(tiled_z_buffer<Real>(mesh, view, grid).image == plain);
+}
+
+/// Of a scene that stretches over several tiles.
+void check_same(const scenes::TestScene& scene, int width, int height) {
+  const Mesh mesh = scene.mesh();
+  SampleGrid grid;
+  try {
+    grid = sample_grid(scene.view, paper_rectangle(mesh, scene.view), width, height);
+  } catch (const InputError&) {
+    return;  // a picture beyond all doubles
+  }
+  check_same<float>(mesh, scene.view, grid);
+  check_same<double>(mesh, scene.view, grid);
+}
+
+TEST_CASE("a buffer of one row and one in tiles show what the plain z-buffer does, to the bit", "[image][z_buffer][property]") {
+  for (const scenes::Family& family : scenes::families())
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+      INFO(family.name << " " << seed);
+      check_same(family.make(seed), 130, 70);
+    }
+}
+
+TEST_CASE("the edges of pictures and tiles make no difference", "[image][z_buffer]") {
+  const scenes::TestScene scene = scenes::family("triangles").make(3);
+  for (const int width : {1, 2, 63, 64, 65, 128, 200})
+    for (const int height : {1, 63, 64, 65, 129}) {
+      INFO(width << " x " << height);
+      check_same(scene, width, height);
+    }
+}
+
+/// A square of 16 x 16 units, and of 12 x 12 over it, by two triangles each; a unit is a sample.
+scenes::TestScene two_squares() {
+  scenes::TestScene scene;
+  scene.view = parallel_view({0, 0, 1}, {0, 1, 0});
+  scene.add_face(std::vector<Point3>{{0, 0, 0}, {16, 0, 0}, {16, 16, 0}, {0, 16, 0}});
+  scene.add_face(std::vector<Point3>{{2, 2, 1}, {14, 2, 1}, {14, 14, 1}, {2, 14, 1}});
+  return scene;
+}
+constexpr SampleGrid whole = {{0.5, 15.5, 0}, {1, 0, 0}, {0, -1, 0}, 16, 16};
+
+TEST_CASE("the working storage of a row and of tiles is told", "[image][z_buffer]") {
+  const Mesh mesh = two_squares().mesh();
+  const View view = two_squares().view;
+  const RowZBuffer<float> row = row_z_buffer<float>(mesh, view, whole);
+  CHECK(row.most_active == 4);
+  CHECK(row.image.at(2, 2).nearness == 1);
+  CHECK(row.image.at(1, 1).nearness == 0);
+  const TiledZBuffer<float> tiled = tiled_z_buffer<float>(mesh, view, whole);
+  CHECK(tiled.entries == 4);
+  // 64 x 64 depths and indices of four bytes, for each thread that drew; corners and lists are a few hundred bytes.
+  CHECK(tiled.bytes > 64 * 64 * 8);
+  CHECK(tiled.bytes < 64 * 64 * 8 + 2000);
+  // Eight corners of 12 bytes, 16 depths with indices, buckets of 16 rows and 4 triangles, active triangles.
+  CHECK(row.bytes > 8 * 12 + 16 * 8 + 20 * 4);
+  CHECK(row.bytes < 2000);
+  // What is seen four times as large is in more tiles, and no row has more than four triangles.
+  const SampleGrid fine = {{0.0625, 15.9375, 0}, {0.125, 0, 0}, {0, -0.125, 0}, 128, 128};
+  CHECK(tiled_z_buffer<float>(mesh, view, fine).entries == 16);
+  CHECK(row_z_buffer<float>(mesh, view, fine).most_active == 4);
+}
+
+TEST_CASE("the z-buffer of some triangles has only these", "[image][z_buffer]") {
+  const Mesh mesh = two_squares().mesh();
+  const std::vector<TriangleId> upper = {TriangleId(2), TriangleId(3)};
+  const DepthImage<float> image = z_buffer<float>(mesh, two_squares().view, whole, upper);
+  for (int j = 0; j < 16; ++j)
+    for (int i = 0; i < 16; ++i) CHECK(image.at(i, j).triangle.is_valid() == (i >= 2 && i < 14 && j >= 2 && j < 14));
+}
+
+}  // namespace
+}  // namespace hsr
