@@ -69,9 +69,9 @@ class RowDrawer {
     // One of two parts of a triangle may begin later.
     if (j < a.scanned.top()) return;
     const auto [begin, end] = a.scanned.span(j);
-    const Real row = a.scanned.on_row(j);
+    const auto nearness_at = a.scanned.row(j);
     for (int i = begin; i < end; ++i) {
-      const Real nearness = a.scanned.nearness(row, i);
+      const Real nearness = nearness_at(i);
       DepthPixel<Real>& pixel = row_[static_cast<std::size_t>(i)];
       if (nearness > pixel.nearness) pixel = {nearness, a.triangle};
     }

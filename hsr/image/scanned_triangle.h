@@ -13,6 +13,8 @@ namespace hsr {
 /// One triangle, scanned row by row. N: float, double, or Bounded of one of them, which scans the same samples.
 template <class N>
 class ScannedTriangle {
+  using Real = std::remove_cvref_t<decltype(raw(std::declval<N>()))>;
+
  public:
   /// Farther away than this a corner is not drawn: products of coordinates stay finite.
   static constexpr double far = 0x1p60;
@@ -78,17 +80,18 @@ class ScannedTriangle {
     const int at_short = j < middle_ ? column(a_, y, upper_side_) : column(b_, y, lower_side_);
     return b_on_right_ ? std::pair(at_long, at_short) : std::pair(at_short, at_long);
   }
-  /// What the nearness of the samples of a row has in common.
-  N on_row(int j) const { return a_.nearness + (N{static_cast<Real>(j)} - a_.y) * step_y_; }
-  /// At a sample of a row. Each on its own, so that a span may begin anywhere, and samples side by side be computed at once.
-  N nearness(const N& row, int i) const { return row + (N{static_cast<Real>(i)} - a_.x) * step_x_; }
-  N nearness(int i, int j) const { return nearness(on_row(j), i); }
+  /// The nearness along a row. At each sample on its own, so that a span may begin anywhere, and samples side by side be
+  /// computed at once.
+  struct Row {
+    N at_corner, corner, step;
+    N operator()(int i) const { return at_corner + (N{static_cast<Real>(i)} - corner) * step; }
+  };
+  Row row(int j) const { return {a_.nearness + (N{static_cast<Real>(j)} - a_.y) * step_y_, a_.x, step_x_}; }
+  N nearness(int i, int j) const { return row(j)(i); }
   const N& step() const { return step_x_; }
   const N& step_down() const { return step_y_; }
 
  private:
-  using Real = std::remove_cvref_t<decltype(raw(std::declval<N>()))>;
-
   /// The first sample at or after x, within 0 ... end.
   static int first_sample(Real x, int end) {
     if (!(x > 0)) return 0;

@@ -9,6 +9,10 @@
 
 #include "hsr/image/drawn_triangles.h"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace hsr {
 
 namespace {
@@ -26,6 +30,40 @@ struct Block {
   std::vector<TriangleId> triangles;
 };
 
+/// Draws samples begin ... end - 1 of a row of a tile whose first column is `left`.
+template <class Real>
+void draw_span(Real* nearness, std::uint32_t* triangle, std::uint32_t t, int left, typename ScannedTriangle<Real>::Row row,
+               int begin, int end) {
+  for (int k = begin; k < end; ++k) {
+    const Real found = row(left + k);
+    if (!(found > nearness[k])) continue;
+    nearness[k] = found;
+    triangle[k] = t;
+  }
+}
+
+#ifdef __SSE2__
+/// The same for floats, four side by side: whole groups, of which samples before `begin` and from `end` on stay as they are.
+void draw_span(float* nearness, std::uint32_t* triangle, std::uint32_t t, int left, ScannedTriangle<float>::Row row, int begin,
+               int end) {
+  constexpr int lanes = 4;
+  const __m128 at_corner = _mm_set1_ps(row.at_corner), corner = _mm_set1_ps(row.corner), step = _mm_set1_ps(row.step);
+  const __m128i before = _mm_set1_epi32(begin - 1), after = _mm_set1_epi32(end), shown = _mm_set1_epi32(static_cast<int>(t));
+  for (int group = begin & ~(lanes - 1); group < end; group += lanes) {
+    const __m128i k = _mm_add_epi32(_mm_set1_epi32(group), _mm_setr_epi32(0, 1, 2, 3));
+    const __m128 x = _mm_cvtepi32_ps(_mm_add_epi32(k, _mm_set1_epi32(left)));
+    const __m128 found = _mm_add_ps(at_corner, _mm_mul_ps(_mm_sub_ps(x, corner), step)), old = _mm_loadu_ps(nearness + group);
+    const __m128i is_inside = _mm_and_si128(_mm_cmpgt_epi32(k, before), _mm_cmplt_epi32(k, after));
+    const __m128 is_nearer = _mm_and_ps(_mm_cmpgt_ps(found, old), _mm_castsi128_ps(is_inside));
+    if (_mm_movemask_ps(is_nearer) == 0) continue;
+    _mm_storeu_ps(nearness + group, _mm_or_ps(_mm_and_ps(is_nearer, found), _mm_andnot_ps(is_nearer, old)));
+    auto* const place = reinterpret_cast<__m128i*>(triangle + group);
+    const __m128i mask = _mm_castps_si128(is_nearer);
+    _mm_storeu_si128(place, _mm_or_si128(_mm_and_si128(mask, shown), _mm_andnot_si128(mask, _mm_loadu_si128(place))));
+  }
+}
+#endif
+
 template <class Real>
 class Tile {
  public:
@@ -35,7 +73,7 @@ class Tile {
     right_ = left + width;
     bottom_ = top + height;
     nearness_.fill(-std::numeric_limits<Real>::infinity());
-    triangle_.fill(TriangleId());
+    triangle_.fill(TriangleId().value);
   }
 
   void draw(TriangleId t, const ScannedTriangle<Real>& scanned) {
@@ -44,8 +82,8 @@ class Tile {
       const auto [first, last] = scanned.span(j);
       const int begin = std::max(first, left_), end = std::min(last, right_);
       if (begin >= end) continue;
-      const auto at = static_cast<std::size_t>((j - top_) * tile_size + (begin - left_));
-      draw_span(nearness_.data() + at, triangle_.data() + at, t, scanned, scanned.on_row(j), begin, end - begin);
+      const auto row = static_cast<std::size_t>((j - top_) * tile_size);
+      draw_span(nearness_.data() + row, triangle_.data() + row, t.value, left_, scanned.row(j), begin - left_, end - left_);
     }
   }
 
@@ -54,26 +92,15 @@ class Tile {
       const auto row = static_cast<std::size_t>((j - top_) * tile_size);
       for (int i = left_; i < right_; ++i) {
         const std::size_t k = row + static_cast<std::size_t>(i - left_);
-        image.row(j)[i] = {nearness_[k], triangle_[k]};
+        image.row(j)[i] = {nearness_[k], TriangleId(triangle_[k])};
       }
     }
   }
 
  private:
-  /// Without branches: several samples at a time.
-  static void draw_span(Real* nearness, TriangleId* triangle, TriangleId t, const ScannedTriangle<Real>& scanned, Real row,
-                        int begin, int count) {
-    for (int k = 0; k < count; ++k) {
-      const Real found = scanned.nearness(row, begin + k);
-      const bool is_nearer = found > nearness[k];
-      nearness[k] = is_nearer ? found : nearness[k];
-      triangle[k] = is_nearer ? t : triangle[k];
-    }
-  }
-
   int left_ = 0, top_ = 0, right_ = 0, bottom_ = 0;
   std::array<Real, tile_size * tile_size> nearness_;
-  std::array<TriangleId, tile_size * tile_size> triangle_;
+  std::array<std::uint32_t, tile_size * tile_size> triangle_;
 };
 
 template <class Real>

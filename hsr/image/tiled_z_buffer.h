@@ -15,7 +15,7 @@ struct TiledZBuffer {
 };
 
 /// The windowed z-buffer: triangles are first sorted into tiles of 64 x 64 samples, then each tile is drawn in a buffer of its
-/// own that stays in the nearest cache. Tiles in parallel; samples of a span side by side in vector registers.
+/// own that stays in the nearest cache. Tiles in parallel; of floats, four samples of a span side by side.
 ///
 ///   (1) the same picture as z_buffer() with the same Real, to the bit, for any number of threads
 ///

@@ -25,9 +25,9 @@ class Drawer {
     for (int j = scanned.top(); j < scanned.bottom(); ++j) {
       const auto [begin, end] = scanned.span(j);
       DepthPixel<Real>* const pixels = image_.row(j);
-      const Real row = scanned.on_row(j);
+      const auto nearness_at = scanned.row(j);
       for (int i = begin; i < end; ++i) {
-        const Real nearness = scanned.nearness(row, i);
+        const Real nearness = nearness_at(i);
         if (nearness > pixels[i].nearness) pixels[i] = {nearness, t};
       }
     }
