@@ -22,6 +22,19 @@ class ScannedTriangle {
     return std::fabs(raw(c.x)) < far && std::fabs(raw(c.y)) < far && std::isfinite(raw(c.nearness));
   }
 
+  /// The first sample at or after x, within 0 ... end.
+  static int first_sample(Real x, int end) {
+    if (!(x > 0)) return 0;
+    if (!(x < static_cast<Real>(end))) return end;
+    const int whole = static_cast<int>(x);
+    return whole + (static_cast<Real>(whole) < x ? 1 : 0);
+  }
+  /// Of a side, columns a row. Where a side is that flat, it crosses at most one row, next to its end.
+  static N slope(const N& x, const N& y) {
+    const N s = x / y;
+    return std::isfinite(raw(s)) ? s : N{};
+  }
+
   /// The samples left ... right - 1 of rows top ... bottom - 1, around a triangle.
   struct Box {
     int left = 0, right = 0, top = 0, bottom = 0;
@@ -88,22 +101,13 @@ class ScannedTriangle {
   };
   Row row(int j) const { return {a_.nearness + (N{static_cast<Real>(j)} - a_.y) * step_y_, a_.x, step_x_}; }
   N nearness(int i, int j) const { return row(j)(i); }
+  /// A corner; the depths of the plane are told from there.
+  const Seen<N>& corner() const { return a_; }
+  /// From one sample to the next, and from one row to the next.
   const N& step() const { return step_x_; }
   const N& step_down() const { return step_y_; }
 
  private:
-  /// The first sample at or after x, within 0 ... end.
-  static int first_sample(Real x, int end) {
-    if (!(x > 0)) return 0;
-    if (!(x < static_cast<Real>(end))) return end;
-    const int whole = static_cast<int>(x);
-    return whole + (static_cast<Real>(whole) < x ? 1 : 0);
-  }
-  /// Where a side is that flat, it crosses at most one row, next to its end.
-  static N slope(const N& x, const N& y) {
-    const N s = x / y;
-    return std::isfinite(raw(s)) ? s : N{};
-  }
   int column(const Seen<N>& from, const N& y, const N& side) const {
     // Rounding may put the side beyond the corners, by less than a sample.
     return std::clamp(first_sample(raw(from.x + (y - from.y) * side), right_), left_, right_);
