@@ -3,12 +3,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "geometry/constructed_point.h"
 #include "geometry/error.h"
 #include "hsr/cut_plane.h"
+#include "hsr/image/compositing.h"
 #include "hsr/image/rasterizer.h"
 
 namespace hsr {
@@ -119,21 +119,14 @@ Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrd
 
 Image<Colour> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples,
                     const std::vector<Colour>& colours, double opacity) {
-  Image<std::array<float, 3>> light(samples.width, samples.height, {255, 255, 255});
+  Image<Light> light(samples.width, samples.height, white_light);
   visit_spans(mesh, view, order, samples, [&](std::uint32_t piece, const SampleSpan& span) {
     const Colour& c = colours[mesh.face_of[order.pieces[piece].facet].value];
-    const float a = static_cast<float>(opacity * c[3] / 255);
-    for (int i = span.begin; i < span.end; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        float& x = light.row(span.row)[i][k];
-        x += a * (static_cast<float>(c[k]) - x);
-      }
+    const float a = opacity_of(c, opacity);
+    for (int i = span.begin; i < span.end; ++i) lay_over(light.row(span.row)[i], c, a);
   });
   Image<Colour> image(samples.width, samples.height);
-  for (std::size_t p = 0; p < light.pixels.size(); ++p) {
-    for (std::size_t k = 0; k < 3; ++k) image.pixels[p][k] = static_cast<std::uint8_t>(std::lround(light.pixels[p][k]));
-    image.pixels[p][3] = 255;
-  }
+  std::transform(light.pixels.begin(), light.pixels.end(), image.pixels.begin(), rounded);
   return image;
 }
 
