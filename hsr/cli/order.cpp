@@ -19,6 +19,7 @@
 #include "hsr/drawing/painting.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/image/painted_order.h"
+#include "hsr/image/supersampling.h"
 #include "hsr/painter/bsp.h"
 #include "hsr/painter/depth_sort.h"
 #include "hsr/painter/z_sort.h"

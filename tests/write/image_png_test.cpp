@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "geometry/error.h"
+#include "hsr/image/supersampling.h"
 
 namespace hsr {
 namespace {
