@@ -8,6 +8,9 @@
 #include "hsr/image/caster.h"
 #include "hsr/image/depth_buffer.h"
 #include "hsr/image/painted_order.h"
+#include "hsr/image/row_z_buffer.h"
+#include "hsr/image/scanline.h"
+#include "hsr/image/tiled_z_buffer.h"
 #include "hsr/image/z_buffer.h"
 #include "hsr/painter/bsp.h"
 #include "hsr/painter/depth_sort.h"
@@ -74,6 +77,8 @@ ShownPicture shown_order(const Mesh& mesh, const View& view, const SampleGrid& g
   return picture;
 }
 
+std::string working_storage(std::size_t bytes) { return std::to_string((bytes + 500) / 1000) + " kB beside the picture"; }
+
 std::string pieces(std::size_t n) { return std::to_string(n) + (n == 1 ? " piece" : " pieces"); }
 
 }  // namespace
@@ -92,6 +97,29 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
   methods.back().resolution = resolution(DepthFormat::float32);
   methods.push_back(runnable<DepthImage<double>>(
       "z-buffer", "double", [&mesh, &view, grid] { return z_buffer<double>(mesh, view, grid); }, shown_of_z_buffer<double>));
+  methods.back().resolution = resolution(DepthFormat::float64);
+  methods.push_back(runnable<RowZBuffer<float>>(
+      "row z-buffer", "float", [&mesh, &view, grid] { return row_z_buffer<float>(mesh, view, grid); },
+      [](const RowZBuffer<float>& b) { return shown_of_z_buffer(b.image); },
+      [](const RowZBuffer<float>& b) { return working_storage(b.bytes); }));
+  methods.back().resolution = resolution(DepthFormat::float32);
+  methods.push_back(runnable<TiledZBuffer<float>>(
+      "tiled z-buffer", "float", [&mesh, &view, grid] { return tiled_z_buffer<float>(mesh, view, grid); },
+      [](const TiledZBuffer<float>& b) { return shown_of_z_buffer(b.image); },
+      [](const TiledZBuffer<float>& b) { return working_storage(b.bytes); }));
+  methods.back().resolution = resolution(DepthFormat::float32);
+  const auto show_scanline = [](const Scanline& s) { return ShownPicture{s.triangles, {}}; };
+  const auto count_spans = [](const Scanline& s) {
+    return std::to_string(s.spans) + " spans, " + std::to_string(s.depth_comparisons) + " comparisons; " +
+           working_storage(s.bytes);
+  };
+  methods.push_back(runnable<Scanline>(
+      "scanline, whole faces", "double", [&mesh, &view, grid] { return scanline(mesh, view, grid); }, show_scanline,
+      count_spans));
+  methods.back().resolution = resolution(DepthFormat::float64);
+  methods.push_back(runnable<Scanline>(
+      "scanline, split faces", "double",
+      [&mesh, &view, grid] { return scanline(mesh, view, grid, depth_sort(mesh, view).order); }, show_scanline, count_spans));
   methods.back().resolution = resolution(DepthFormat::float64);
   const auto add = [&](const std::string& method, const std::string& numbers, const DepthBufferOptions& options) {
     methods.push_back(runnable<DepthBuffer>(

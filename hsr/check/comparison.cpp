@@ -221,7 +221,22 @@ class Comparer {
     const FragmentOptions all{.stages = When::never};
     result_.stages.push_back({"fragments: far sides, hidden faces", "left out", fragments,
                               timed([&] { (void)visible_fragments(mesh_, view_, all); }), "changes nothing"});
+    const Timer timer = [this](const std::function<void()>& work) { return timed(work); };
+    const SampleGrid grid = grid_(options_.size);
+    show("culling", 0.5);
+    append(culling_stages(mesh_, view_, grid, timer));
+    show("coherence", 0.7);
+    append(coherence_stages(mesh_, view_, grid, timer));
     turn();
+    show("transparency", 0.9);
+    attempt("transparency", true, [&] {
+      PaintersOrder order;
+      const double seconds = timed([&] { order = depth_sort(mesh_, view_).order; });
+      result_.transparency = compare_transparency(mesh_, view_, order, seconds, grid_, std::max(1, options_.size / 4), timer);
+    });
+  }
+  void append(std::vector<ComparedStage> stages) {
+    std::move(stages.begin(), stages.end(), std::back_inserter(result_.stages));
   }
 
   /// Coherence of frames: a tree for all frames of a turntable against a sort for each.
@@ -235,7 +250,7 @@ class Comparer {
         for (int k = 0; k < frames; ++k) tree->walk(view_, far_to_near);
       });
       const double sort = timed([&] { (void)depth_sort(mesh_, view_); });
-      result_.stages.push_back({"36 frames: one BSP, walked for each, instead of a depth sort for each", "coherence",
+      result_.stages.push_back({"frame: 36 frames by one BSP, walked for each, instead of a depth sort for each", "coherence",
                                 build + walks, frames * sort, std::to_string(tree->pieces()) + " pieces a frame"});
     });
   }

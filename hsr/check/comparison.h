@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "hsr/check/image_stages.h"
 #include "hsr/check/picture_check.h"
+#include "hsr/check/transparency_comparison.h"
 #include "hsr/image/image.h"
 #include "hsr/image/samples.h"
 #include "hsr/lines/plan.h"
@@ -50,14 +52,6 @@ struct Growth {
   double slope = 0;  ///< seconds grow as this power of the number of faces
 };
 
-/// A stage, on its own: what it costs and saves.
-struct ComparedStage {
-  std::string stage, kind;  ///< kind: "left out", "culling", "coherence"
-  double seconds = 0;       ///< with it
-  double without = 0;       ///< the same work without it
-  std::string result;       ///< what it changes, or that it changes nothing
-};
-
 struct Comparison {
   std::size_t faces = 0, triangles = 0;
   int size = 0, threads = 1;
@@ -65,7 +59,8 @@ struct Comparison {
   std::vector<ComparedPicture> pictures;  ///< all of one size; the first is the truth
   std::vector<Growth> growth;
   std::vector<ComparedStage> stages;
-  std::vector<LeftOut> left_out;  ///< what was not run or refused, and what the plan of a drawing does without
+  std::vector<ComparedTransparency> transparency;  ///< at a quarter of the size
+  std::vector<LeftOut> left_out;                   ///< what was not run or refused, and what the plan of a drawing does without
 };
 
 struct ComparisonOptions {

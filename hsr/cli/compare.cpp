@@ -68,6 +68,16 @@ void describe(Report& report, const Comparison& c) {
   for (const ComparedStage& s : c.stages)
     stages.push_back(
         {{"stage", s.stage}, {"kind", s.kind}, {"seconds", s.seconds}, {"without", s.without}, {"result", s.result}});
+  Report::Json transparency = Report::Json::array();
+  for (const ComparedTransparency& t : c.transparency)
+    transparency.push_back({{"method", t.method},
+                            {"samples", t.samples},
+                            {"seconds", t.seconds},
+                            {"bytes", t.bytes},
+                            {"mean_difference", t.mean_difference},
+                            {"most_difference", t.most_difference},
+                            {"changed_share", t.changed_share}});
+  report["transparency"] = std::move(transparency);
   report["methods"] = std::move(methods);
   report["growth"] = std::move(growth);
   report["stages"] = std::move(stages);

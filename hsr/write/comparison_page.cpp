@@ -1,5 +1,7 @@
 #include "hsr/write/comparison_page.h"
 
+#include <algorithm>
+
 #include "hsr/write/comparison_plots.h"
 #include "hsr/write/html_page.h"
 #include "hsr/write/json_text.h"
@@ -143,6 +145,24 @@ std::string comparison_page(const Comparison& c, const std::vector<ComparisonIma
     rows.push_back(
         {{s.stage}, {s.kind}, html_number(s.seconds), html_number(s.without), html_number(s.without - s.seconds), {s.result}});
   page.table({"stage", "kind", "seconds with it", "without", "saved", "result"}, rows);
+
+  if (!c.transparency.empty()) {
+    page.heading("Transparency");
+    page.paragraph("Each face in a colour of its own and half transparent, " + std::to_string(std::max(1, c.size / 4)) +
+                   " pixels each way, against the exact painter's order with 8 x 8 samples to a pixel. Differences in levels "
+                   "of 0 ... 255; "
+                   "changed: pixels that are more than one level off.");
+    rows.clear();
+    for (const ComparedTransparency& t : c.transparency)
+      rows.push_back({{t.method},
+                      {t.samples},
+                      html_number(t.seconds),
+                      t.bytes == 0 ? HtmlCell{} : html_bytes(static_cast<double>(t.bytes)),
+                      html_number(t.mean_difference),
+                      html_number(t.most_difference),
+                      html_share(t.changed_share)});
+    page.table({"method", "samples to a pixel", "seconds", "working storage", "mean difference", "largest", "changed"}, rows);
+  }
 
   page.heading("Left out");
   std::vector<std::string> left_out;

@@ -206,6 +206,20 @@ TEST_CASE("compare writes a page that needs nothing else, a table, a report, pic
   }
   CHECK(exact >= 4);
   CHECK(report["growth"].size() == 4);
+  std::vector<std::string> culling, coherence;
+  for (const auto& s : report["stages"]) {
+    if (s["kind"] == "culling") culling.push_back(s["stage"]);
+    if (s["kind"] == "coherence")
+      coherence.push_back(s["stage"].get<std::string>().substr(0, s["stage"].get<std::string>().find(':')));
+    // Of a closed cube nothing that is culled is seen, and the twelve triangles are larger than two samples.
+    if (s["kind"] == "culling") CHECK(s["result"].get<std::string>().find("changes nothing") != std::string::npos);
+  }
+  CHECK(culling.size() == 7);
+  CHECK(coherence == std::vector<std::string>{"object", "face", "edge", "scanline", "area", "span", "depth", "frame"});
+  REQUIRE(report["transparency"].size() == 6);
+  for (const auto& t : report["transparency"]) CHECK(t["mean_difference"].get<double>() < 10);
+  // More samples come closer.
+  CHECK(report["transparency"][4]["mean_difference"] < report["transparency"][2]["mean_difference"]);
   CHECK(contents(d / "out/cube/table.csv").find("\"z-buffer\",\"float\"") != std::string::npos);
   CHECK(fs::exists(d / "out/cube/pictures/exact.png"));
   CHECK(fs::exists(d / "out/cube/plots/area-against-time.svg"));
