@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "geometry/error.h"
+#include "hsr/image/alpha_buffer.h"
 #include "hsr/image/row_z_buffer.h"
 #include "hsr/image/tiled_z_buffer.h"
 #include "tests/scenes/random_scenes.h"
@@ -82,6 +83,53 @@ TEST_CASE("the z-buffer of some triangles has only these", "[image][z_buffer]") 
   const DepthImage<float> image = z_buffer<float>(mesh, two_squares().view, whole, upper);
   for (int j = 0; j < 16; ++j)
     for (int i = 0; i < 16; ++i) CHECK(image.at(i, j).triangle.is_valid() == (i >= 2 && i < 14 && j >= 2 && j < 14));
+}
+
+/// Faces over ten samples of one row, at columns 0 ... 9, higher is nearer.
+struct LectureRow {
+  scenes::TestScene scene;
+  SampleGrid grid = {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, 10, 1};
+
+  LectureRow() { scene.view = parallel_view({0, 0, 1}, {0, 1, 0}); }
+  void add(double left, double right, double at_left, double at_right) {
+    scene.add_face(std::vector<Point3>{{left, -1, at_left}, {right, -1, at_right}, {right, 1, at_right}, {left, 1, at_left}});
+  }
+  std::vector<int> row() const {
+    std::vector<int> values;
+    for (const auto& pixel : row_z_buffer<float>(scene.mesh(), scene.view, grid).image.pixels)
+      values.push_back(pixel.triangle.is_valid() ? static_cast<int>(pixel.nearness) : -1);
+    return values;
+  }
+};
+
+TEST_CASE("the lecture's buffer of one row: -1 at first, and the larger value wins", "[image][z_buffer][lecture]") {
+  LectureRow lecture;
+  CHECK(lecture.row() == std::vector<int>(10, -1));
+  lecture.add(0.5, 6.5, 3, 3);
+  CHECK(lecture.row() == std::vector<int>{-1, 3, 3, 3, 3, 3, 3, -1, -1, -1});
+  lecture.add(3.5, 8.5, 5, 5);
+  CHECK(lecture.row() == std::vector<int>{-1, 3, 3, 3, 5, 5, 5, 5, 5, -1});
+  lecture.add(1.5, 8.5, 0.5, 7.5);  // 1 at column 2 ... 7 at column 8
+  CHECK(lecture.row() == std::vector<int>{-1, 3, 3, 3, 5, 5, 5, 6, 7, -1});
+}
+
+TEST_CASE("the lecture's alpha-buffer of one row keeps the colours behind", "[image][alpha_buffer][lecture]") {
+  LectureRow lecture;
+  lecture.add(0.5, 6.5, 3, 3);
+  lecture.add(3.5, 8.5, 5, 5);
+  lecture.add(1.5, 8.5, 0.5, 7.5);
+  const auto picture = [&](const std::vector<Colour>& colours, double opacity) {
+    return alpha_buffer(lecture.scene.mesh(), lecture.scene.view, lecture.grid, colours, opacity).picture.pixels;
+  };
+  // Layers: 0 1 2 2 3 3 3 2 2 0, each takes half of the light.
+  std::vector<int> greys;
+  for (const Colour& c : picture(std::vector<Colour>(3, {0, 0, 0, 255}), 0.5)) greys.push_back(c[0]);
+  CHECK(greys == std::vector<int>{255, 128, 64, 64, 32, 32, 32, 64, 64, 255});
+  // Opaque, only the nearest counts: the third face from column 7 on.
+  const std::vector<Colour> opaque = picture({{1, 0, 0, 255}, {2, 0, 0, 255}, {3, 0, 0, 255}}, 1);
+  std::vector<int> shown;
+  for (const Colour& c : opaque) shown.push_back(c[0]);
+  CHECK(shown == std::vector<int>{255, 1, 1, 1, 2, 2, 2, 3, 3, 255});
 }
 
 }  // namespace
