@@ -42,29 +42,26 @@ class ScannedTriangle {
   };
   static Box box(const Seen<N>& a, const Seen<N>& b, const Seen<N>& c, int width, int height) {
     Box box;
-    const auto [left, right] = std::minmax({raw(a.x), raw(b.x), raw(c.x)});
-    box.left = first_sample(left, width);
-    box.right = first_sample(right, width);
+    box.left = first_sample(least(raw(a.x), raw(b.x), raw(c.x)), width);
+    box.right = first_sample(most(raw(a.x), raw(b.x), raw(c.x)), width);
     if (box.left == box.right) return box;
-    const auto [top, bottom] = std::minmax({raw(a.y), raw(b.y), raw(c.y)});
-    box.top = first_sample(top, height);
-    box.bottom = first_sample(bottom, height);
+    box.top = first_sample(least(raw(a.y), raw(b.y), raw(c.y)), height);
+    box.bottom = first_sample(most(raw(a.y), raw(b.y), raw(c.y)), height);
     return box;
   }
 
   /// False: no row has a sample of it. @pre corners are drawable
   bool set(Seen<N> a, Seen<N> b, Seen<N> c, int width, int height) {
     // Most triangles of a large mesh lie between the samples: leave early.
-    const auto [low, high] = std::minmax({raw(a.x), raw(b.x), raw(c.x)});
-    left_ = first_sample(low, width);
-    right_ = first_sample(high, width);
-    if (left_ == right_) return false;
+    const Box around = box(a, b, c, width, height);
+    if (around.is_empty()) return false;
+    left_ = around.left;
+    right_ = around.right;
+    top_ = around.top;
+    bottom_ = around.bottom;
     if (raw(b.y) < raw(a.y)) std::swap(a, b);
     if (raw(c.y) < raw(a.y)) std::swap(a, c);
     if (raw(c.y) < raw(b.y)) std::swap(b, c);
-    top_ = first_sample(raw(a.y), height);
-    bottom_ = first_sample(raw(c.y), height);
-    if (top_ == bottom_) return false;
     const N bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
     const N area = bx * cy - by * cx;
     if (raw(area) == 0) return false;
@@ -108,9 +105,15 @@ class ScannedTriangle {
   const N& step_down() const { return step_y_; }
 
  private:
+  // Of two at a time: these are one instruction, std::minmax of three is a loop.
+  static Real least(Real a, Real b, Real c) { return std::min(std::min(a, b), c); }
+  static Real most(Real a, Real b, Real c) { return std::max(std::max(a, b), c); }
   int column(const Seen<N>& from, const N& y, const N& side) const {
-    // Rounding may put the side beyond the corners, by less than a sample.
-    return std::clamp(first_sample(raw(from.x + (y - from.y) * side), right_), left_, right_);
+    const Real x = raw(from.x + (y - from.y) * side);
+    // The first sample at or after x. Rounding may put the side beyond the corners, by less than a sample.
+    const Real within = std::min(std::max(static_cast<Real>(left_), x), static_cast<Real>(right_));
+    const int whole = static_cast<int>(within);
+    return whole + (static_cast<Real>(whole) < within ? 1 : 0);
   }
 
   int left_ = 0, right_ = 0, top_ = 0, middle_ = 0, bottom_ = 0;
