@@ -121,6 +121,7 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
       "scanline, split faces", "double",
       [&mesh, &view, grid] { return scanline(mesh, view, grid, depth_sort(mesh, view).order); }, show_scanline, count_spans));
   methods.back().resolution = resolution(DepthFormat::float64);
+  methods.back().cost = 4;
   const auto add = [&](const std::string& method, const std::string& numbers, const DepthBufferOptions& options) {
     methods.push_back(runnable<DepthBuffer>(
         method, numbers, [&mesh, &view, grid, range, options] { return depth_buffer(mesh, view, grid, range, options); },

@@ -84,7 +84,7 @@ class Comparer {
 
   std::string why_not(const RunnableMethod& method) const {
     const double most = method.cost * fragments_seconds_;
-    if (!method.is_object_space || method.cost <= 1 || most < too_long) return {};
+    if (method.cost <= 1 || most < too_long) return {};
     return "would take up to " + std::to_string(static_cast<int>(most)) + " s";
   }
 

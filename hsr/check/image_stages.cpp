@@ -36,6 +36,13 @@ SampleGrid middle_quarter(const SampleGrid& grid) {
   return part;
 }
 
+/// Samples that show another triangle.
+std::size_t different(const DepthImage<float>& a, const DepthImage<float>& b) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < a.pixels.size(); ++k) count += a.pixels[k].triangle != b.pixels[k].triangle ? 1U : 0U;
+  return count;
+}
+
 std::string kilobytes(std::size_t bytes) { return std::to_string((bytes + 500) / 1000) + " kB"; }
 
 }  // namespace
@@ -50,9 +57,7 @@ std::vector<ComparedStage> culling_stages(const Mesh& mesh, const View& view, co
       culled = cull();
       part = z_buffer<float>(mesh, view, samples, culled.kept);
     });
-    std::size_t changed = 0;
-    for (std::size_t k = 0; k < whole.pixels.size(); ++k)
-      changed += whole.pixels[k].triangle != part.pixels[k].triangle ? 1U : 0U;
+    const std::size_t changed = different(whole, part);
     stages.push_back({name, "culling", with, without,
                       std::to_string(culled.culled) + " of " + std::to_string(mesh.triangles.size()) + " triangles culled by " +
                           std::to_string(culled.tests) + " tests; " +
@@ -63,10 +68,17 @@ std::vector<ComparedStage> culling_stages(const Mesh& mesh, const View& view, co
       [&] { return frustum_culled(mesh, view, window, {.bounds = Bounds::boxes}); });
   add("view frustum of the middle quarter, by spheres", window,
       [&] { return frustum_culled(mesh, view, window, {.bounds = Bounds::spheres}); });
+  // Of a body that points inward the front faces are the far ones: the side to cull is the one that is missed less.
+  const DepthImage<float> whole = z_buffer<float>(mesh, view, grid);
+  const auto missed = [&](Facing culled) {
+    return different(whole, z_buffer<float>(mesh, view, grid, facing_culled(mesh, view, culled).kept));
+  };
+  const bool is_inward = missed(Facing::front) < missed(Facing::back);
+  const Facing away = is_inward ? Facing::front : Facing::back;
   for (const auto& [name, space] : {std::pair("world", FacingSpace::world), std::pair("eye", FacingSpace::eye),
                                     std::pair("projection", FacingSpace::projection)})
-    add(std::string("back faces, in ") + name + " space", grid,
-        [&, s = space] { return facing_culled(mesh, view, Facing::back, s); });
+    add(std::string(is_inward ? "front faces (the model is inside out)" : "back faces") + ", in " + name + " space", grid,
+        [&, s = space] { return facing_culled(mesh, view, away, s); });
   add("occlusion, by tiles and their farthest depth", grid, [&] { return occlusion_culled(mesh, view); });
   double lost = 0;
   add("importance: seen smaller than 2 samples", grid, [&] {
@@ -74,7 +86,7 @@ std::vector<ComparedStage> culling_stages(const Mesh& mesh, const View& view, co
     lost = culled.lost_area;
     return culled;
   });
-  stages.back().result += ", of " + std::to_string(static_cast<std::uint64_t>(lost)) + " samples' area that it dropped";
+  stages.back().result += "; dropped an area of " + std::to_string(static_cast<std::uint64_t>(lost)) + " samples, seen or not";
   return stages;
 }
 
