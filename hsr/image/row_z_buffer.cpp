@@ -21,7 +21,10 @@ class RowDrawer {
     // From the last, each in front of its bucket's list: so the lists ascend.
     for (std::size_t k = triangles_.size(); k-- > 0;) {
       int top = samples.height;
-      visit(TriangleId(k), [&](const ScannedTriangle<Real>& scanned) { top = std::min(top, scanned.top()); });
+      triangles_.visit(TriangleId(k), [&](const auto& a, const auto& b, const auto& c) {
+        const auto box = ScannedTriangle<Real>::box(a, b, c, samples.width, samples.height);
+        if (!box.is_empty()) top = std::min(top, box.top);
+      });
       if (top == samples.height) continue;
       next_[k] = first_[static_cast<std::size_t>(top)];
       first_[static_cast<std::size_t>(top)] = static_cast<std::uint32_t>(k);

@@ -82,14 +82,14 @@ class Tile {
       const auto [first, last] = scanned.span(j);
       const int begin = std::max(first, left_), end = std::min(last, right_);
       if (begin >= end) continue;
-      const auto row = static_cast<std::size_t>((j - top_) * tile_size);
+      const std::size_t row = static_cast<std::size_t>(j - top_) * tile_size;
       draw_span(nearness_.data() + row, triangle_.data() + row, t.value, left_, scanned.row(j), begin - left_, end - left_);
     }
   }
 
   void copy_to(DepthImage<Real>& image) const {
     for (int j = top_; j < bottom_; ++j) {
-      const auto row = static_cast<std::size_t>((j - top_) * tile_size);
+      const std::size_t row = static_cast<std::size_t>(j - top_) * tile_size;
       for (int i = left_; i < right_; ++i) {
         const std::size_t k = row + static_cast<std::size_t>(i - left_);
         image.row(j)[i] = {nearness_[k], TriangleId(triangle_[k])};
