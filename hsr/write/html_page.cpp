@@ -23,7 +23,7 @@ button{background:var(--panel);border:1px solid var(--faint);border-radius:4px;p
 :focus-visible{outline:2px solid var(--link);outline-offset:1px}
 .scroll{overflow-x:auto}
 table{border-collapse:collapse;font-size:13.5px}td,th{padding:.2rem .6rem;border-bottom:1px solid var(--faint);text-align:left;white-space:nowrap}
-td.n{text-align:right;font-variant-numeric:tabular-nums}th button{border:0;background:none;padding:0;font-weight:600}
+td:not(.n){white-space:normal;max-width:24rem}td.n{text-align:right;font-variant-numeric:tabular-nums}th button{border:0;background:none;padding:0;font-weight:600}
 th[aria-sort=ascending] button::after{content:" \2191"}th[aria-sort=descending] button::after{content:" \2193"}
 .plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(30rem,1fr));gap:1rem}
 .plots svg{width:100%;height:auto;border:1px solid var(--faint);border-radius:4px}
