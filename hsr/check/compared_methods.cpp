@@ -135,12 +135,15 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
       {.format = DepthFormat::float32, .interpolation = DepthInterpolation::incremental});
   add("depth buffer, barycentric", "float 32",
       {.format = DepthFormat::float32, .interpolation = DepthInterpolation::barycentric});
-  methods.push_back(runnable<CastImage>(
-      "ray casting", name(Arithmetic::staged), [&mesh, &view, grid] { return cast(mesh, view, grid); },
-      [](const CastImage& image) {
-        return ShownPicture{image.triangles, {}};
-      }));
-  methods.back().is_exact = true;
+  for (const Arithmetic arithmetic : {Arithmetic::staged, Arithmetic::double_only}) {
+    methods.push_back(runnable<CastImage>(
+        "ray casting", name(arithmetic),
+        [&mesh, &view, grid, arithmetic] { return cast(mesh, view, grid, {.arithmetic = arithmetic}); },
+        [](const CastImage& image) {
+          return ShownPicture{image.triangles, {}};
+        }));
+    methods.back().is_exact = arithmetic == Arithmetic::staged;
+  }
   const auto add_painter = [&](const std::string& method, DepthKey key) {
     methods.push_back(runnable<Image<TriangleId>>(
         method, "double",

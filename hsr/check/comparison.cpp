@@ -9,6 +9,7 @@
 
 #include "geometry/error.h"
 #include "hsr/check/area_check.h"
+#include "hsr/check/attempt.h"
 #include "hsr/check/compared_methods.h"
 #include "hsr/check/measure.h"
 #include "hsr/image/caster.h"
@@ -92,16 +93,10 @@ class Comparer {
   /// @return whether it was done
   template <class Work>
   bool attempt(const std::string& what, bool is_exact, const Work& work) {
-    try {
-      work();
-      return true;
-    } catch (const InputError& e) {
-      result_.left_out.push_back({what, std::string("refused: ") + e.what()});
-    } catch (const InvariantError& e) {
-      if (is_exact) throw;
-      result_.left_out.push_back({what, std::string("broke down: ") + e.what()});
-    }
-    return false;
+    const Attempt tried = hsr::attempt(work);
+    if (tried.ending == Ending::broke_down && is_exact) throw InvariantError(what + ", " + tried.why);
+    if (tried.ending != Ending::done) result_.left_out.push_back({what, tried.why});
+    return tried.ending == Ending::done;
   }
 
   void run_first(const RunnableMethod& method, int size, const SampleGrid& grid, const Image<TriangleId>& nearest) {

@@ -44,6 +44,7 @@ Sign compared(const ImageFunction& a, const ImageFunction& b, int i, int j, doub
   if (d.value - d.error > bound) return Sign::positive;
   if (d.value + d.error < -bound) return Sign::negative;
   if (std::fabs(d.value) + d.error < bound) return Sign::zero;
+  if (!std::isfinite(bound)) return Sign::zero;
   const Rational exact = a.at(i, j) - b.at(i, j);
   return exact > Rational(bound) ? Sign::positive : exact < Rational(-bound) ? Sign::negative : Sign::zero;
 }

@@ -15,6 +15,7 @@ void add_compare(CLI::App& app, UnfinishedFiles& unfinished);
 void add_draw(CLI::App& app, UnfinishedFiles& unfinished);
 void add_info(CLI::App& app, UnfinishedFiles& unfinished);
 void add_order(CLI::App& app, UnfinishedFiles& unfinished);
+void add_stability(CLI::App& app, UnfinishedFiles& unfinished);
 void add_verify(CLI::App& app, UnfinishedFiles& unfinished);
 
 }  // namespace hsr::cli

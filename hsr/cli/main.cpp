@@ -24,15 +24,6 @@ extern "C" void on_interrupt(int signal) {
   _exit(128 + signal);
 }
 
-/// A verb of a later release: its name is known, so that nobody looks for a typing error.
-void add_later(CLI::App& app, const std::string& verb, const std::string& description) {
-  CLI::App* sub = app.add_subcommand(verb, description + " (a later release)");
-  sub->allow_extras();
-  sub->callback([verb] {
-    throw hsr::InputError(verb + ": comes in a later release; this one has draw, order, verify, compare and info");
-  });
-}
-
 int fail(const std::string& message) {
   fmt::print(stderr, "hsr: {}\n", message);
   return 2;
@@ -41,7 +32,7 @@ int fail(const std::string& message) {
 /// The library names what it refuses as the options are named, without the dashes.
 std::string with_dashes(const std::string& message) {
   for (const std::string option :
-       {"page", "scale", "unit", "margin", "size", "fov", "near", "up", "direction", "eye", "target", "view"})
+       {"page", "scale", "unit", "margin", "size", "fov", "near", "up", "direction", "eye", "target", "view", "family"})
     if (message.rfind(option + ":", 0) == 0) return "--" + message;
   return message;
 }
@@ -63,13 +54,14 @@ int main(int argc, char** argv) {
   hsr::cli::add_order(app, unfinished);
   hsr::cli::add_verify(app, unfinished);
   hsr::cli::add_compare(app, unfinished);
-  add_later(app, "stability", "Where each method and arithmetic breaks");
+  hsr::cli::add_stability(app, unfinished);
   const std::string verb = argc > 1 ? argv[1] : "";
   try {
     const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
     const bool known = std::any_of(verbs.begin(), verbs.end(), [&](const CLI::App* v) { return v->get_name() == verb; });
     if (!verb.empty() && verb.front() != '-' && !known)
-      throw hsr::InputError(verb + ": no such verb, expected draw, order, verify, compare or info ('hsr --help' lists them)");
+      throw hsr::InputError(
+          verb + ": no such verb, expected draw, order, verify, compare, stability or info ('hsr --help' lists them)");
     app.parse(argc, argv);
     std::cout.flush();
     if (std::fflush(stdout) != 0 || !std::cout) throw hsr::InputError("standard output: cannot be written");

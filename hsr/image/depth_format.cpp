@@ -110,6 +110,8 @@ double step(DepthFormat format, const DepthRange& range, double nearness) {
       return step_of((nearness - range.far) / all, single) * all;
     case DepthFormat::logarithmic_float32: {
       const double log_range = std::log((range.near + 1) / (range.far + 1)), inverse = nearness + 1;
+      // So far away that no double tells the distance from infinity: nothing is told apart.
+      if (!(inverse > 0 && std::isfinite(log_range))) return HUGE_VAL;
       return step_of(std::log((range.near + 1) / inverse) / log_range, single) * log_range * inverse;
     }
     default:

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "hsr/write/comparison_plots.h"
-#include "hsr/write/html_page.h"
 #include "hsr/write/json_text.h"
 #include "hsr/write/svg_text.h"
 

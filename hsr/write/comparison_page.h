@@ -5,14 +5,9 @@
 
 #include "hsr/check/comparison.h"
 #include "hsr/write/comparison_pictures.h"
+#include "hsr/write/html_page.h"
 
 namespace hsr {
-
-/// What the page says of itself.
-struct PageText {
-  std::string title;
-  std::vector<std::string> facts;  ///< model, view, machine, date, command
-};
 
 /// One page with all of it: two methods beside each other under a slider, diagrams, tables.
 /// @param images of Comparison::pictures, in this order

@@ -8,11 +8,7 @@
 
 namespace hsr {
 
-/// Error against run time and the like, as diagrams; each has a name for its file.
-struct NamedPlot {
-  std::string name;
-  Plot plot;
-};
+/// Error against run time and the like, as diagrams.
 std::vector<NamedPlot> comparison_plots(const Comparison& comparison);
 
 }  // namespace hsr

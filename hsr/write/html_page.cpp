@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "hsr/write/svg_text.h"
 
@@ -52,6 +53,14 @@ std::string rounded_text(double x, int digits) {
   std::array<char, 32> text;
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits);
   return {text.data(), end};
+}
+
+std::string short_text(double x) {
+  std::array<char, 32> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x);
+  if (end - text.data() <= 6) return {text.data(), end};
+  int power = 0;
+  return std::frexp(x, &power) == 0.5 ? "2^" + std::to_string(power - 1) : rounded_text(x, 3);
 }
 
 std::string html_escaped(const std::string& text) {

@@ -8,6 +8,8 @@ namespace hsr {
 
 /// With so many digits, in the shortest form: "0.25", "1e-07"
 std::string rounded_text(double x, int digits);
+/// The shortest text of the same number, or if that is long a power of two, "2^-24", or three digits.
+std::string short_text(double x);
 std::string html_escaped(const std::string& text);
 /// "data:image/png;base64,..."
 std::string png_url(std::string_view png);
@@ -23,6 +25,12 @@ HtmlCell html_number(double x);
 /// "12.5 %", or "0" only for zero itself
 HtmlCell html_share(double x);
 HtmlCell html_bytes(double bytes);
+
+/// What a page says of itself.
+struct PageText {
+  std::string title;
+  std::vector<std::string> facts;  ///< model, view, machine, date, command
+};
 
 /// One HTML page that needs nothing else: light and dark as the system has it or by a button, tables sorted by the buttons in
 /// their heads, all by keyboard.

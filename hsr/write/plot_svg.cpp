@@ -20,9 +20,20 @@ std::string colour(std::size_t k) {
   return "var(--c" + std::to_string(k) + "," + colours[k] + ")";
 }
 
-/// Powers of ten around what is there.
+std::string power_of_ten(double exponent) {
+  if (exponent >= -3 && exponent <= 4) return number(std::pow(10, exponent), 6);
+  return "1e" + std::to_string(static_cast<int>(exponent));
+}
+
+struct Tick {
+  double share;
+  std::string label;
+};
+
+/// Powers of ten around what is there, or the stops that were asked for.
 struct Axis {
   double low = HUGE_VAL, high = -HUGE_VAL;
+  std::vector<double> stops = {};
 
   void add(double x) {
     low = std::min(low, std::log10(x));
@@ -33,9 +44,28 @@ struct Axis {
     low = std::floor(low);
     high = std::max(std::ceil(high), low + 1);
   }
-  double share(double x) const { return (std::log10(x) - low) / (high - low); }
-  /// So that at most a dozen have a number.
-  double step() const { return std::max(1.0, std::ceil((high - low) / 10)); }
+  /// 0 at its beginning, 1 at its end.
+  double share(double x) const {
+    if (stops.size() < 2) return (std::log10(x) - low) / (high - low);
+    std::size_t k = 0;  // between the stops k and k + 1
+    const bool ascends = stops.front() < stops.back();
+    while (k + 2 < stops.size() && (ascends ? x > stops[k + 1] : x < stops[k + 1])) ++k;
+    const double from = std::log10(stops[k]), part = (std::log10(x) - from) / (std::log10(stops[k + 1]) - from);
+    return (static_cast<double>(k) + part) / static_cast<double>(stops.size() - 1);
+  }
+  /// So few that their labels do not touch.
+  std::vector<Tick> ticks() const {
+    std::vector<Tick> all;
+    if (stops.size() < 2) {
+      const double step = std::max(1.0, std::ceil((high - low) / 10));
+      for (double e = low; e <= high + 0.5; e += step) all.push_back({(e - low) / (high - low), power_of_ten(e)});
+      return all;
+    }
+    const std::size_t last = stops.size() - 1, step = (last + 6) / 7;
+    for (std::size_t k = last % step; k <= last; k += step)
+      all.push_back({static_cast<double>(k) / static_cast<double>(last), short_text(stops[k])});
+    return all;
+  }
 };
 
 std::string mark(std::size_t shape, double x, double y, const std::string& colour, const std::string& tip) {
@@ -68,11 +98,6 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
          "\" stroke=\"" + stroke + "\"/>\n";
 }
 
-std::string power_of_ten(double exponent) {
-  if (exponent >= -3 && exponent <= 4) return number(std::pow(10, exponent), 6);
-  return "1e" + std::to_string(static_cast<int>(exponent));
-}
-
 }  // namespace
 
 std::string plot_svg(const Plot& plot) {
@@ -92,6 +117,7 @@ std::string plot_svg(const Plot& plot) {
     }
   xs.finish();
   ys.finish();
+  xs.stops = plot.stops;
   const auto x_at = [&](double x) { return left + xs.share(x) * (right - left); };
   const auto y_at = [&](double y) { return y > 0 ? bottom - ys.share(y) * (bottom - top) : zero_line; };
 
@@ -100,15 +126,15 @@ std::string plot_svg(const Plot& plot) {
                     "\" font-family=\"system-ui, sans-serif\" font-size=\"12\">\n";
   out += "<rect width=\"" + number(width) + "\" height=\"" + number(height) + "\" fill=\"var(--paper,#fff)\"/>\n";
   out += text(left, 20, plot.title, "font-size=\"14\" font-weight=\"600\"");
-  for (double e = xs.low; e <= xs.high + 0.5; e += xs.step()) {
-    const double x = x_at(std::pow(10, e));
+  for (const Tick& t : xs.ticks()) {
+    const double x = left + t.share * (right - left);
     out += line(x, top, x, bottom, "var(--faint,#ddd)");
-    out += text(x, has_zero ? 410 : 386, power_of_ten(e), "text-anchor=\"middle\"");
+    out += text(x, has_zero ? 410 : 386, t.label, "text-anchor=\"middle\"");
   }
-  for (double e = ys.low; e <= ys.high + 0.5; e += ys.step()) {
-    const double y = y_at(std::pow(10, e));
+  for (const Tick& t : ys.ticks()) {
+    const double y = bottom - t.share * (bottom - top);
     out += line(left, y, right, y, "var(--faint,#ddd)");
-    out += text(left - 6, y + 4, power_of_ten(e), "text-anchor=\"end\"");
+    out += text(left - 6, y + 4, t.label, "text-anchor=\"end\"");
   }
   if (has_zero) {
     out += line(left, zero_line, right, zero_line, "var(--ink,#222)");
@@ -120,26 +146,29 @@ std::string plot_svg(const Plot& plot) {
 
   double legend = top + 6;
   // As many lines as fit; a name that was there is not said twice.
-  const double legend_step = std::min(18.0, (height - 50) / static_cast<double>(std::max<std::size_t>(plot.series.size(), 1)));
+  const auto names = static_cast<double>(
+      std::count_if(plot.series.begin(), plot.series.end(), [](const PlotSeries& s) { return s.like < 0; }));
+  const double legend_step = std::min(18.0, (height - 50) / std::max(names, 1.0));
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const PlotSeries& s = plot.series[k];
     std::string path;
     for (const auto& p : s.points)
       if (is_shown(p)) path += (path.empty() ? "M" : "L") + number(x_at(p[0]), 6) + " " + number(y_at(p[1]), 6);
     if (path.empty()) continue;
-    out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour(k) + "\" stroke-width=\"1.5\"" +
+    const std::size_t shape = k / colours.size() + k;
+    const std::string stroke = colour(s.like < 0 ? k : static_cast<std::size_t>(s.like));
+    out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + stroke + "\" stroke-width=\"1.5\"" +
            (s.is_theory ? " stroke-dasharray=\"5 4\"" : "") + "/>\n";
     if (!s.is_theory)
       for (const auto& p : s.points)
         if (is_shown(p))
-          out += mark(k / colours.size() + k, x_at(p[0]), y_at(p[1]), colour(k),
-                      s.name + ": " + number(p[0]) + ", " + number(p[1])) +
-                 "\n";
+          out += mark(shape, x_at(p[0]), y_at(p[1]), stroke, s.name + ": " + number(p[0]) + ", " + number(p[1])) + "\n";
+    if (s.like >= 0) continue;
     if (s.is_theory)
-      out += "<path d=\"M512 " + number(legend) + "h18\" stroke=\"" + colour(k) +
+      out += "<path d=\"M512 " + number(legend) + "h18\" stroke=\"" + stroke +
              "\" stroke-dasharray=\"5 4\" stroke-width=\"1.5\"/>\n";
     else
-      out += mark(k / colours.size() + k, 521, legend, colour(k), "") + "\n";
+      out += mark(shape, 521, legend, stroke, "") + "\n";
     out += text(536, legend + 4, s.name, legend_step < 13 ? "font-size=\"10\"" : "");
     legend += legend_step;
   }

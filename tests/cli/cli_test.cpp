@@ -171,7 +171,10 @@ TEST_CASE("bad usage is one line that says what was expected", "[cli]") {
   check_refused(run("draw " + model + out + " --threads 0"), {"threads"});
   check_refused(run("draw " + model + out + " --size 0x5"), {"0x5"});
   check_refused(run("draw " + model + " -o " + (d / "no/such/a.svg")), {"no/such"});
-  check_refused(run("stability" + out), {"stability", "later"});
+  check_refused(run("stability"), {"--output"});
+  check_refused(run("stability -o " + model), {"cube.obj", "directory"});
+  check_refused(run("stability" + out + " --family gap,gaps"), {"--family", "found \"gaps\"", "gap, ulp"});
+  check_refused(run("stability" + out + " --size 8"), {"--size", "found 8"});
   check_refused(run("compare " + model + " -o " + model), {"cube.obj", "directory"});
   check_refused(run("compare " + model + out + " --size 8"), {"--size", "found 8"});
   check_refused(run("compare " + model + out + " --runs 0"), {"--runs", "found 0"});
@@ -223,6 +226,31 @@ TEST_CASE("compare writes a page that needs nothing else, a table, a report, pic
   CHECK(contents(d / "out/cube/table.csv").find("\"z-buffer\",\"float\"") != std::string::npos);
   CHECK(fs::exists(d / "out/cube/pictures/exact.png"));
   CHECK(fs::exists(d / "out/cube/plots/area-against-time.svg"));
+}
+
+TEST_CASE("stability writes a page that needs nothing else, a table, a report and plots", "[cli][stability]") {
+  const Directory d;
+  const Outcome outcome = run("stability --quick --size 32 --family gap --family sliver,ulp -o " + (d / "out/stiff"));
+  INFO(outcome.text);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.text.find("open ") != std::string::npos);
+  const std::string page = contents(d / "out/stiff/index.html");
+  CHECK(page.find("<!DOCTYPE html>") == 0);
+  CHECK(page.find("src=\"http") == std::string::npos);
+  CHECK(page.find("href=") == std::string::npos);
+  const json report = json::parse(contents(d / "out/stiff/report.json"));
+  CHECK(report["defects"].empty());
+  REQUIRE(report["families"].size() == 3);
+  for (const json& f : report["families"]) {
+    CHECK(fs::exists(d / ("out/stiff/plots/" + f["family"].get<std::string>() + ".svg")));
+    for (const json& m : f["methods"]) {
+      CHECK(m["outcomes"].size() == f["values"].size());
+      if (m["exact"]) CHECK(m["breakdown"].is_null());
+      if (f["family"] == "gap" && m["numbers"] == "fixed 24") CHECK(m["breakdown"].get<double>() < 1e-4);
+    }
+  }
+  CHECK(contents(d / "out/stiff/table.csv").find("gap,\"gap\",1,") != std::string::npos);
+  CHECK(run("stability -q --quick --size 16 --family ulp -o " + (d / "quiet")).text.empty());
 }
 
 TEST_CASE("bad models are one line with file and line", "[cli]") {

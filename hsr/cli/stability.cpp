@@ -1,0 +1,142 @@
+#include "hsr/check/stability.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "geometry/error.h"
+#include "hsr/cli/commands.h"
+#include "hsr/cli/directory.h"
+#include "hsr/cli/progress.h"
+#include "hsr/cli/report.h"
+#include "hsr/write/stability_csv.h"
+#include "hsr/write/stability_page.h"
+#include "hsr/write/stability_plots.h"
+
+namespace hsr::cli {
+
+namespace {
+
+struct StabilityArguments {
+  std::string directory;
+  std::vector<std::string> families;
+  int size = 128;
+  bool quick = false, quiet = false;
+};
+
+const char* const examples = R"(Examples:
+  hsr stability -o stability                    all families, some minutes; open stability/index.html
+  hsr stability -o stability --quick            fewer values, within a minute
+  hsr stability -o gaps --family gap,distance   two families
+  hsr stability -o soup --family soup --size 64
+
+Writes index.html (needs nothing else), table.csv, report.json and plots/*.svg. Exit status 1: an exact method was wrong.)";
+
+Report::Json json_of(const FamilyResult& f) {
+  Report::Json values = Report::Json::array(), methods = Report::Json::array();
+  for (const StabilityValue& v : f.values)
+    values.push_back({{"value", v.value},
+                      {"triangles", v.triangles},
+                      {"covered", v.covered},
+                      {"known", v.known},
+                      {"caster_errors", v.caster_errors}});
+  for (const StabilityRow& row : f.rows) {
+    Report::Json outcomes = Report::Json::array(), wrong = Report::Json::array(), seconds = Report::Json::array();
+    for (const StabilityPoint& p : row.points) {
+      outcomes.push_back(name(p.outcome));
+      wrong.push_back(p.wrong);
+      seconds.push_back(p.seconds);
+    }
+    const auto number = [](const std::optional<double>& x) { return x ? Report::Json(*x) : Report::Json(); };
+    methods.push_back({{"method", row.method},
+                       {"numbers", row.numbers},
+                       {"space", row.is_object_space ? "object" : "image"},
+                       {"exact", row.is_exact},
+                       {"breakdown", number(f.breakdown(row))},
+                       {"predicted", number(row.predicted)},
+                       {"outcomes", std::move(outcomes)},
+                       {"wrong", std::move(wrong)},
+                       {"seconds", std::move(seconds)}});
+  }
+  return {{"family", f.family.name},
+          {"knob", f.family.knob},
+          {"seconds", f.seconds},
+          {"values", std::move(values)},
+          {"methods", std::move(methods)}};
+}
+
+void describe(Report& report, const Stability& stability) {
+  report["size"] = stability.size;
+  report["quick"] = stability.quick;
+  report["defects"] = stability.defects();
+  Report::Json families = Report::Json::array();
+  for (const FamilyResult& f : stability.families) {
+    families.push_back(json_of(f));
+    for (const StabilityRow& row : f.rows)
+      for (std::size_t k = 0; k < row.points.size(); ++k)
+        if (row.points[k].outcome == Outcome::left_out)
+          report.leave_out(fmt::format("{}, {}, {} {}", f.family.name, row.name(), f.family.knob, f.values[k].value),
+                           row.points[k].why);
+  }
+  report["families"] = std::move(families);
+  report["machine"] = machine_and_date();
+}
+
+void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
+  if (a.size < 16 || a.size > 1024)
+    throw InputError(fmt::format("--size: found {}, expected 16 to 1024 samples each way", a.size));
+  OutputDirectory directory(a.directory, unfinished);
+  Report report;
+  ProgressLine progress(a.quiet);
+  StabilityOptions options;
+  options.families = a.families;
+  options.size = a.size;
+  options.quick = a.quick;
+  std::string stage;
+  options.progress = [&](const std::string& name, double done) {
+    if (name != stage) progress.stage(name);
+    stage = name;
+    progress.show(done);
+  };
+  const Stability result = report.timed("stability", [&] { return stability(options); });
+
+  progress.stage("writing");
+  for (const NamedPlot& p : stability_plots(result)) directory.write("plots/" + p.name + ".svg", plot_svg(p.plot));
+  directory.write("table.csv", stability_csv(result));
+  PageText text;
+  text.title = "Where visibility methods break";
+  text.facts = {fmt::format("{0} families of scenes with one knob each{1}; {2} x {2} samples", result.families.size(),
+                            a.quick ? ", fewer values (--quick)" : "", a.size),
+                machine_and_date(), "hsr " HSR_VERSION};
+  directory.write("index.html", stability_page(result, text));
+  describe(report, result);
+  directory.write("report.json", report.text());
+  progress.clear();
+  if (!a.quiet) fmt::print(stderr, "hsr: stability: open {}\n", directory.path("index.html"));
+
+  // A wrong sample of an exact method is a defect of hsr, and never goes unsaid.
+  const std::vector<std::string> defects = result.defects();
+  for (const std::string& d : defects) fmt::print(stderr, "hsr: stability: {}: please report it\n", d);
+  if (!defects.empty()) throw CheckFailed();
+}
+
+}  // namespace
+
+void add_stability(CLI::App& app, UnfinishedFiles& unfinished) {
+  auto a = std::make_shared<StabilityArguments>();
+  CLI::App* sub = app.add_subcommand("stability", "Stiff and extreme scenes: where each method and arithmetic breaks");
+  sub->footer(examples);
+  sub->add_option("-o,--output", a->directory, "The directory of the results; made if it is not there")
+      ->required()
+      ->type_name("DIR");
+  std::string names;
+  for (const StabilityFamily& f : stability_families()) names += (names.empty() ? "" : ", ") + std::string(f.name);
+  sub->add_option("--family", a->families, "Only these: " + names)->delimiter(',')->type_name("NAME");
+  sub->add_option("--size", a->size, "Samples each way")->capture_default_str()->type_name("N");
+  sub->add_flag("--quick", a->quick, "Fewer values of each knob, within a minute");
+  sub->add_flag("-q,--quiet", a->quiet, "No notes, no progress");
+  sub->callback([a, &unfinished] { run(*a, unfinished); });
+}
+
+}  // namespace hsr::cli
