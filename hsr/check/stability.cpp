@@ -228,10 +228,13 @@ std::vector<std::string> Stability::defects() const {
 Stability stability(const StabilityOptions& options) {
   const std::vector<StabilityFamily> families = chosen_families(options.families);
   Stability result{options.size, options.quick, {}};
-  for (const StabilityFamily& family : families)
+  for (const StabilityFamily& family : families) {
+    const std::string stage = std::string(family.name) + " (" + std::to_string(result.families.size() + 1) + " of " +
+                              std::to_string(families.size()) + ")";
     result.families.push_back(FamilyRunner(family, options).run([&](double done) {
-      if (options.progress) options.progress(family.name, done);
+      if (options.progress) options.progress(stage, done);
     }));
+  }
   return result;
 }
 

@@ -121,12 +121,7 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
   options.runs = a.runs;
   options.threads = a.threads;
   options.seed = a.seed;
-  std::string stage;
-  options.progress = [&](const std::string& name, double done) {
-    if (name != stage) progress.stage(name);
-    stage = name;
-    progress.show(done);
-  };
+  options.progress = [&](const std::string& stage, double done) { progress.show(stage, done); };
   const Comparison comparison = report.timed("compare", [&] {
     return on_samples([&] {
       return compare(

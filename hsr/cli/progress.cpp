@@ -50,6 +50,11 @@ void ProgressLine::stage(const std::string& name) {
   stage_start_ = Clock::now();
 }
 
+void ProgressLine::show(const std::string& name, double done) {
+  if (name != stage_) stage(name);
+  show(done);
+}
+
 void ProgressLine::print() {
   const double spent = seconds_since(stage_start_), done = done_;
   if (done > 0)

@@ -22,6 +22,8 @@ class ProgressLine {
   void stage(const std::string& name);
   /// The share of the stage that is done, 0 ... 1. Any thread.
   void show(double done) { done_ = done; }
+  /// The same of a stage by its name, which is begun if another one runs.
+  void show(const std::string& name, double done);
   /// Removes the line, to print something else.
   void clear();
 

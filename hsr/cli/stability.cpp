@@ -93,12 +93,7 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
   options.families = a.families;
   options.size = a.size;
   options.quick = a.quick;
-  std::string stage;
-  options.progress = [&](const std::string& name, double done) {
-    if (name != stage) progress.stage(name);
-    stage = name;
-    progress.show(done);
-  };
+  options.progress = [&](const std::string& stage, double done) { progress.show(stage, done); };
   const Stability result = report.timed("stability", [&] { return stability(options); });
 
   progress.stage("writing");

@@ -203,6 +203,16 @@ TEST_CASE("plain doubles break somewhere, exact fragments nowhere", "[check][sta
   CHECK_FALSE(f.breakdown(row(f, "visible fragments, exact, staged")));
 }
 
+TEST_CASE("mistakes where a format tells nothing apart, or slopes are beyond the doubles, are ties", "[check][stability]") {
+  const Stability result =
+      stability({.families = {"ratio", "grazing"}, .size = 16, .quick = true, .methods = image_space_methods});
+  for (const FamilyResult& f : result.families) {
+    const StabilityPoint& last = row(f, "z-buffer, float").points.back();
+    CHECK(last.outcome == Outcome::wrong);
+    CHECK(last.order == 0);
+  }
+}
+
 TEST_CASE("a family that is none is refused with the names there are", "[check][stability]") {
   CHECK_THROWS_WITH(stability({.families = {"gap", "gaps"}}),
                     Catch::Contains("found \"gaps\"") && Catch::Contains("ulp, distance"));

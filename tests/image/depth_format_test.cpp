@@ -73,6 +73,13 @@ TEST_CASE("each format tells apart what theory says, and not a sixteenth of it",
     }
 }
 
+TEST_CASE("where distances are beyond all doubles a logarithmic buffer has a step without end", "[image][depth_format]") {
+  const DepthRange range{1, -1, true};  // nearness -1: at infinity
+  CHECK(step(DepthFormat::logarithmic_float32, range, -1) == HUGE_VAL);
+  CHECK(step(DepthFormat::logarithmic_float32, range, 0.5) == HUGE_VAL);
+  CHECK(std::isfinite(step(DepthFormat::logarithmic_float32, {1, -0.5, true}, 0.5)));
+}
+
 TEST_CASE("more near, more bits and a reversed buffer buy what they should", "[image][depth_format]") {
   CHECK(smallest_gap(DepthFormat::fixed24, 100, 0.1, 1e4) == Approx(100.0 * 100 / (0.1 * 0x1p24)).epsilon(1e-3));
   CHECK(smallest_gap(DepthFormat::fixed24, 100, 1, 1e4) ==
