@@ -514,10 +514,9 @@ std::span<const StabilityFamily> stability_families() {
        "Far from the origin",
        "offset",
        "The same scene, about 16 wide, moved by (1, -1/2, 1/4) times the offset, its corners rounded to doubles; a parallel "
-       "view along (1, 2, 3). Up to 2^52 the rounding changes nothing, but from 2^42 on doubles are too coarse for samples of "
-       "this size, and the picture gets larger pixels. From 2^55 on half of the scene is left, in the end nothing: then "
-       "nothing "
-       "is wrong either.",
+       "view along (1, 2, 3). Up to 2^52 that rounding changes nothing. But from 2^42 on doubles are too coarse for samples of "
+       "this size: these come to lie on edges and crossings, and then pixels grow. From 2^55 on half of the scene is left, in "
+       "the end nothing: then nothing is wrong either.",
        "the same picture as near the origin, while corners and samples are moved exactly",
        offset_values,
        moved,

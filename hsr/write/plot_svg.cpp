@@ -61,9 +61,11 @@ struct Axis {
       for (double e = low; e <= high + 0.5; e += step) all.push_back({(e - low) / (high - low), power_of_ten(e)});
       return all;
     }
-    const std::size_t last = stops.size() - 1, step = (last + 6) / 7;
-    for (std::size_t k = last % step; k <= last; k += step)
+    const std::size_t last = stops.size() - 1, count = std::min<std::size_t>(last, 7);
+    for (std::size_t m = 0; m <= count; ++m) {
+      const std::size_t k = (m * last + count / 2) / count;
       all.push_back({static_cast<double>(k) / static_cast<double>(last), short_text(stops[k])});
+    }
     return all;
   }
 };

@@ -16,6 +16,7 @@ constexpr std::string_view family_style = R"(<style>
 .family img{width:200px;height:auto}.family p{margin:.2rem 0 .6rem}
 .family>svg{width:100%;height:auto;border:1px solid var(--faint);border-radius:4px}
 @media(max-width:52rem){.family{grid-template-columns:1fr}}
+.summary td,.summary th{padding:.2rem .36rem;font-size:12.5px}
 summary{cursor:pointer;margin:.5rem 0}
 </style>)";
 
@@ -97,7 +98,9 @@ void add_summary(HtmlPage& page, const Stability& stability) {
         rows.push_back(std::move(cells));
     }
   std::move(exact.begin(), exact.end(), std::back_inserter(rows));
+  page.html("<div class=\"summary\">");
   page.table(columns, rows);
+  page.html("</div>\n");
 }
 
 void add_details(HtmlPage& page, const FamilyResult& f) {

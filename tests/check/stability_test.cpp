@@ -234,6 +234,7 @@ TEST_CASE("page, plots and table have every family, and only numbers in their co
     CHECK(svg.find("inf") == std::string::npos);
     CHECK(svg.find("all exact methods") != std::string::npos);
   }
+  CHECK(plot_svg(plots[0].plot).find(">5e-324</text>") != std::string::npos);  // the knob's last value, at the axis' end
   CHECK(plot_svg(plots[0].plot).find("stroke-dasharray") != std::string::npos);
   const std::string csv = stability_csv(result);
   std::size_t rows = 1;
