@@ -164,12 +164,13 @@ std::string text(double x) {
 
 std::vector<StabilityFamily> chosen_families(const std::vector<std::string>& names) {
   const std::span<const StabilityFamily> all = stability_families();
-  const auto is_named = [](const std::string& name) { return [&name](const StabilityFamily& f) { return name == f.name; }; };
-  for (const std::string& name : names) {
-    if (std::any_of(all.begin(), all.end(), is_named(name))) continue;
+  const auto unknown = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+    return std::none_of(all.begin(), all.end(), [&](const StabilityFamily& f) { return name == f.name; });
+  });
+  if (unknown != names.end()) {
     std::string expected;
-    for (const StabilityFamily& f : all) expected += (expected.empty() ? "" : ", ") + std::string(f.name);
-    throw InputError("family: found \"" + name + "\", expected one of " + expected);
+    for (const StabilityFamily& f : all) expected.append(expected.empty() ? "" : ", ").append(f.name);
+    throw InputError("family: found \"" + *unknown + "\", expected one of " + expected);
   }
   std::vector<StabilityFamily> chosen;
   for (const StabilityFamily& f : all)
@@ -205,12 +206,15 @@ std::vector<std::string> Stability::defects() const {
   std::vector<std::string> all;
   for (const FamilyResult& f : families) {
     const auto say = [&](const std::string& who, double value, const std::string& what) {
-      all.push_back("family " + std::string(f.family.name) + ", " + f.family.knob + " " + text(value) + ": " + who + " " +
-                    what);
+      std::string line = "family ";
+      line.append(f.family.name).append(", ").append(f.family.knob).append(" ").append(text(value)).append(": ");
+      line.append(who).append(" ").append(what);
+      all.push_back(std::move(line));
     };
-    for (const StabilityValue& v : f.values)
-      if (v.caster_errors > 0)
-        say("ray casting", v.value, "differs from the known answer at " + std::to_string(v.caster_errors) + " samples");
+    const auto differs = std::find_if(f.values.begin(), f.values.end(), [](const auto& v) { return v.caster_errors > 0; });
+    if (differs != f.values.end())
+      say("ray casting", differs->value,
+          "differs from the known answer at " + std::to_string(differs->caster_errors) + " samples");
     for (const StabilityRow& row : f.rows)
       for (std::size_t k = 0; k < row.points.size(); ++k) {
         const StabilityPoint& p = row.points[k];

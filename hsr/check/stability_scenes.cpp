@@ -300,7 +300,8 @@ StiffScene grazing(double s, int size) {
   scene.view = parallel_view({1, 0, s}, {0, 0, 1});
   const double p = pixel(size, 1);
   scene.grid = around_origin({0, p, 0}, {0, 0, -p}, size);
-  scene.grid.origin.z = size / 2 * p;  // one row of samples at z = 0
+  const int above = size / 2;
+  scene.grid.origin.z = above * p;  // one row of samples at z = 0
   scene.known = [grid = scene.grid, s](int i, int j) -> std::optional<FaceId> {
     const double z = grid.at(i, j).z;
     if (std::fabs(z) == 8 * s) return std::nullopt;
@@ -338,60 +339,6 @@ StiffScene layers(double n, int size) {
   return scene;
 }
 
-std::vector<double> cycle_values(bool quick) {
-  std::vector<double> all = {3, 4, 5, 8, 16, 32, 64};
-  if (!quick) all.insert(all.end(), {128, 256, 512});
-  return all;
-}
-/// The sides of a regular polygon, each longer than it is and rising from 0 to 1.
-StiffScene cycle(double n, int size) {
-  constexpr double radius = 0.8, beyond = 0.2, half_width = 0.08;
-  struct Slat {
-    double x, y, ux, uy, length;
-    /// Along it, 0 ... 1, and across it, -1 ... 1.
-    std::array<double, 2> at(double px, double py) const {
-      return {((px - x) * ux + (py - y) * uy) / length, ((py - y) * ux - (px - x) * uy) / (half_width * length)};
-    }
-  };
-  std::vector<Slat> slats;
-  StiffScene scene;
-  const int count = static_cast<int>(n);
-  for (int k = 0; k < count; ++k) {
-    const double a = 2 * std::numbers::pi * k / n + 0.1, b = a + 2 * std::numbers::pi / n;
-    const double dx = radius * (std::cos(b) - std::cos(a)), dy = radius * (std::sin(b) - std::sin(a)),
-                 side = std::hypot(dx, dy);
-    const double length = (1 + 2 * beyond) * side;
-    const Slat s{radius * std::cos(a) - beyond * dx, radius * std::sin(a) - beyond * dy, dx / side, dy / side, length};
-    slats.push_back(s);
-    const auto corner = [&](double along, double across) {
-      const double l = along * length, w = across * half_width * length;
-      return Point3{s.x + l * s.ux - w * s.uy, s.y + l * s.uy + w * s.ux, along};
-    };
-    add(scene, {corner(0, -1), corner(1, -1), corner(1, 1), corner(0, 1)});
-  }
-  add_outside(scene, -1);
-  scene.view = parallel_view({0, 0, 1}, {0, 1, 0});
-  scene.grid = from_above(size, 1);
-  scene.known = [grid = scene.grid, slats](int i, int j) -> std::optional<FaceId> {
-    constexpr double safe = 1e-6;  // the corners are rounded: what is that near to a border is not said to be known
-    const Point3 p = grid.at(i, j);
-    double highest = -1;
-    FaceId found;
-    for (std::size_t k = 0; k < slats.size(); ++k) {
-      const auto [along, across] = slats[k].at(p.x, p.y);
-      const double inside = std::min({along, 1 - along, 1 - std::fabs(across)});
-      if (std::fabs(inside) < safe) return std::nullopt;
-      if (inside < 0) continue;
-      if (found.is_valid() && std::fabs(along - highest) < safe) return std::nullopt;
-      if (along > highest) highest = along, found = FaceId(k);
-    }
-    return found;
-  };
-  return scene;
-}
-
-std::vector<double> soup_values(bool quick) { return powers(2, 1, quick ? 6 : 8, 1); }
-
 /// A sample moved by (e, -e^2), and what is linear in it: a value and what e and e^2 add to it.
 struct NearSample {
   std::int64_t value = 0, e = 0, e2 = 0;
@@ -404,9 +351,10 @@ struct NearSample {
   friend NearSample operator+(const NearSample& a, const NearSample& b) { return {a.value + b.value, a.e + b.e, a.e2 + b.e2}; }
 };
 
+using IntegerTriangle = std::array<std::array<std::int64_t, 3>, 3>;
+
 /// The triangle above the others at (x, y), in integers: every triangle, without any of the caster's means.
-std::optional<FaceId> highest_at(const std::vector<std::array<std::array<std::int64_t, 3>, 3>>& triangles, std::int64_t x,
-                                 std::int64_t y) {
+FaceId highest_at(const std::vector<IntegerTriangle>& triangles, std::int64_t x, std::int64_t y) {
   FaceId found;
   NearSample height;
   std::int64_t over = 1;
@@ -428,6 +376,47 @@ std::optional<FaceId> highest_at(const std::vector<std::array<std::array<std::in
   return found;
 }
 
+std::vector<double> cycle_values(bool quick) {
+  std::vector<double> all = {3, 4, 5, 8, 16, 32, 64};
+  if (!quick) all.insert(all.end(), {128, 256, 512});
+  return all;
+}
+/// The sides of a regular polygon, each longer than it is and rising from 0 to 1; corners are whole multiples of 2^-13.
+StiffScene cycle(double n, int size) {
+  constexpr double radius = 0.8, beyond = 0.2, half_width = 0.11, unit = 0x1p-13;
+  StiffScene scene;
+  std::vector<IntegerTriangle> triangles;  // two a slat
+  const int count = static_cast<int>(n);
+  for (int k = 0; k < count; ++k) {
+    const double a = 2 * std::numbers::pi * k / n + 0.1, b = a + 2 * std::numbers::pi / n;
+    const double dx = radius * (std::cos(b) - std::cos(a)), dy = radius * (std::sin(b) - std::sin(a));
+    const auto corner = [&](double along, double across) {
+      const double l = along == 0 ? -beyond : 1 + beyond, w = across * half_width;
+      const auto whole = [](double x) { return static_cast<std::int64_t>(std::llround(x / unit)); };
+      return std::array{whole(radius * std::cos(a) + l * dx - w * dy), whole(radius * std::sin(a) + l * dy + w * dx),
+                        whole(along * unit)};
+    };
+    const std::array c = {corner(0, -1), corner(1, -1), corner(1, 1), corner(0, 1)};
+    const auto point = [](const std::array<std::int64_t, 3>& p) {
+      return Point3{static_cast<double>(p[0]) * unit, static_cast<double>(p[1]) * unit, static_cast<double>(p[2])};
+    };
+    add(scene, {point(c[0]), point(c[1]), point(c[2]), point(c[3])});
+    triangles.push_back({c[0], c[1], c[2]});
+    triangles.push_back({c[0], c[2], c[3]});
+  }
+  add_outside(scene, -1);
+  scene.view = parallel_view({0, 0, 1}, {0, 1, 0});
+  scene.grid = from_above(size, 1);
+  scene.known = [grid = scene.grid, triangles](int i, int j) {
+    const Point3 p = grid.at(i, j);
+    const FaceId t = highest_at(triangles, static_cast<std::int64_t>(p.x / unit), static_cast<std::int64_t>(p.y / unit));
+    return std::optional(t.is_valid() ? FaceId(t.value / 2) : t);
+  };
+  return scene;
+}
+
+std::vector<double> soup_values(bool quick) { return powers(2, 1, quick ? 6 : 8, 1); }
+
 StiffScene soup(double n, int size) {
   std::mt19937_64 random(static_cast<std::uint64_t>(n));
   const auto corner = [&random] {
@@ -436,7 +425,7 @@ StiffScene soup(double n, int size) {
     return Point3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
   };
   StiffScene scene;
-  std::vector<std::array<std::array<std::int64_t, 3>, 3>> triangles;
+  std::vector<IntegerTriangle> triangles;
   const double p = pixel(size, 2);
   for (int k = 0; k < static_cast<int>(n); ++k) {
     const Point3 a = corner(), b = corner(), c = corner();
@@ -452,7 +441,7 @@ StiffScene soup(double n, int size) {
   // Samples on corners and edges.
   const std::int64_t half = size / 2;
   scene.grid = {{-static_cast<double>(half) * p, static_cast<double>(half) * p, 0}, {p, 0, 0}, {0, -p, 0}, size, size};
-  scene.known = [triangles, half](int i, int j) { return highest_at(triangles, i - half, half - j); };
+  scene.known = [triangles, half](int i, int j) { return std::optional(highest_at(triangles, i - half, half - j)); };
   return scene;
 }
 
@@ -551,7 +540,7 @@ std::span<const StabilityFamily> stability_families() {
        "Cyclic overlap",
        "slats",
        "n slats in a ring, each over the next, so that no order of them is right.",
-       "of slats that cover a sample the one that is further up there, where doubles tell for sure",
+       "every slat looked at in integers",
        cycle_values,
        cycle,
        {1, -3, 4},

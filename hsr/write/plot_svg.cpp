@@ -155,12 +155,13 @@ std::string plot_svg(const Plot& plot) {
     const PlotSeries& s = plot.series[k];
     std::string path;
     for (const auto& p : s.points)
-      if (is_shown(p)) path += (path.empty() ? "M" : "L") + number(x_at(p[0]), 6) + " " + number(y_at(p[1]), 6);
+      if (is_shown(p))
+        path.append(path.empty() ? "M" : "L").append(number(x_at(p[0]), 6)).append(" ").append(number(y_at(p[1]), 6));
     if (path.empty()) continue;
     const std::size_t shape = k / colours.size() + k;
     const std::string stroke = colour(s.like < 0 ? k : static_cast<std::size_t>(s.like));
-    out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + stroke + "\" stroke-width=\"1.5\"" +
-           (s.is_theory ? " stroke-dasharray=\"5 4\"" : "") + "/>\n";
+    out.append("<path d=\"").append(path).append("\" fill=\"none\" stroke=\"").append(stroke).append("\" stroke-width=\"1.5\"");
+    out.append(s.is_theory ? " stroke-dasharray=\"5 4\"" : "").append("/>\n");
     if (!s.is_theory)
       for (const auto& p : s.points)
         if (is_shown(p))
