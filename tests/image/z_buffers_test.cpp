@@ -1,3 +1,5 @@
+#include <tbb/global_control.h>
+
 #include <catch2/catch.hpp>
 
 #include "geometry/error.h"
@@ -44,6 +46,17 @@ TEST_CASE("the edges of pictures and tiles make no difference", "[image][z_buffe
       INFO(width << " x " << height);
       check_same(scene, width, height);
     }
+}
+
+TEST_CASE("tiles are the same for any number of threads", "[image][z_buffer]") {
+  const scenes::TestScene scene = scenes::family("triangles").make(5);
+  const Mesh mesh = scene.mesh();
+  const SampleGrid grid = sample_grid(scene.view, paper_rectangle(mesh, scene.view), 700, 500);
+  const DepthImage<float> plain = z_buffer<float>(mesh, scene.view, grid);
+  for (const std::size_t threads : {1U, 2U, 5U}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    CHECK(tiled_z_buffer<float>(mesh, scene.view, grid).image == plain);
+  }
 }
 
 /// A square of 16 x 16 units, and of 12 x 12 over it, by two triangles each; a unit is a sample.
