@@ -98,11 +98,13 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
   methods.push_back(runnable<DepthImage<double>>(
       "z-buffer", "double", [&mesh, &view, grid] { return z_buffer<double>(mesh, view, grid); }, shown_of_z_buffer<double>));
   methods.back().resolution = resolution(DepthFormat::float64);
+  methods.back().is_variant = true;
   methods.push_back(runnable<RowZBuffer<float>>(
       "row z-buffer", "float", [&mesh, &view, grid] { return row_z_buffer<float>(mesh, view, grid); },
       [](const RowZBuffer<float>& b) { return shown_of_z_buffer(b.image); },
       [](const RowZBuffer<float>& b) { return working_storage(b.bytes); }));
   methods.back().resolution = resolution(DepthFormat::float32);
+  methods.back().is_variant = true;
   methods.push_back(runnable<TiledZBuffer<float>>(
       "tiled z-buffer", "float", [&mesh, &view, grid] { return tiled_z_buffer<float>(mesh, view, grid); },
       [](const TiledZBuffer<float>& b) { return shown_of_z_buffer(b.image); },
@@ -117,6 +119,7 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
       "scanline, whole faces", "double", [&mesh, &view, grid] { return scanline(mesh, view, grid); }, show_scanline,
       count_spans));
   methods.back().resolution = resolution(DepthFormat::float64);
+  methods.back().is_variant = true;
   methods.push_back(runnable<Scanline>(
       "scanline, split faces", "double",
       [&mesh, &view, grid] { return scanline(mesh, view, grid, depth_sort(mesh, view).order); }, show_scanline, count_spans));
@@ -129,12 +132,16 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
     methods.back().resolution = resolution(options.format);
   };
   for (const DepthFormat format : depth_formats)
-    if (format != DepthFormat::logarithmic_float32 || range.is_perspective)
+    if (format != DepthFormat::logarithmic_float32 || range.is_perspective) {
       add("depth buffer", std::string(name(format)), {.format = format});
+      methods.back().is_variant =
+          format != DepthFormat::fixed8 && format != DepthFormat::fixed16 && format != DepthFormat::fixed24;
+    }
   add("depth buffer, increments", "float 32",
       {.format = DepthFormat::float32, .interpolation = DepthInterpolation::incremental});
   add("depth buffer, barycentric", "float 32",
       {.format = DepthFormat::float32, .interpolation = DepthInterpolation::barycentric});
+  methods.back().is_variant = true;
   for (const Arithmetic arithmetic : {Arithmetic::staged, Arithmetic::double_only}) {
     methods.push_back(runnable<CastImage>(
         "ray casting", name(arithmetic),
@@ -143,6 +150,7 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
           return ShownPicture{image.triangles, {}};
         }));
     methods.back().is_exact = arithmetic == Arithmetic::staged;
+    methods.back().is_variant = !methods.back().is_exact;
   }
   const auto add_painter = [&](const std::string& method, DepthKey key) {
     methods.push_back(runnable<Image<TriangleId>>(
@@ -154,6 +162,7 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
   };
   add_painter("painter, by the centroid", DepthKey::centroid);
   add_painter("painter, by the farthest vertex", DepthKey::farthest_vertex);
+  methods.back().is_variant = true;
   return methods;
 }
 

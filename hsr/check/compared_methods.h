@@ -24,7 +24,8 @@ struct RunnableMethod {
   std::string method, numbers;
   bool is_object_space = false;
   bool is_exact = false;
-  double cost = 1;  ///< more than 1: how many times as long as visible fragments it may take, as we have seen
+  bool is_variant = false;  ///< see ComparedMethod
+  double cost = 1;          ///< more than 1: how many times as long as visible fragments it may take, as we have seen
   std::optional<DepthResolution> resolution;
   std::function<void()> solve;
   std::function<ShownPicture()> show;

@@ -105,6 +105,7 @@ class Comparer {
     row.numbers = method.numbers;
     row.is_object_space = method.is_object_space;
     row.is_exact = method.is_exact;
+    row.is_variant = method.is_variant;
     row.size = size;
     ShownPicture picture;
     const bool is_done = attempt(method.method + ", " + method.numbers, method.is_exact, [&] {
@@ -223,11 +224,13 @@ class Comparer {
     show("coherence", 0.7);
     append(coherence_stages(mesh_, view_, grid, timer));
     turn();
-    show("transparency", 0.9);
-    attempt("transparency", true, [&] {
+    show("supersampling, transparency", 0.9);
+    const int size = std::max(1, options_.size / 4);
+    attempt("supersampling, transparency", true, [&] {
       PaintersOrder order;
       const double seconds = timed([&] { order = depth_sort(mesh_, view_).order; });
-      result_.transparency = compare_transparency(mesh_, view_, order, seconds, grid_, std::max(1, options_.size / 4), timer);
+      result_.supersampling = compare_supersampling(mesh_, view_, order, seconds, grid_, size, timer);
+      result_.transparency = compare_transparency(mesh_, view_, order, seconds, grid_, size, timer);
     });
   }
   void append(std::vector<ComparedStage> stages) {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "hsr/check/colour_comparison.h"
 #include "hsr/check/image_stages.h"
 #include "hsr/check/picture_check.h"
-#include "hsr/check/transparency_comparison.h"
 #include "hsr/image/image.h"
 #include "hsr/image/samples.h"
 #include "hsr/lines/plan.h"
@@ -22,6 +22,7 @@ struct ComparedMethod {
   std::string numbers;  ///< depth format or arithmetic: "fixed 24", "float", "exact", ...
   bool is_object_space = false;
   bool is_exact = false;        ///< it promises the nearest face at each sample
+  bool is_variant = false;      ///< lies beside another method in diagrams: it is left to the tables
   int size = 0;                 ///< samples each way; of object-space methods, of the picture that it is checked with
   std::vector<double> seconds;  ///< of each run, ascending
   std::size_t peak_bytes = 0;   ///< at most, of the first run, beside the scene and what was there before
@@ -59,8 +60,8 @@ struct Comparison {
   std::vector<ComparedPicture> pictures;  ///< all of one size; the first is the truth
   std::vector<Growth> growth;
   std::vector<ComparedStage> stages;
-  std::vector<ComparedTransparency> transparency;  ///< at a quarter of the size
-  std::vector<LeftOut> left_out;                   ///< what was not run or refused, and what the plan of a drawing does without
+  std::vector<ComparedColours> supersampling, transparency;  ///< at a quarter of the size
+  std::vector<LeftOut> left_out;  ///< what was not run or refused, and what the plan of a drawing does without
 };
 
 struct ComparisonOptions {

@@ -56,6 +56,19 @@ Report::Json json_of(const ComparedMethod& m) {
           {"note", m.note}};
 }
 
+Report::Json json_of(const std::vector<ComparedColours>& compared) {
+  Report::Json rows = Report::Json::array();
+  for (const ComparedColours& c : compared)
+    rows.push_back({{"method", c.method},
+                    {"samples", c.samples},
+                    {"seconds", c.seconds},
+                    {"bytes", c.bytes},
+                    {"mean_difference", c.mean_difference},
+                    {"most_difference", c.most_difference},
+                    {"changed_share", c.changed_share}});
+  return rows;
+}
+
 void describe(Report& report, const Comparison& c) {
   report["faces"] = c.faces;
   report["triangles"] = c.triangles;
@@ -68,16 +81,8 @@ void describe(Report& report, const Comparison& c) {
   for (const ComparedStage& s : c.stages)
     stages.push_back(
         {{"stage", s.stage}, {"kind", s.kind}, {"seconds", s.seconds}, {"without", s.without}, {"result", s.result}});
-  Report::Json transparency = Report::Json::array();
-  for (const ComparedTransparency& t : c.transparency)
-    transparency.push_back({{"method", t.method},
-                            {"samples", t.samples},
-                            {"seconds", t.seconds},
-                            {"bytes", t.bytes},
-                            {"mean_difference", t.mean_difference},
-                            {"most_difference", t.most_difference},
-                            {"changed_share", t.changed_share}});
-  report["transparency"] = std::move(transparency);
+  report["supersampling"] = json_of(c.supersampling);
+  report["transparency"] = json_of(c.transparency);
   report["methods"] = std::move(methods);
   report["growth"] = std::move(growth);
   report["stages"] = std::move(stages);

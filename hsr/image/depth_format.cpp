@@ -64,8 +64,9 @@ DepthRange depth_range(const Mesh& mesh, const View& view, const SampleGrid& sam
     }
   if (is_cut) add(1 / view.near - 1);  // the near plane itself
   if (!(low <= high)) return {1, 0, view.is_perspective()};
-  // Room for rounding; where all is at one depth, as much as its numbers need.
-  const double room = std::max((high - low) / 1024, 0x1p-20 * std::max({std::fabs(high), std::fabs(low), 0x1p-900}));
+  // Room for rounding: with 8 bits, too, the farthest must not get the depth that all begins at. Where all is at one depth, as
+  // much as its numbers need.
+  const double room = std::max((high - low) / 128, 0x1p-20 * std::max({std::fabs(high), std::fabs(low), 0x1p-900}));
   DepthRange range{high + room, low - room, view.is_perspective()};
   // Farther than any distance there is none.
   if (range.is_perspective) range.far = std::max(range.far, (low + 1) / 2 - 1);

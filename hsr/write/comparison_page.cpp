@@ -91,6 +91,19 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
   page.script(slider_script);
 }
 
+void add_colours(HtmlPage& page, const std::vector<ComparedColours>& compared) {
+  std::vector<std::vector<HtmlCell>> rows;
+  for (const ComparedColours& c : compared)
+    rows.push_back({{c.method},
+                    {c.samples},
+                    html_number(c.seconds),
+                    c.bytes == 0 ? HtmlCell{} : html_bytes(static_cast<double>(c.bytes)),
+                    html_number(c.mean_difference),
+                    html_number(c.most_difference),
+                    html_share(c.changed_share)});
+  page.table({"method", "samples to a pixel", "seconds", "working storage", "mean difference", "largest", "changed"}, rows);
+}
+
 }  // namespace
 
 std::string comparison_page(const Comparison& c, const std::vector<ComparisonImages>& images, const PageText& text) {
@@ -102,7 +115,8 @@ std::string comparison_page(const Comparison& c, const std::vector<ComparisonIma
   page.paragraph(
       "Both axes by powers of ten. A point is a method at one resolution; exact methods have no error and stand on the line "
       "below the diagram. Wrong area: each pixel is taken as a square of what its sample shows, and compared with the exact "
-      "fragments in it. One thread each unless said otherwise.");
+      "fragments in it. One thread each unless said otherwise. Methods whose points would lie on others' are in the table "
+      "alone.");
   page.html("<div class=\"plots\">");
   for (const NamedPlot& p : comparison_plots(c)) page.html(plot_svg(p.plot));
   page.html("</div>");
@@ -145,22 +159,18 @@ std::string comparison_page(const Comparison& c, const std::vector<ComparisonIma
         {{s.stage}, {s.kind}, html_number(s.seconds), html_number(s.without), html_number(s.without - s.seconds), {s.result}});
   page.table({"stage", "kind", "seconds with it", "without", "saved", "result"}, rows);
 
+  const std::string pixels = std::to_string(std::max(1, c.size / 4)) + " pixels each way";
+  constexpr const char* levels = " Differences in levels of 0 ... 255; changed: pixels that are more than one level off.";
+  if (!c.supersampling.empty()) {
+    page.heading("Supersampling");
+    page.paragraph("Each face in a colour of its own, " + pixels + ", against 16 x 16 exact rays to a pixel." + levels);
+    add_colours(page, c.supersampling);
+  }
   if (!c.transparency.empty()) {
     page.heading("Transparency");
-    page.paragraph("Each face in a colour of its own and half transparent, " + std::to_string(std::max(1, c.size / 4)) +
-                   " pixels each way, against the exact painter's order with 8 x 8 samples to a pixel. Differences in levels "
-                   "of 0 ... 255; "
-                   "changed: pixels that are more than one level off.");
-    rows.clear();
-    for (const ComparedTransparency& t : c.transparency)
-      rows.push_back({{t.method},
-                      {t.samples},
-                      html_number(t.seconds),
-                      t.bytes == 0 ? HtmlCell{} : html_bytes(static_cast<double>(t.bytes)),
-                      html_number(t.mean_difference),
-                      html_number(t.most_difference),
-                      html_share(t.changed_share)});
-    page.table({"method", "samples to a pixel", "seconds", "working storage", "mean difference", "largest", "changed"}, rows);
+    page.paragraph("Each face in a colour of its own and half transparent, " + pixels +
+                   ", against the exact painter's order with 8 x 8 samples to a pixel." + levels);
+    add_colours(page, c.transparency);
   }
 
   page.heading("Left out");

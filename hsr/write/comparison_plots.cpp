@@ -15,6 +15,7 @@ template <class Point>
 std::vector<PlotSeries> series(const Comparison& c, const Point& point) {
   std::vector<PlotSeries> all;
   for (const ComparedMethod& m : c.methods) {
+    if (m.is_variant) continue;
     const std::string name = m.name();
     auto s = std::find_if(all.begin(), all.end(), [&](const PlotSeries& x) { return x.name == name; });
     if (s == all.end()) {

@@ -24,7 +24,7 @@ button{background:var(--panel);border:1px solid var(--faint);border-radius:4px;p
 :focus-visible{outline:2px solid var(--link);outline-offset:1px}
 .scroll{overflow-x:auto}
 table{border-collapse:collapse;font-size:13.5px}td,th{padding:.2rem .6rem;border-bottom:1px solid var(--faint);text-align:left;white-space:nowrap}
-td:not(.n){white-space:normal;max-width:24rem}td.n{text-align:right;font-variant-numeric:tabular-nums}th button{border:0;background:none;padding:0;font-weight:600}
+td.t{white-space:normal;min-width:22rem}td.n{text-align:right;font-variant-numeric:tabular-nums}th button{border:0;background:none;padding:0;font-weight:600}
 th[aria-sort=ascending] button::after{content:" \2191"}th[aria-sort=descending] button::after{content:" \2193"}
 .plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(30rem,1fr));gap:1rem}
 .plots svg{width:100%;height:auto;border:1px solid var(--faint);border-radius:4px}
@@ -100,14 +100,17 @@ void HtmlPage::list(const std::vector<std::string>& items) {
 }
 
 void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<std::vector<HtmlCell>>& rows) {
+  constexpr std::size_t longest = 40;  // a text that stays on one line
   body_ += "<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>";
   for (const std::string& c : columns) body_ += "<th scope=\"col\"><button>" + html_escaped(c) + "</button></th>";
   body_ += "</tr></thead><tbody>\n";
   for (const auto& row : rows) {
     body_ += "<tr>";
     for (const HtmlCell& c : row)
-      body_ += (c.is_number ? "<td class=\"n\" data-v=\"" + rounded_text(c.value, 17) + "\">" : "<td>") + html_escaped(c.text) +
-               "</td>";
+      body_ += (c.is_number               ? "<td class=\"n\" data-v=\"" + rounded_text(c.value, 17) + "\">"
+                : c.text.size() > longest ? "<td class=\"t\">"
+                                          : "<td>") +
+               html_escaped(c.text) + "</td>";
     body_ += "</tr>\n";
   }
   body_ += "</tbody></table></div>\n";

@@ -219,6 +219,11 @@ TEST_CASE("compare writes a page that needs nothing else, a table, a report, pic
   }
   CHECK(culling.size() == 7);
   CHECK(coherence == std::vector<std::string>{"object", "face", "edge", "scanline", "area", "span", "depth", "frame"});
+  REQUIRE(report["supersampling"].size() == 12);
+  // By the exact order: the more samples, the closer.
+  for (const int k : {9, 10, 11})
+    CHECK(report["supersampling"][k]["mean_difference"] < report["supersampling"][k - 1]["mean_difference"]);
+  CHECK(report["supersampling"][11]["mean_difference"].get<double>() < 1);
   REQUIRE(report["transparency"].size() == 6);
   for (const auto& t : report["transparency"]) CHECK(t["mean_difference"].get<double>() < 10);
   // More samples come closer.

@@ -18,6 +18,14 @@
     return up ? d >= 0 : d <= 0;
   });
 
+  // What a page folds away a reader unfolds.
+  const details = () => {
+    for (const d of document.querySelectorAll('details')) {
+      d.querySelector('summary').click();
+      check(d.open, 'it does not unfold: ' + d.textContent.slice(0, 30));
+    }
+  };
+
   const tables = () => {
     check(document.querySelectorAll('table').length > 0, 'there is no table');
     for (const table of document.querySelectorAll('table'))
@@ -79,6 +87,7 @@
 
   addEventListener('load', () => {
     try {
+      details();
       tables();
       theme();
       slider();
