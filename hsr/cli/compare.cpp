@@ -147,7 +147,7 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
     directory.write(name + "-difference.png", i.mistakes);
     if (!i.depth.empty()) directory.write(name + "-depth.png", i.depth);
   }
-  for (const NamedPlot& p : comparison_plots(comparison)) directory.write("plots/" + p.name + ".svg", plot_svg(p.plot));
+  for (const NamedPlot& p : comparison_plots(comparison)) directory.write("plots/" + p.name + ".svg", plot_file(p.plot));
   directory.write("table.csv", comparison_csv(comparison));
   PageText text;
   const std::string name = std::filesystem::path(model.name).filename().string();

@@ -97,7 +97,7 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
   const Stability result = report.timed("stability", [&] { return stability(options); });
 
   progress.stage("writing");
-  for (const NamedPlot& p : stability_plots(result)) directory.write("plots/" + p.name + ".svg", plot_svg(p.plot));
+  for (const NamedPlot& p : stability_plots(result)) directory.write("plots/" + p.name + ".svg", plot_file(p.plot));
   directory.write("table.csv", stability_csv(result));
   PageText text;
   text.title = "Where visibility methods break";

@@ -178,4 +178,17 @@ std::string plot_svg(const Plot& plot) {
   return out + "</svg>\n";
 }
 
+std::string plot_file(const Plot& plot) {
+  const std::string svg = plot_svg(plot);
+  std::string out;
+  std::size_t at = 0;
+  // "var(--name,colour)"
+  for (std::size_t found = svg.find("var(--"); found != std::string::npos; found = svg.find("var(--", at)) {
+    const std::size_t colour = svg.find(',', found) + 1, end = svg.find(')', colour);
+    out.append(svg, at, found - at).append(svg, colour, end - colour);
+    at = end + 1;
+  }
+  return out.append(svg, at);
+}
+
 }  // namespace hsr

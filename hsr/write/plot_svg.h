@@ -30,8 +30,10 @@ struct NamedPlot {
   Plot plot;
 };
 
-/// An <svg> element, 800 by 440, that stands alone or in a page, whose custom properties --ink, --paper, --faint and --c0 ...
+/// An <svg> element, 800 by 440, for a page whose custom properties --ink, --paper, --faint and --c0 ...
 /// --c7 give it its colours.
 std::string plot_svg(const Plot& plot);
+/// The same with plain colours, as a file: few drawing programs know properties.
+std::string plot_file(const Plot& plot);
 
 }  // namespace hsr

@@ -233,6 +233,12 @@ TEST_CASE("page, plots and table have every family, and only numbers in their co
     CHECK(svg.find("nan") == std::string::npos);
     CHECK(svg.find("inf") == std::string::npos);
     CHECK(svg.find("all exact methods") != std::string::npos);
+    // A file has colours that any program knows.
+    CHECK(svg.find("var(--c0,#3566c4)") != std::string::npos);
+    const std::string file = plot_file(p.plot);
+    CHECK(file.find("var(") == std::string::npos);
+    CHECK(file.find("stroke=\"#3566c4\"") != std::string::npos);
+    CHECK(file.rfind("</svg>\n") == file.size() - 7);
   }
   CHECK(plot_svg(plots[0].plot).find(">5e-324</text>") != std::string::npos);  // the knob's last value, at the axis' end
   CHECK(plot_svg(plots[0].plot).find("stroke-dasharray") != std::string::npos);
