@@ -83,35 +83,37 @@ class Resolver {
 
   Colour operator()(std::vector<Fragment>& fragments) {
     std::sort(fragments.begin(), fragments.end(), [](const Fragment& a, const Fragment& b) { return a.is_before(b); });
-    sum_ = {0, 0, 0};
-    gather(fragments, 0, whole, 1);
+    Light sum{};
+    const auto add = [&](const Light& light, float share) {
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += light[k] * share;
+    };
+    std::array<float, mask_columns * mask_rows> passes;  // the light from behind that still gets through, by sample
+    passes.fill(1);
+    Mask open = whole;  // where any does
+    for (const Fragment& f : fragments) {
+      const Colour& c = colours_[mesh_.face_of[f.facet].value];
+      const float a = opacity_of(c, opacity_);
+      float share = 0;
+      for (Mask left = f.mask & open; left != 0; left &= left - 1) {
+        float& through = passes[static_cast<std::size_t>(std::countr_zero(left))];
+        share += a * through;
+        through *= 1 - a;
+      }
+      if (share > 0) add({static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])}, share);
+      if (a == 1) open &= ~f.mask;
+      if (open == 0) break;
+    }
+    for (Mask left = open; left != 0; left &= left - 1)
+      add(white_light, passes[static_cast<std::size_t>(std::countr_zero(left))]);
     Light light;
-    for (std::size_t k = 0; k < 3; ++k) light[k] = sum_[k] / (mask_columns * mask_rows);
+    for (std::size_t k = 0; k < 3; ++k) light[k] = sum[k] / (mask_columns * mask_rows);
     return rounded(light);
   }
 
  private:
-  /// What is seen at the samples of a mask from fragment k on, dimmed by what is before.
-  void gather(const std::vector<Fragment>& fragments, std::size_t k, Mask mask, float dimmed) {
-    for (; k < fragments.size() && mask != 0; ++k) {
-      const Mask inside = mask & fragments[k].mask;
-      if (inside == 0) continue;
-      const Colour& c = colours_[mesh_.face_of[fragments[k].facet].value];
-      const float a = opacity_of(c, opacity_);
-      add({static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])}, inside, dimmed * a);
-      if (a < 1) gather(fragments, k + 1, inside, dimmed * (1 - a));
-      mask &= ~inside;
-    }
-    add(white_light, mask, dimmed);
-  }
-  void add(const Light& light, Mask mask, float share) {
-    for (std::size_t k = 0; k < 3; ++k) sum_[k] += light[k] * share * static_cast<float>(std::popcount(mask));
-  }
-
   const Mesh& mesh_;
   const std::vector<Colour>& colours_;
   double opacity_;
-  Light sum_{};
 };
 
 }  // namespace
