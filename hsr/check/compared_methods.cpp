@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "hsr/check/fragment_check.h"
+#include "hsr/image/alpha_buffer.h"
 #include "hsr/image/caster.h"
 #include "hsr/image/depth_buffer.h"
 #include "hsr/image/painted_order.h"
@@ -163,6 +164,16 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
   add_painter("painter, by the centroid", DepthKey::centroid);
   add_painter("painter, by the farthest vertex", DepthKey::farthest_vertex);
   methods.back().is_variant = true;
+  methods.push_back(runnable<AlphaBuffer>(
+      "painter, for each pixel", "double",
+      [&mesh, &view, grid] {
+        return alpha_buffer(mesh, view, grid, std::vector<Colour>(mesh.faces.size(), Colour{0, 0, 0, 255}), 1);
+      },
+      [](const AlphaBuffer& b) {
+        return ShownPicture{b.nearest, {}};
+      },
+      [](const AlphaBuffer& b) { return std::to_string(b.layers) + " layers; " + working_storage(b.bytes); }));
+  methods.back().resolution = resolution(DepthFormat::float64);
   return methods;
 }
 

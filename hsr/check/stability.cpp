@@ -231,7 +231,7 @@ std::vector<std::string> Stability::defects() const {
 
 Stability stability(const StabilityOptions& options) {
   const std::vector<StabilityFamily> families = chosen_families(options.families);
-  Stability result{options.size, options.quick, {}};
+  Stability result{options.size, options.quick, {}, measured_gaps(), measured_biases()};
   for (const StabilityFamily& family : families) {
     const std::string stage = std::string(family.name) + " (" + std::to_string(result.families.size() + 1) + " of " +
                               std::to_string(families.size()) + ")";

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hsr/check/depth_remedies.h"
 #include "hsr/check/stability_scenes.h"
 #include "hsr/image/image.h"
 
@@ -68,6 +69,8 @@ struct Stability {
   int size = 0;
   bool quick = false;
   std::vector<FamilyResult> families;
+  std::vector<MeasuredGap> gaps;
+  std::vector<MeasuredBias> biases;
 
   /// A line for each exact method, the caster included, that is wrong at some value: a mistake in hsr.
   std::vector<std::string> defects() const;

@@ -80,6 +80,22 @@ void describe(Report& report, const Stability& stability) {
                            row.points[k].why);
   }
   report["families"] = std::move(families);
+  Report::Json gaps = Report::Json::array(), biases = Report::Json::array();
+  for (const MeasuredGap& g : stability.gaps)
+    gaps.push_back({{"format", name(g.format)},
+                    {"distance", g.distance},
+                    {"near", g.near},
+                    {"far", g.far},
+                    {"predicted", g.predicted},
+                    {"measured", g.measured}});
+  for (const MeasuredBias& b : stability.biases)
+    biases.push_back({{"format", name(b.format)},
+                      {"bias", b.bias},
+                      {"slope_bias", b.slope_bias},
+                      {"shown_share", b.shown_share},
+                      {"shines_through", b.shines_through}});
+  report["gaps"] = std::move(gaps);
+  report["biases"] = std::move(biases);
   report["machine"] = machine_and_date();
 }
 

@@ -38,6 +38,7 @@ AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& s
 
   AlphaBuffer result;
   result.picture = Image<Colour>(samples.width, samples.height);
+  result.nearest = Image<TriangleId>(samples.width, samples.height);
   result.layers = lists.size();
   result.bytes = triangles.memory() + lists.bytes();
   std::vector<Layer> layers;
@@ -52,6 +53,7 @@ AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& s
         lay_over(light, c, opacity_of(c, opacity));
       }
       result.picture.at(i, j) = rounded(light);
+      if (!layers.empty()) result.nearest.at(i, j) = layers.back().triangle;
     }
   return result;
 }

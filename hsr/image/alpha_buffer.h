@@ -15,13 +15,14 @@ namespace hsr {
 /// A picture of transparent faces, and what it took.
 struct AlphaBuffer {
   Image<Colour> picture;
+  Image<TriangleId> nearest;    ///< the layer in front of each sample; not valid: the background
   std::uint64_t layers = 0;     ///< of all samples
   std::size_t most_layers = 0;  ///< of one sample
   std::size_t bytes = 0;        ///< working storage beside the picture: corners, lists of layers
 };
 
-/// The alpha-buffer: a z-buffer that keeps what lies behind. Each sample has a list of its layers; these are sorted by depth,
-/// and their colours laid over one another from far to near, on white.
+/// The alpha-buffer: a z-buffer that keeps what lies behind, and so the painter's algorithm for each pixel. Each sample has a
+/// list of its layers; these are sorted by depth, and their colours laid over one another from far to near, on white.
 ///
 ///   (1) the colours of a painter's order (paint(), painted_order.h), to the byte, where doubles tell the layers and the depths
 ///       of a sample as they are; of equal depths the lowest index is in front

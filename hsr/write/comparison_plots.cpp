@@ -54,6 +54,13 @@ std::vector<NamedPlot> comparison_plots(const Comparison& c) {
                              return std::array{m.median(), m.wrong_share()};
                            }),
                     "0"}});
+  plots.push_back({"area-against-memory",
+                   {"Wrong visible area against memory", "bytes at most, beside the scene", "share of the visible area",
+                    series(c,
+                           [](const ComparedMethod& m) {
+                             return std::array{static_cast<double>(m.peak_bytes), m.wrong_area_share};
+                           }),
+                    "exact: 0"}});
   const auto only_pictures = [](std::vector<PlotSeries> all) {
     all.erase(std::remove_if(all.begin(), all.end(), [](const PlotSeries& s) { return s.points.size() < 2; }), all.end());
     return all;
@@ -76,19 +83,23 @@ std::vector<NamedPlot> comparison_plots(const Comparison& c) {
   }));
   if (!time.empty()) time.push_back(guide("samples", time.front(), 2));
   plots.push_back({"time-against-size", {"Run time against resolution", "samples each way", "seconds (median)", time, "0"}});
-  std::vector<PlotSeries> growth;
+  std::vector<PlotSeries> growth, errors;
   for (const Growth& g : c.growth) {
-    PlotSeries s{g.method + ": n^" + html_number(g.slope).text, {}, false};
-    for (std::size_t k = 0; k < g.faces.size(); ++k) s.points.push_back({g.faces[k], g.seconds[k]});
+    PlotSeries s{g.method + ": n^" + html_number(g.slope).text, {}, false}, e{g.method, {}, false};
+    for (std::size_t k = 0; k < g.faces.size(); ++k) {
+      s.points.push_back({g.faces[k], g.seconds[k]});
+      if (k < g.wrong_share.size()) e.points.push_back({g.faces[k], g.wrong_share[k]});
+    }
     growth.push_back(std::move(s));
+    if (!e.points.empty()) errors.push_back(std::move(e));
   }
   if (growth.size() > 1) {
     growth.push_back(guide("n", growth[1], 1));
     growth.push_back(guide("n^2", growth[1], 2));
   }
-  plots.push_back(
-      {"time-against-faces",
-       {"Run time against the number of triangles n (the first n, shuffled)", "triangles", "seconds", growth, "0"}});
+  const std::string n = "against the number of triangles n (the first n, shuffled)";
+  plots.push_back({"time-against-faces", {"Run time " + n, "triangles", "seconds", growth, "0"}});
+  plots.push_back({"samples-against-faces", {"Wrong samples " + n, "triangles", "share of the covered samples", errors, "0"}});
   return plots;
 }
 

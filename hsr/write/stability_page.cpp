@@ -162,6 +162,37 @@ void add_left_out(HtmlPage& page, const Stability& stability) {
   page.list(items);
 }
 
+void add_remedies(HtmlPage& page, const Stability& stability) {
+  if (stability.gaps.empty()) return;
+  const MeasuredGap& any = stability.gaps.front();
+  page.heading("Depth: what each remedy buys");
+  page.paragraph(
+      "Two walls one behind the other, " + short_text(any.distance) + " from the eye, the far plane at " + short_text(any.far) +
+      ": how near they may be. One step of the format is z^2 (f - n) / (n f 2^b) of b bits; both depths are rounded, "
+      "so walls need some steps. Measured to a factor of two. More bits, a larger n / f and a reversed or logarithmic "
+      "buffer each buy what theory says; but a float has no more than 24 bits in any of its numbers, those of the "
+      "corners, too.");
+  std::vector<std::vector<HtmlCell>> rows;
+  for (const MeasuredGap& g : stability.gaps)
+    rows.push_back({{std::string(name(g.format))},
+                    html_number(g.near),
+                    html_number(g.predicted),
+                    g.measured > 0 ? html_number(g.measured) : HtmlCell{"none"},
+                    g.measured > 0 ? html_number(g.measured / g.predicted) : HtmlCell{}});
+  page.table({"format", "near plane", "one step", "smallest gap", "in steps"}, rows);
+  page.paragraph(
+      "A bias moves a wall away from the eye, so that a decal in its plane is shown: in steps of the format, and in multiples "
+      "of the largest slope. It costs what may shine through: up to that gap something behind the wall is shown, too.");
+  rows.clear();
+  for (const MeasuredBias& b : stability.biases)
+    rows.push_back({{std::string(name(b.format))},
+                    html_number(b.bias),
+                    html_number(b.slope_bias),
+                    html_share(b.shown_share),
+                    html_number(b.shines_through)});
+  page.table({"format", "bias", "slope bias", "of the decal shown", "shines through up to a gap of"}, rows);
+}
+
 }  // namespace
 
 std::string stability_page(const Stability& stability, const PageText& text) {
@@ -189,6 +220,7 @@ std::string stability_page(const Stability& stability, const PageText& text) {
     page.html("</div>\n");
     add_details(page, f);
   }
+  add_remedies(page, stability);
   add_left_out(page, stability);
   return page.text();
 }
