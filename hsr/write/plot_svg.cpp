@@ -61,11 +61,10 @@ struct Axis {
       for (double e = low; e <= high + 0.5; e += step) all.push_back({(e - low) / (high - low), power_of_ten(e)});
       return all;
     }
-    const std::size_t last = stops.size() - 1, count = std::min<std::size_t>(last, 7);
-    for (std::size_t m = 0; m <= count; ++m) {
-      const std::size_t k = (m * last + count / 2) / count;
+    const std::size_t last = stops.size() - 1, stride = (last + 6) / 7;
+    for (std::size_t k = 0; k < last; k = k + 2 * stride > last ? last : k + stride)  // the last one always, and room before it
       all.push_back({static_cast<double>(k) / static_cast<double>(last), short_text(stops[k])});
-    }
+    all.push_back({1, short_text(stops[last])});
     return all;
   }
 };
