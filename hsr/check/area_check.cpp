@@ -147,7 +147,7 @@ AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFragments&
         ring.clear();
         for (const MapCorner& c : fragments.ring(r)) {
           const Point3 q = c.at.is_vertex ? sight.point(c.at.vertex) : map.point(c.at, fragment.facet).p;
-          ring.push_back({signs.column_of(q) + 0.5, signs.row_of(q) + 0.5});
+          ring.push_back({signs.column_of(q).value + 0.5, signs.row_of(q).value + 0.5});
         }
         for (std::size_t m = 0; m < ring.size(); ++m) {
           const PixelPoint &from = ring[m], &to = ring[(m + 1) % ring.size()];

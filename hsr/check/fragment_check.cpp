@@ -40,7 +40,7 @@ class FragmentSpans {
     Predicates& exact = map_.exact();
     if (p.is_vertex) return signs_.rows_above(p.vertex, exact);
     const ViewPlane l = map_.plane(p.l), m = map_.plane(p.m);
-    return signs_.rows_above(std::ceil(signs_.row_of(map_.point(p, facet).p)), [&](int j) {
+    return signs_.rows_above(std::ceil(signs_.row_of(map_.point(p, facet).p).value), [&](int j) {
       return exact.side(signs_.sight().camera(), ViewPlane::of(signs_.row_plane(j)), l, m);
     });
   }

@@ -68,7 +68,7 @@ class PieceSpans {
     if (c.vertex.is_valid()) return signs_.rows_above(c.vertex, exact);
     const ViewPlane l = line(facet, c.a), m = line(facet, c.b);
     const auto near = near_meet(sight_.face_plane(facet), cut_plane(sight_, c.a), cut_plane(sight_, c.b));
-    return signs_.rows_above(std::ceil(signs_.row_of({near[0].value, near[1].value, near[2].value})),
+    return signs_.rows_above(std::ceil(signs_.row_of({near[0].value, near[1].value, near[2].value}).value),
                              [&](int j) { return exact.side(sight_.camera(), ViewPlane::of(signs_.row_plane(j)), l, m); });
   }
 

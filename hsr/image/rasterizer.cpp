@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "geometry/error.h"
 
 namespace hsr {
-
-namespace {
-
-constexpr int unknown = -1, not_in_front = -2;
-
-}  // namespace
 
 /// How many samples of row j are on the left of a plane that crosses the row, extended to all sides. Where all of them are on
 /// one side, the way in which the value changes along the row tells whether they are before or after the crossing.
@@ -57,11 +52,18 @@ std::span<const SampleSpan> Rasterizer::spans(std::span<const RasterSide> sides)
 }
 
 const Rasterizer::Place& Rasterizer::place(VertexId v) {
-  if (places_.empty()) places_.resize(signs_.sight().mesh().points.size(), {unknown, unknown});
+  if (places_.empty()) places_.resize(signs_.sight().mesh().points.size());
   Place& p = places_[v.value];
-  if (p.row == unknown)
-    p = signs_.is_in_front(v, exact_) ? Place{signs_.rows_above(v, exact_), signs_.certain_columns_before(v)}
-                                      : Place{not_in_front, unknown};
+  if (p.row != unknown) return p;
+  if (signs_.is_in_front(v, exact_)) {
+    const Point3& at = signs_.sight().point(v);
+    p.y = signs_.row_of(at);
+    p.x = signs_.column_of(at);
+    p.row = signs_.rows_above(v, p.y, exact_);
+    p.column = certain_count(p.x, signs_.grid().width);
+  } else {
+    p.row = not_in_front;
+  }
   return p;
 }
 
@@ -75,37 +77,50 @@ void Rasterizer::append_sides(TriangleId t, std::vector<RasterSide>& sides) {
   }
 }
 
+struct Rasterizer::SideOfTriangle {
+  const Place* from = nullptr;
+  ErrorBounded columns_a_row;
+  int first_row = 0, end_row = 0;
+  std::optional<SampleFunction> function;  // where the columns are not certain
+};
+
 std::span<const SampleSpan> Rasterizer::spans(TriangleId t) {
   spans_.clear();
   const Sight& sight = signs_.sight();
   if (sight.facing(t) == Sign::zero) return {};
   const auto& corners = sight.mesh().triangles[t];
-  const std::array<Place, 3> places = {place(corners[0]), place(corners[1]), place(corners[2])};
-  const std::array<int, 3> rows = {places[0].row, places[1].row, places[2].row};
+  const std::array<const Place*, 3> places = {&place(corners[0]), &place(corners[1]), &place(corners[2])};
+  const std::array<int, 3> rows = {places[0]->row, places[1]->row, places[2]->row};
   const auto [top, bottom] = std::minmax({rows[0], rows[1], rows[2]});
   // Most triangles of a large mesh lie between the samples: leave early.
   if (top == bottom && top != not_in_front) return {};
-  const int column = places[0].column;
-  if (column >= 0 && column == places[1].column && column == places[2].column) return {};
+  const int column = places[0]->column;
+  if (column >= 0 && column == places[1]->column && column == places[2]->column) return {};
   if (top == not_in_front || sight.reaches_before_near(t)) {
     cut_rows(t);
     return spans_;
   }
   // Every row from top to bottom crosses two of the sides.
-  std::array<SampleFunction, 3> functions;
-  std::array<std::array<int, 2>, 3> range;
-  const auto plane = [&](std::size_t k) { return sight.sight_plane(corners[k], corners[k == 2 ? 0 : k + 1]); };
-  const auto view_plane = [&](std::size_t k) { return ViewPlane::of(plane(k)); };
+  std::array<SideOfTriangle, 3> sides;
   for (std::size_t k = 0; k < 3; ++k) {
-    range[k] = {rows[k], rows[k == 2 ? 0 : k + 1]};
-    if (range[k][0] > range[k][1]) std::swap(range[k][0], range[k][1]);
-    if (range[k][0] < range[k][1]) functions[k] = {sight.filter(plane(k)), signs_.grid()};
+    const Place &a = *places[k], &b = *places[k == 2 ? 0 : k + 1];
+    sides[k] = {&a, {}, std::min(a.row, b.row), std::max(a.row, b.row), {}};
+    if (sides[k].first_row < sides[k].end_row) sides[k].columns_a_row = quotient(b.x - a.x, b.y - a.y);
   }
   for (int j = top; j < bottom; ++j) {
     std::array<int, 2> crossing = {0, 0};
     std::size_t n = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      if (range[k][0] <= j && j < range[k][1]) crossing[n++] = samples_before(functions[k], j, [&] { return view_plane(k); });
+    for (std::size_t k = 0; k < 3; ++k) {
+      SideOfTriangle& s = sides[k];
+      if (j < s.first_row || j >= s.end_row) continue;
+      int& before = crossing[n++];
+      before = certain_count(s.from->x + (ErrorBounded{static_cast<double>(j), 0} - s.from->y) * s.columns_a_row,
+                             signs_.grid().width);
+      if (before >= 0) continue;
+      const auto plane = [&] { return sight.sight_plane(corners[k], corners[k == 2 ? 0 : k + 1]); };
+      if (!s.function) s.function = SampleFunction(sight.filter(plane()), signs_.grid());
+      before = samples_before(*s.function, j, [&] { return ViewPlane::of(plane()); });
+    }
     const auto [begin, end] = std::minmax(crossing[0], crossing[1]);
     if (begin < end) spans_.push_back({j, begin, end});
   }

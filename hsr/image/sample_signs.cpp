@@ -36,12 +36,6 @@ SampleCoordinate coordinate(const Sight& sight, const Point3& origin, const Poin
   return c;
 }
 
-/// ceil(x) within 0 ... end, or -1 where that is not certain.
-int certain_ceil(const ErrorBounded& x, int end) {
-  const double low = std::ceil(x.value - x.error), high = std::ceil(x.value + x.error);
-  return low == high || high <= 0 || low >= end ? static_cast<int>(std::clamp(low, 0.0, static_cast<double>(end))) : -1;
-}
-
 }  // namespace
 
 SampleSigns::SampleSigns(const Sight& sight, const SampleGrid& grid)
@@ -99,16 +93,12 @@ Sign SampleSigns::certain_front(const Point3& p, double error) const {
   return x.is_certain() ? -(sign_of(x.value) * turn_) : Sign::zero;
 }
 
-int SampleSigns::rows_above(VertexId v, Predicates& exact) const {
-  const Point3& p = sight_->point(v);
-  const ErrorBounded y = row_(p);
-  const int rows = certain_ceil(y, grid_.height);
-  if (rows < 0) return rows_above(std::ceil(y.value), [&](int j) { return exact.side(row_plane(j), p); });
+int SampleSigns::rows_above(VertexId v, const ErrorBounded& row, Predicates& exact) const {
+  const int rows = certain_count(row, grid_.height);
+  if (rows < 0) return rows_above(std::ceil(row.value), [&](int j) { return exact.side(row_plane(j), sight_->point(v)); });
   ++exact.counts().filter;
   return rows;
 }
-
-int SampleSigns::certain_columns_before(VertexId v) const { return certain_ceil(column_(sight_->point(v)), grid_.width); }
 
 RowCut SampleSigns::exact_cut(const SampleFunction& f, double row, int j, int begin, int end, const ViewPlane& plane,
                               Predicates& exact) const {

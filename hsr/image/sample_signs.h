@@ -66,6 +66,12 @@ struct SampleCoordinate {
   }
 };
 
+/// How many of the samples 0 ... end - 1 are before x, or -1 where that is not certain.
+inline int certain_count(const ErrorBounded& x, int end) {
+  const double low = std::ceil(x.value - x.error), high = std::ceil(x.value + x.error);
+  return low == high || high <= 0 || low >= end ? static_cast<int>(std::clamp(low, 0.0, static_cast<double>(end))) : -1;
+}
+
 /// The signs of planes at samples, exactly, and with the rule for samples on edges (samples.h).
 ///
 /// @pre the sight was made with the certificate of the grid; it outlives this. Planes are among its points and samples.
@@ -108,12 +114,12 @@ class SampleSigns {
   Plane row_plane(int j) const;
   /// How many rows are above what is seen at a vertex: a side from a to b crosses the rows rows_above(a) ... rows_above(b) - 1,
   /// or the other way round. @pre is_in_front(v)
-  int rows_above(VertexId v, Predicates& exact) const;
-  /// About where a point in front is seen, in rows and columns of samples: for a guess, or to measure.
-  double row_of(const Point3& p) const { return row_(p).value; }
-  double column_of(const Point3& p) const { return column_(p).value; }
-  /// How many columns are on the left of it, or -1 where doubles cannot tell. @pre is_in_front(v)
-  int certain_columns_before(VertexId v) const;
+  int rows_above(VertexId v, Predicates& exact) const { return rows_above(v, row_of(sight_->point(v)), exact); }
+  /// @param row row_of(v)
+  int rows_above(VertexId v, const ErrorBounded& row, Predicates& exact) const;
+  /// Where a point in front is seen, in rows and columns of samples. The error is infinite where doubles cannot tell.
+  ErrorBounded row_of(const Point3& p) const { return row_(p); }
+  ErrorBounded column_of(const Point3& p) const { return column_(p); }
   /// The rows above any point, of which below(j) is the sign on the plane of row j; `guess` may be anything.
   template <class Below>
   int rows_above(double guess, const Below& below) const;

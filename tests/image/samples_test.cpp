@@ -101,7 +101,7 @@ TEST_CASE("rows above a vertex are counted exactly", "[image][samples][property]
             const Vec n = cross(Vec(g.down), scene.view.is_perspective() ? o - e : e);
             columns += sgn(Q(dot(n, p - o))) * sgn(Q(dot(n, Vec(g.right)))) > 0 ? 1 : 0;
           }
-          const int certain = signs->certain_columns_before(edge.a);
+          const int certain = certain_count(signs->column_of(sight.point(edge.a)), signs->grid().width);
           CHECK((certain == columns || certain == -1));
           known += certain >= 0 ? 1 : 0;
           ++all;
