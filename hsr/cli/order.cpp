@@ -57,9 +57,9 @@ const char* const examples = R"(Examples:
 void describe(Report& report, const DepthSort& sorted, const Mesh& mesh) {
   const DepthSortCounts& c = sorted.counts;
   report["clusters"] = c.clusters;
-  report["tests"] = {{"candidates", c.candidates}, {"apart", c.apart},           {"by_plane", c.by_plane},
-                     {"coplanar", c.coplanar},     {"by_overlap", c.by_overlap}, {"overlapping", c.overlapping},
-                     {"piercing", c.piercing}};
+  report["tests"] = {{"candidates", c.candidates},   {"apart", c.apart},       {"by_depth", c.by_depth},
+                     {"by_plane", c.by_plane},       {"coplanar", c.coplanar}, {"by_overlap", c.by_overlap},
+                     {"overlapping", c.overlapping}, {"piercing", c.piercing}};
   report["cuts"] = {{"at_intersections", c.cuts_at_intersections}, {"in_cycles", c.cuts_in_cycles}};
   report["cyclic_components"] = c.cyclic_components;
   report["largest_component"] = c.largest_component;

@@ -91,9 +91,8 @@ std::vector<std::uint32_t> by_cluster(const std::vector<std::uint32_t>& items, s
 /// Most scenes have an order of whole pieces: it takes no more than the relations. False: something must be cut.
 bool Sorter::order_whole(const OverlapGraph& found) {
   if (result_.counts.piercing > 0) return false;
-  const std::vector<std::uint32_t> order = topological_order(make_graph(faces_.size(), [&](const auto& visit) {
-    for (const Overlapping& pair : found.pairs) visit(pair.first, pair.second);
-  }));
+  const std::vector<std::uint32_t> order =
+      topological_order(make_graph(faces_.size(), [&](const auto& visit) { found.for_each_pair(visit); }));
   if (order.size() != faces_.size()) return false;
   result_.order.pieces.reserve(faces_.size());
   result_.order.corners.reserve(faces_.corners.size());
@@ -109,19 +108,20 @@ void Sorter::begin_cutting(const OverlapGraph& found) {
   is_cut_.assign(pieces_.size(), 0);
   block_of_.assign(pieces_.size(), none);
   first_neighbour_.assign(pieces_.size() + 1, 0);
-  for (const Overlapping& pair : found.pairs) {
-    if (pair.piercing) piercing_.push_back({std::min(pair.first, pair.second), std::max(pair.first, pair.second)});
-    ++first_neighbour_[pair.first + 1];
-    ++first_neighbour_[pair.second + 1];
-  }
+  found.for_each_pair([&](std::uint32_t first, std::uint32_t second) {
+    ++first_neighbour_[first + 1];
+    ++first_neighbour_[second + 1];
+  });
+  for (const Overlapping& pair : found.piercing)
+    piercing_.push_back({std::min(pair.first, pair.second), std::max(pair.first, pair.second)});
   std::sort(piercing_.begin(), piercing_.end());
   for (std::size_t k = 1; k < first_neighbour_.size(); ++k) first_neighbour_[k] += first_neighbour_[k - 1];
-  neighbours_.resize(2 * found.pairs.size());
+  neighbours_.resize(2 * found.overlapping);
   std::vector<std::uint32_t> next(first_neighbour_.begin(), first_neighbour_.end() - 1);
-  for (const Overlapping& pair : found.pairs) {
-    neighbours_[next[pair.first]++] = {pair.second, false};
-    neighbours_[next[pair.second]++] = {pair.first, true};
-  }
+  found.for_each_pair([&](std::uint32_t first, std::uint32_t second) {
+    neighbours_[next[first]++] = {second, false};
+    neighbours_[next[second]++] = {first, true};
+  });
 }
 
 template <class F>
@@ -369,12 +369,12 @@ DepthSort Sorter::sort() {
   c.clusters = clusters_.size();
   c.candidates = found.candidates;
   c.apart = found.counts.image_sides;
+  c.by_depth = found.counts.depths;
   c.by_plane = found.counts.planes;
   c.coplanar = found.counts.coplanar;
   c.by_overlap = found.counts.intersection;
-  c.overlapping = found.pairs.size();
-  c.piercing = static_cast<std::uint64_t>(
-      std::count_if(found.pairs.begin(), found.pairs.end(), [](const Overlapping& pair) { return pair.piercing; }));
+  c.overlapping = found.overlapping;
+  c.piercing = found.piercing.size();
   result_.order.decisions += found.decisions;
   if (order_whole(found)) return std::move(result_);
   begin_cutting(found);

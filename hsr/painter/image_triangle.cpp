@@ -48,7 +48,7 @@ ImageTriangles image_triangles(const Sight& sight, const FacePieces& pieces) {
   std::frexp(half, &power);
   const double scale = std::ldexp(1.0, -power);
   const double error = 1.01 * (scale * (sight.image_error() + 4 * ErrorBounded::u * most) + 0x1p-24);
-  if (!(error < 1)) return images;
+  if (!(error < 0x1p-10)) return images;  // then none exceeds 1.01
   images.error = static_cast<float>(1.01 * error);
   images.triangles.resize(pieces.size());
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -68,6 +68,13 @@ ImageTriangles image_triangles(const Sight& sight, const FacePieces& pieces) {
       t.y[k] = static_cast<float>((p.y - y) * scale);
       t.vertex[k] = v.value;
     }
+    const auto [low_x, high_x] = std::minmax({t.x[0], t.x[1], t.x[2]});
+    const auto [low_y, high_y] = std::minmax({t.y[0], t.y[1], t.y[2]});
+    t.size = (high_x - low_x) + (high_y - low_y);
+    ImageBox depths = ImageBox::nothing();
+    for (const VertexId v : ring) depths.add(sight.box(v, v));
+    t.farthest = depths.farthest;
+    t.nearest = depths.nearest;
   });
   return images;
 }

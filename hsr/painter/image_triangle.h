@@ -6,18 +6,17 @@
 #include <vector>
 
 #include "hsr/painter/face_pieces.h"
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
+#include "hsr/painter/four_floats.h"
 
 namespace hsr {
 
 /// A triangle in the image in floats, its corners so that O is positive within. The last place is the third corner again: four
 /// make a vector. Not a number: no triangle, or its image is not known.
-struct alignas(16) ImageTriangle {
+struct alignas(64) ImageTriangle {
   std::array<float, 4> x, y;
   std::array<std::uint32_t, 4> vertex;
+  float size = 0;                   // the width and the height of its box, or more
+  float farthest = 0, nearest = 0;  // its depths lie between, as those of ImageBox
 };
 
 /// The images of the pieces that are triangles, moved and multiplied so that all fit into a square from -1 to 1.
@@ -32,42 +31,91 @@ ImageTriangles image_triangles(const Sight& sight, const FacePieces& pieces);
 /// Whether a side of one triangle has nothing of the inside of another before it.
 enum class Separation : std::uint8_t { yes, no, open };
 
-/// Whether a side of a separates the images of a and b; open: floats leave one side open. The bound is that of ImageLine, with
-/// the rounding of floats. Without branches: which test decides is not to be foreseen.
-inline Separation separation(const ImageTriangle& a, const ImageTriangle& b, float error) {
-  constexpr unsigned all = 15;
-  constexpr float u = 0x1p-24F;
-  bool is_separated = false, may_be = false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t next = k == 2 ? 0 : k + 1;
-    const float dx = a.x[next] - a.x[k], dy = a.y[next] - a.y[k], length = std::fabs(dx) + std::fabs(dy);
-    const float least = 2.2F * error * length + 9.1F * error * error + 0x1p-100F, slope = 2.2F * error + 4.2F * u * length;
-    unsigned before = 0, behind = 0, on = 0;  // bit i: certainly for corner i of b; it is an end of the side
-#if defined(__SSE2__)
-    const __m128 sign = _mm_set1_ps(-0.0F);
-    const __m128 rx = _mm_sub_ps(_mm_load_ps(b.x.data()), _mm_set1_ps(a.x[k]));
-    const __m128 ry = _mm_sub_ps(_mm_load_ps(b.y.data()), _mm_set1_ps(a.y[k]));
-    const __m128 det = _mm_sub_ps(_mm_mul_ps(_mm_set1_ps(dx), ry), _mm_mul_ps(_mm_set1_ps(dy), rx));
-    const __m128 size = _mm_add_ps(_mm_andnot_ps(sign, rx), _mm_andnot_ps(sign, ry));
-    const __m128 bound = _mm_add_ps(_mm_set1_ps(least), _mm_mul_ps(_mm_set1_ps(slope), size));
-    before = static_cast<unsigned>(_mm_movemask_ps(_mm_cmpgt_ps(det, bound)));
-    behind = static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(det, _mm_xor_ps(bound, sign))));
-    const __m128i corners = _mm_load_si128(reinterpret_cast<const __m128i*>(b.vertex.data()));
-    const auto is = [&](std::uint32_t v) { return _mm_cmpeq_epi32(corners, _mm_set1_epi32(static_cast<int>(v))); };
-    on = static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(_mm_or_si128(is(a.vertex[k]), is(a.vertex[next])))));
-#else
-    for (unsigned i = 0; i < 4; ++i) {
-      const float rx = b.x[i] - a.x[k], ry = b.y[i] - a.y[k], det = dx * ry - dy * rx;
-      const float bound = least + slope * (std::fabs(rx) + std::fabs(ry));
-      before |= unsigned{det > bound} << i;
-      behind |= unsigned{det < -bound} << i;
-      on |= unsigned{(b.vertex[i] == a.vertex[k]) | (b.vertex[i] == a.vertex[next])} << i;
-    }
-#endif
-    is_separated |= (behind | on) == all;
-    may_be |= (before & ~on) == 0;
+/// The sides of a triangle, prepared for the corners of many others: place k is the line from corner k to the next.
+///
+/// f(p) = dx p_y - dy p_x + c is the sign of O. With E the error of a coordinate, u = 2^-24, D = |dx| + |dy| as computed and R
+/// at least |r|_1, where r = p - a for the start a of the side: dx and dy are off by 2 E and one rounding, r by 2 E, so
+/// dx r_y - dy r_x over the rounded numbers is off by at most 2 E (D + R) (1 + u) + 8 E^2 + 2.1 u D, as no coordinate exceeds
+/// 1.01. c rounds three times, f four times more, all terms at most 1.01 D or in the end 2.02 D: 6.1 u D. Lost products: less
+/// than 2^-147. So |f - exact| <= 2.1 E (D + R) + 8.1 E^2 + 8.3 u D + 2^-147; the bound is computed with constants a little
+/// larger, which pays for its own roundings.
+struct ImageSides {
+  ImageSides() = default;
+  ImageSides(const ImageTriangle& t, float error) {
+    const FourFloats x = FourFloats::of(t.x), y = FourFloats::of(t.y);
+    from = FourIndices::of(t.vertex);
+    to = from.turned();
+    dx = x.turned() - x;
+    dy = y.turned() - y;
+    c = dy * x - dx * y;
+    bound = (dx.magnitude() + dy.magnitude()) * FourFloats::all(2.2F * error + 8.6F * 0x1p-24F);
   }
-  return is_separated ? Separation::yes : may_be ? Separation::open : Separation::no;
+
+  FourFloats dx, dy, c;
+  FourFloats bound;  // without the share of R
+  FourIndices from, to;
+};
+
+/// A corner of a triangle in all four places.
+struct ImageCorner {
+  ImageCorner() = default;
+  ImageCorner(const ImageTriangle& t, std::size_t k)
+      : x(FourFloats::all(t.x[k])), y(FourFloats::all(t.y[k])), vertex(FourIndices::all(t.vertex[k])) {}
+
+  FourFloats x, y;
+  FourIndices vertex;
+};
+
+/// Whether a side of a separates the images of a and of b, of which corner(k) is a corner; open: floats leave one side open.
+/// Corners at the ends of a side are on it. @param rest the share of R in the bound. Without branches: which side decides is
+/// not to be foreseen.
+template <class Corner>
+Separation separation(const ImageSides& a, const Corner& corner, float rest) {
+  constexpr unsigned sides = 7;
+  const FourFloats bound = a.bound + FourFloats::all(rest);
+  FourFloats before = FourFloats::no(), behind = a.from == a.from;  // of a side: certainly one corner; certainly all
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ImageCorner p = corner(k);
+    const FourFloats f = a.dx * p.y - a.dy * p.x + a.c, on = (a.from == p.vertex) | (a.to == p.vertex);
+    before = before | (f > bound).without(on);
+    behind = behind & ((FourFloats::no() - bound > f) | on);
+  }
+  if ((behind.bits() & sides) != 0) return Separation::yes;
+  return (before.bits() & sides) == sides ? Separation::no : Separation::open;
 }
+
+/// A triangle prepared to be compared with many others.
+class PreparedTriangle {
+ public:
+  PreparedTriangle() = default;
+  PreparedTriangle(const ImageTriangle& t, float error)
+      : sides_(t, error),
+        corners_{ImageCorner(t, 0), ImageCorner(t, 1), ImageCorner(t, 2)},
+        x_(t.x[0]),
+        y_(t.y[0]),
+        size_(t.size),
+        error_(error) {}
+
+  /// By the sides of this one, and by those of the other.
+  struct Both {
+    Separation own = Separation::open, other = Separation::open;
+  };
+  Both separation_from(const ImageTriangle& t) const {
+    const float reach = std::fabs(t.x[0] - x_) + std::fabs(t.y[0] - y_) + size_ + t.size;
+    const float rest = 2.2F * error_ * reach + 9.1F * error_ * error_ + 0x1p-100F;
+    Both found;
+    found.own = separation(
+        sides_, [&](std::size_t k) { return ImageCorner(t, k); }, rest);
+    if (found.own != Separation::yes)
+      found.other = separation(
+          ImageSides(t, error_), [&](std::size_t k) { return corners_[k]; }, rest);
+    return found;
+  }
+
+ private:
+  ImageSides sides_;
+  std::array<ImageCorner, 3> corners_;
+  float x_ = 0, y_ = 0, size_ = 0, error_ = 0;
+};
 
 }  // namespace hsr

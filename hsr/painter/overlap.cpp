@@ -9,6 +9,7 @@ namespace hsr {
 
 OverlapCounts& OverlapCounts::operator+=(const OverlapCounts& o) {
   image_sides += o.image_sides;
+  depths += o.depths;
   planes += o.planes;
   coplanar += o.coplanar;
   intersection += o.intersection;

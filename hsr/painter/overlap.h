@@ -18,6 +18,7 @@ enum class Overlap : std::uint8_t {
 /// How often each of Newell's tests decided.
 struct OverlapCounts {
   std::uint64_t image_sides = 0;   ///< a side of one separates their images
+  std::uint64_t depths = 0;        ///< one is nearer than all of the other
   std::uint64_t planes = 0;        ///< one lies on one side of the other's plane
   std::uint64_t coplanar = 0;      ///< they lie in one plane
   std::uint64_t intersection = 0;  ///< only where their images overlap is one of them the nearer

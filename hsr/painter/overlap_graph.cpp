@@ -85,9 +85,12 @@ class Finder {
     const Overlap how = relations_.relation(i, k);
     if (how == Overlap::none) return;
     if (how == Overlap::second_behind) std::swap(i, k);
-    found_.pairs.push_back({i, k, how == Overlap::piercing});
+    pairs_.push_back({i, k});
+    if (how == Overlap::piercing) found_.piercing.push_back({i, k});
   }
   OverlapGraph take() {
+    found_.overlapping = pairs_.size();
+    found_.pairs.push_back(std::move(pairs_));
     found_.counts = relations_.counts();
     found_.decisions = relations_.decisions();
     return std::move(found_);
@@ -97,6 +100,7 @@ class Finder {
   const FacePieces& pieces_;
   Relations relations_;
   OverlapGraph found_;
+  std::vector<Overlapping> pairs_;
 };
 
 bool overlap(const ImageBox& x, const ImageBox& y) {
@@ -155,12 +159,11 @@ OverlapGraph overlap_graph(const Sight& sight, const FacePieces& pieces, const C
     }
   });
   OverlapGraph all;
-  std::size_t pairs = 0;
-  for (const OverlapGraph& part : parts) pairs += part.pairs.size();
-  all.pairs.reserve(pairs);
-  for (const OverlapGraph& part : parts) {
-    all.pairs.insert(all.pairs.end(), part.pairs.begin(), part.pairs.end());
+  for (OverlapGraph& part : parts) {
+    all.pairs.push_back(std::move(part.pairs.front()));
+    all.piercing.insert(all.piercing.end(), part.piercing.begin(), part.piercing.end());
     all.candidates += part.candidates;
+    all.overlapping += part.overlapping;
     all.counts += part.counts;
     all.decisions += part.decisions;
   }

@@ -11,14 +11,22 @@ namespace hsr {
 /// Two pieces whose images overlap. Where they do not pierce each other the first is painted first.
 struct Overlapping {
   std::uint32_t first, second;
-  bool piercing;
 };
 
 struct OverlapGraph {
-  std::vector<Overlapping> pairs;  ///< by cluster, in the order of a tree of the image
-  std::uint64_t candidates = 0;    ///< pairs whose boxes overlap in the image
+  std::vector<std::vector<Overlapping>>
+      pairs;                          ///< in parts as they were found: by cluster, in the order of a tree of the image
+  std::vector<Overlapping> piercing;  ///< of all pairs those that pierce each other
+  std::uint64_t candidates = 0;       ///< pairs whose boxes overlap in the image
+  std::uint64_t overlapping = 0;      ///< all pairs
   OverlapCounts counts;
   DecisionCounts decisions;
+
+  template <class F>
+  void for_each_pair(const F& visit) const {
+    for (const std::vector<Overlapping>& part : pairs)
+      for (const Overlapping& pair : part) visit(pair.first, pair.second);
+  }
 };
 
 /// Which pieces of one cluster overlap, and how. @param classic call piercing every pair that no plane of the two separates

@@ -33,6 +33,7 @@ void WholeOverlaps::prepare_plane(Whole& whole) const {
 void WholeOverlaps::turn_to(std::uint32_t piece) {
   prepare(piece, first_);
   prepare_plane(first_);
+  if (first_.image != nullptr) prepared_ = PreparedTriangle(*first_.image, images_.error);
 }
 
 /// Whether a side of a has nothing of the inside of b before it, as far as doubles tell.
@@ -69,22 +70,13 @@ bool WholeOverlaps::separates(Whole& a, const Whole& b) {
   return false;
 }
 
-Separation WholeOverlaps::separation_in_floats(const Whole& a, const Whole& b) const {
-  if (a.image == nullptr || b.image == nullptr) return Separation::open;
-  return hsr::separation(*a.image, *b.image, images_.error);
-}
-
-bool WholeOverlaps::are_apart(Whole& a, Whole& b) {
-  exact_.counts().filter += 2 * a.ring.size() * b.ring.size();
-  Separation by_a = separation_in_floats(a, b);
-  if (by_a == Separation::yes) return true;
-  Separation by_b = separation_in_floats(b, a);
-  if (by_b == Separation::yes) return true;
-  if (by_a == Separation::open) by_a = separation(a, b);
-  if (by_a == Separation::yes) return true;
-  if (by_b == Separation::open) by_b = separation(b, a);
-  if (by_b == Separation::yes) return true;
-  return (by_a == Separation::open && separates(a, b)) || (by_b == Separation::open && separates(b, a));
+/// @param by what floats tell of the sides of a, and of b. @pre none of them separates
+bool WholeOverlaps::are_apart(Whole& a, Whole& b, PreparedTriangle::Both by) {
+  if (by.own == Separation::open) by.own = separation(a, b);
+  if (by.own == Separation::yes) return true;
+  if (by.other == Separation::open) by.other = separation(b, a);
+  if (by.other == Separation::yes) return true;
+  return (by.own == Separation::open && separates(a, b)) || (by.other == Separation::open && separates(b, a));
 }
 
 /// Whether corners lie behind the plane, so that it is the nearer one; whether some lie before it.
@@ -104,10 +96,21 @@ Sides WholeOverlaps::sides(const Whole& plane, const Whole& corners) {
 }
 
 std::optional<Overlap> WholeOverlaps::relation(std::uint32_t piece) {
-  prepare(piece, second_);
-  if (are_apart(first_, second_)) {
+  const std::size_t corners = pieces_.ring(piece).size();
+  const ImageTriangle *const a = first_.image, *const b = a != nullptr && corners == 3 ? &images_.triangles[piece] : nullptr;
+  exact_.counts().filter += 2 * first_.ring.size() * corners;
+  PreparedTriangle::Both by_floats;
+  if (b != nullptr) by_floats = prepared_.separation_from(*b);
+  // Most pairs go no farther.
+  const bool is_separated = by_floats.own == Separation::yes || by_floats.other == Separation::yes;
+  if (!is_separated) prepare(piece, second_);
+  if (is_separated || are_apart(first_, second_, by_floats)) {
     ++counts_.image_sides;
     return Overlap::none;
+  }
+  if (b != nullptr && (a->nearest < b->farthest || b->nearest < a->farthest)) {
+    ++counts_.depths;
+    return a->nearest < b->farthest ? Overlap::first_behind : Overlap::second_behind;
   }
   const Sides of_second = sides(first_, second_);
   if (!of_second.nearer && !of_second.farther) {

@@ -14,7 +14,8 @@ namespace hsr {
 /// object per thread.
 ///
 /// A side that separates two images is looked for in floats with a proven bound first, among the sides of both, then in
-/// doubles; predicates are asked where neither tells. Exact: yes. Cost: a few signs of doubles mostly, and no allocation.
+/// doubles; predicates are asked where neither tells. Then depths, then planes. Exact: yes. Cost: a few signs of doubles
+/// mostly, and no allocation.
 class WholeOverlaps {
  public:
   /// @param images of image_triangles()
@@ -41,8 +42,7 @@ class WholeOverlaps {
   };
   void prepare(std::uint32_t piece, Whole& whole) const;
   void prepare_plane(Whole& whole) const;
-  Separation separation_in_floats(const Whole& a, const Whole& b) const;
-  bool are_apart(Whole& a, Whole& b);
+  bool are_apart(Whole& a, Whole& b, PreparedTriangle::Both in_floats);
   Separation separation(Whole& a, const Whole& b) const;
   bool separates(Whole& a, const Whole& b);
   Sides sides(const Whole& plane, const Whole& corners);
@@ -53,6 +53,7 @@ class WholeOverlaps {
   Predicates exact_;
   OverlapCounts counts_;
   Whole first_, second_;
+  PreparedTriangle prepared_;  // the image of the first, if there is one
 };
 
 }  // namespace hsr
