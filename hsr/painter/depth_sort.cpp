@@ -7,6 +7,7 @@
 
 #include "geometry/error.h"
 #include "hsr/painter/components.h"
+#include "hsr/painter/depth_order.h"
 #include "hsr/painter/image_bsp.h"
 #include "hsr/painter/image_pieces.h"
 #include "hsr/painter/overlap_graph.h"
@@ -36,7 +37,8 @@ class Sorter {
   DepthSort sort();
 
  private:
-  bool order_whole(const OverlapGraph& found);
+  OverlapGraph relate_whole();
+  void order_whole(const std::vector<std::uint32_t>& order);
   void begin_cutting(const OverlapGraph& found);
   void resolve_piercing();
   void resolve_cycles();
@@ -88,17 +90,31 @@ std::vector<std::uint32_t> by_cluster(const std::vector<std::uint32_t>& items, s
   return sorted;
 }
 
-/// Most scenes have an order of whole pieces: it takes no more than the relations. False: something must be cut.
-bool Sorter::order_whole(const OverlapGraph& found) {
-  if (result_.counts.piercing > 0) return false;
+/// Most scenes have an order of whole pieces, which is written then: it takes no more than relations. Otherwise all of these,
+/// and something must be cut.
+OverlapGraph Sorter::relate_whole() {
+  const ImageTriangles images = image_triangles(sight_, faces_);
+  const ClusterBoxes boxes(sight_, faces_, clusters_, InDepth::touching);
+  OverlapGraph found = overlap_graph(sight_, faces_, boxes, images, options_.classic);
+  if (found.piercing.empty()) {
+    if (const auto order = depth_order(sight_, faces_, boxes, images, found)) {
+      order_whole(*order);
+      return found;
+    }
+  }
+  found.add(overlap_graph(sight_, faces_, ClusterBoxes(sight_, faces_, clusters_, InDepth::apart), images, options_.classic));
+  if (!found.piercing.empty()) return found;
   const std::vector<std::uint32_t> order =
       topological_order(make_graph(faces_.size(), [&](const auto& visit) { found.for_each_pair(visit); }));
-  if (order.size() != faces_.size()) return false;
+  if (order.size() == faces_.size()) order_whole(order);
+  return found;
+}
+
+void Sorter::order_whole(const std::vector<std::uint32_t>& order) {
   result_.order.pieces.reserve(faces_.size());
   result_.order.corners.reserve(faces_.corners.size());
   for (const std::uint32_t piece : by_cluster(order, clusters_.size(), [&](std::uint32_t p) { return cluster_of_[p]; }))
     append(sight_, faces_, piece, result_.order);
-  return true;
 }
 
 void Sorter::begin_cutting(const OverlapGraph& found) {
@@ -122,6 +138,10 @@ void Sorter::begin_cutting(const OverlapGraph& found) {
     neighbours_[next[first]++] = {second, false};
     neighbours_[next[second]++] = {first, true};
   });
+  // In an order that does not depend on how pairs are found.
+  for (std::size_t k = 0; k + 1 < first_neighbour_.size(); ++k)
+    std::sort(neighbours_.begin() + first_neighbour_[k], neighbours_.begin() + first_neighbour_[k + 1],
+              [](const Neighbour& x, const Neighbour& y) { return x.piece < y.piece; });
 }
 
 template <class F>
@@ -364,7 +384,7 @@ DepthSort Sorter::sort() {
   faces_ = face_pieces(sight_);
   clusters_ = options_.classic ? one_cluster(faces_) : clusters(sight_, faces_);
   cluster_of_ = clusters_.cluster_of();
-  const OverlapGraph found = overlap_graph(sight_, faces_, clusters_, options_.classic);
+  const OverlapGraph found = relate_whole();
   DepthSortCounts& c = result_.counts;
   c.clusters = clusters_.size();
   c.candidates = found.candidates;
@@ -376,7 +396,7 @@ DepthSort Sorter::sort() {
   c.overlapping = found.overlapping;
   c.piercing = found.piercing.size();
   result_.order.decisions += found.decisions;
-  if (order_whole(found)) return std::move(result_);
+  if (result_.order.pieces.size() == faces_.size()) return std::move(result_);
   begin_cutting(found);
   resolve_piercing();
   resolve_cycles();

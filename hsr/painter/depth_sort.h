@@ -18,7 +18,7 @@ struct PaintersCycle {
 struct DepthSortCounts {
   std::uint64_t clusters = 0;    ///< groups that planes part: only within them pieces
                                  ///< are compared
-  std::uint64_t candidates = 0;  ///< pairs of pieces whose boxes overlap in the image
+  std::uint64_t candidates = 0;  ///< pairs of pieces that are compared
   std::uint64_t apart = 0, by_depth = 0, by_plane = 0, coplanar = 0, by_overlap = 0;  ///< of them, by the test that decided
   std::uint64_t overlapping = 0, piercing = 0;
   std::uint64_t cuts_at_intersections = 0, cuts_in_cycles = 0;

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "hsr/painter/clusters.h"
+#include "hsr/painter/cluster_boxes.h"
+#include "hsr/painter/image_triangle.h"
 #include "hsr/painter/overlap.h"
 
 namespace hsr {
@@ -22,6 +23,7 @@ struct OverlapGraph {
   OverlapCounts counts;
   DecisionCounts decisions;
 
+  void add(OverlapGraph&& more);
   template <class F>
   void for_each_pair(const F& visit) const {
     for (const std::vector<Overlapping>& part : pairs)
@@ -29,8 +31,10 @@ struct OverlapGraph {
   }
 };
 
-/// Which pieces of one cluster overlap, and how. @param classic call piercing every pair that no plane of the two separates
-/// Exact: yes. Cost: O(n log n + k) for k pairs of boxes that overlap, parallel.
-OverlapGraph overlap_graph(const Sight& sight, const FacePieces& pieces, const Clusters& clusters, bool classic);
+/// Which pieces of one cluster overlap, and how, of those whose boxes touch as the trees of boxes look for.
+/// @param classic call piercing every pair that no plane of the two separates
+/// Exact: yes. Cost: O(n + k log n) for k pairs of boxes, parallel.
+OverlapGraph overlap_graph(const Sight& sight, const FacePieces& pieces, const ClusterBoxes& boxes,
+                           const ImageTriangles& images, bool classic);
 
 }  // namespace hsr

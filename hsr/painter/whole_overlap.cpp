@@ -22,17 +22,19 @@ void WholeOverlaps::prepare(std::uint32_t piece, Whole& whole) const {
   whole.ring = pieces_.ring(piece);
   whole.inner = sight_.facing(whole.facet);
   whole.lines.clear();
+  whole.has_plane = false;
   whole.image = !images_.triangles.empty() && whole.ring.size() == 3 ? &images_.triangles[piece] : nullptr;
 }
 
 void WholeOverlaps::prepare_plane(Whole& whole) const {
+  if (whole.has_plane) return;
+  whole.has_plane = true;
   whole.plane = sight_.face_plane(whole.facet);
   whole.filter = sight_.filter(whole.plane);
 }
 
 void WholeOverlaps::turn_to(std::uint32_t piece) {
   prepare(piece, first_);
-  prepare_plane(first_);
   if (first_.image != nullptr) prepared_ = PreparedTriangle(*first_.image, images_.error);
 }
 
@@ -112,6 +114,7 @@ std::optional<Overlap> WholeOverlaps::relation(std::uint32_t piece) {
     ++counts_.depths;
     return a->nearest < b->farthest ? Overlap::first_behind : Overlap::second_behind;
   }
+  prepare_plane(first_);
   const Sides of_second = sides(first_, second_);
   if (!of_second.nearer && !of_second.farther) {
     ++counts_.coplanar;

@@ -37,6 +37,7 @@ class WholeOverlaps {
     Sign inner = Sign::zero;               // of O along its sides, within
     const ImageTriangle* image = nullptr;  // if there is one
     std::vector<ImageLine> lines;          // along its sides, where they are asked for
+    bool has_plane = false;                // where it is asked for
     Plane plane;
     PlaneFilter filter;
   };
