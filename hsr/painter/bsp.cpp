@@ -1,35 +1,43 @@
 // How a BspTree is walked for a view.
 #include "hsr/painter/bsp.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/error.h"
 #include "hsr/cut_plane.h"
+#include "hsr/parallel.h"
 #include "hsr/sight.h"
 
 namespace hsr {
 
-namespace {
-
-/// The plane of a node over the points as given.
-Plane plane_of_node(const Mesh& mesh, const Cut& cut) {
-  if (cut.kind == Cut::Kind::across) return Plane::across(mesh.points[VertexId(cut.u)], cut.axis);
-  const auto& c = mesh.triangles[TriangleId(cut.u)];
-  return Plane::of_face(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
-}
-
-}  // namespace
-
 void BspTree::prepare_planes() {
   certificate_ = hsr::certificate(mesh_->points);
-  filters_.resize(nodes_.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes_.size(), 1024), [&](const auto& range) {
-    for (std::size_t k = range.begin(); k != range.end(); ++k)
-      filters_[k] = PlaneFilter(plane_of_node(*mesh_, nodes_[k].plane), Arithmetic::staged);
+  std::vector<std::uint32_t> filtered;
+  for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
+    if (nodes_[k].is_leaf() || nodes_[k].plane.kind != Cut::Kind::face) continue;
+    nodes_[k].filter = static_cast<std::uint32_t>(filtered.size());
+    filtered.push_back(k);
+  }
+  filters_.resize(filtered.size());
+  for_each(filtered.size(), [&](std::size_t i) {
+    const auto& c = mesh_->triangles[TriangleId(nodes_[filtered[i]].plane.u)];
+    const Plane plane = Plane::of_face(mesh_->points[c[0]], mesh_->points[c[1]], mesh_->points[c[2]]);
+    filters_[i] = PlaneFilter(plane, Arithmetic::staged);
   });
+}
+
+PieceCorner BspTree::corner(const BspBounds::Corner& c) const {
+  PieceCorner out;
+  if (c.is_vertex()) {
+    out.vertex = VertexId(c.a);
+  } else {
+    out.a = cut_of(c.a, bounds_.sides, bounds_.acrosses);
+    out.b = cut_of(c.b, bounds_.sides, bounds_.acrosses);
+  }
+  out.side = cut_of(c.side, bounds_.sides, bounds_.acrosses);
+  out.original = BspBounds::is_side(c.side) && bounds_.sides[BspBounds::place(c.side)].original;
+  return out;
 }
 
 namespace {
@@ -40,19 +48,20 @@ class EyeSide {
   EyeSide(const Mesh& mesh, const View& view, const Certificate& points, std::span<const PlaneFilter> filters)
       : mesh_(mesh), eye_(view.viewpoint), filters_(filters), exact_(predicates(points, view.viewpoint)) {}
 
-  Sign operator()(std::uint32_t node, const Cut& plane) {
-    const PlaneFilter& f = filters_[node];
+  /// @param filter of the plane, if it is that of a facet
+  Sign operator()(const Cut& plane, std::uint32_t filter) {
     const Point3& e = eye_.at;
+    if (plane.kind == Cut::Kind::across) {
+      const double at = eye_.is_direction ? 0 : mesh_.points[VertexId(plane.u)][plane.axis];
+      return e[plane.axis] > at ? Sign::positive : e[plane.axis] < at ? Sign::negative : Sign::zero;
+    }
+    const PlaneFilter& f = filters_[filter];
     // The bound of a PlaneFilter at o + D is that of n . D.
     const ErrorBounded x = eye_.is_direction
                                ? ErrorBounded{f.nx * e.x + f.ny * e.y + f.nz * e.z,
                                               f.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + f.least}
                                : f(e);
     if (x.is_certain() && exact_.filter_is_proven()) return sign_of(x.value);
-    if (plane.kind == Cut::Kind::across) {
-      const double at = eye_.is_direction ? 0 : mesh_.points[VertexId(plane.u)][plane.axis];
-      return e[plane.axis] > at ? Sign::positive : e[plane.axis] < at ? Sign::negative : Sign::zero;
-    }
     // O(a, b, c) is negative where the eye lies on the positive side of the plane of a, b and c.
     const auto& c = mesh_.triangles[TriangleId(plane.u)];
     return -exact_.side(Plane::of_sight(eye_, mesh_.points[c[0]], mesh_.points[c[1]]), mesh_.points[c[2]]);
@@ -85,11 +94,11 @@ void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
     const Step step = waiting.back();
     waiting.pop_back();
     const auto& node = nodes[step.node];
-    if (step.is_entered) {
+    if (step.is_entered || node.is_leaf()) {
       visit(node);
       continue;
     }
-    const bool is_before = side_of(step.node, node.plane) == Sign::positive;
+    const bool is_before = side_of(node.plane, node.filter) == Sign::positive;
     const std::uint32_t near = is_before ? node.before : node.behind, far = is_before ? node.behind : node.before;
     if (near != 0) waiting.push_back({near, false});
     if (node.first_piece < node.end_piece) waiting.push_back({step.node, true});
@@ -116,9 +125,10 @@ class PieceWriter {
  public:
   PieceWriter(const Sight& sight, PaintersOrder& order) : sight_(sight), exact_(sight.predicates()), order_(order) {}
 
-  void append(TriangleId facet, std::span<const PieceCorner> corners) {
+  /// @param ring its corners as the face runs
+  void append(TriangleId facet, std::vector<PieceCorner>& ring) {
     if (sight_.facing(facet) == Sign::zero) return;
-    ring_.assign(corners.begin(), corners.end());
+    ring_.swap(ring);
     if (sight_.facing(facet) == Sign::positive) reverse();
     if (sight_.is_perspective() && !clip_near(facet)) return;
     const auto first = static_cast<std::uint32_t>(order_.corners.size());
@@ -187,10 +197,13 @@ PaintersOrder BspTree::order(const View& view) const {
   if (nodes_.empty()) return order;
   const Sight sight(*mesh_, view, Arithmetic::staged);
   PieceWriter writer(sight, order);
+  std::vector<PieceCorner> ring;
   walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](const Node& node) {
     for (std::uint32_t k = node.end_piece; k-- > node.first_piece;) {
       const OrderedPiece& p = pieces_[k];
-      writer.append(p.facet, {corners_.data() + p.first_corner, corners_.data() + p.end_corner});
+      ring.clear();
+      for (std::uint32_t c = p.first_corner; c < p.end_corner; ++c) ring.push_back(corner(corners_[c]));
+      writer.append(p.facet, ring);
     }
   });
   order.decisions = writer.decisions();

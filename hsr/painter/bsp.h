@@ -6,6 +6,7 @@
 
 #include "geometry/certificate.h"
 #include "geometry/plane_filter.h"
+#include "hsr/painter/bsp_bounds.h"
 #include "hsr/painter/painters_order.h"
 
 namespace hsr {
@@ -50,16 +51,21 @@ class BspTree {
     Cut plane;
     std::uint32_t behind = 0, before = 0;          ///< children on the negative and the positive side; 0: nothing
     std::uint32_t first_piece = 0, end_piece = 0;  ///< in the plane, ascending by facet
+    std::uint32_t filter = 0;                      ///< of a facet's plane that has something on a side
+
+    bool is_leaf() const { return behind == 0 && before == 0; }
   };
 
   void prepare_planes();
+  PieceCorner corner(const BspBounds::Corner& c) const;
 
   const Mesh* mesh_ = nullptr;
   Certificate certificate_;           // of the points
-  std::vector<PlaneFilter> filters_;  // of each node's plane, for eyes
+  std::vector<PlaneFilter> filters_;  // of planes of nodes, for eyes
   std::vector<Node> nodes_;           // the root first
   std::vector<OrderedPiece> pieces_;  // in the order of the nodes; corners as the face runs
-  std::vector<PieceCorner> corners_;
+  std::vector<BspBounds::Corner> corners_;
+  BspBounds bounds_;
   std::size_t depth_ = 0;
   std::uint64_t splits_ = 0;
   DecisionCounts decisions_;

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <string>
 
-#include "geometry/constructed_point.h"
 #include "geometry/error.h"
 #include "hsr/contacts/half_space.h"
-#include "hsr/cut_plane.h"
 #include "hsr/facet.h"
 #include "hsr/map/convex_ring.h"
 #include "hsr/painter/bsp.h"
+#include "hsr/painter/bsp_parts.h"
 #include "hsr/sight.h"
 
 namespace hsr {
@@ -29,20 +29,10 @@ View any_view() {
   return view;
 }
 
-/// A corner and about where it is: within `error` in each coordinate, infinite where doubles tell nothing.
-struct PlacedCorner {
-  PieceCorner corner;
-  Point3 p;
-  double error = 0;
-};
-
-/// A convex part of a facet while the tree is built: corners as the facet runs.
-struct Part {
-  TriangleId facet;
-  std::uint32_t first = 0, end = 0;  // corners
-};
-
-enum class Side : std::uint8_t { behind, before, inside, both };
+/// Little is good: cuts, and parts more on one side than on the other.
+std::size_t score(std::size_t behind, std::size_t before, std::size_t both) {
+  return 8 * both + (behind > before ? behind - before : before - behind);
+}
 
 }  // namespace
 
@@ -51,6 +41,7 @@ class BspBuilder {
   /// What all builders of one tree share.
   struct Shared {
     const Sight& sight;  // of no view in particular: its points and planes
+    const std::vector<BspBounds::Side>& sides;
     std::size_t most = 0;
     std::atomic<std::size_t> pieces = 0;
   };
@@ -60,7 +51,7 @@ class BspBuilder {
         mesh_(shared.sight.mesh()),
         shared_(shared),
         sight_(shared.sight),
-        exact_(sight_.predicates()),
+        parts_(sight_, shared.sides, tree.bounds_.acrosses),
         seed_(seed) {}
 
   /// All facets, their count first.
@@ -69,94 +60,86 @@ class BspBuilder {
   void build();
 
  private:
+  using Divider = BspParts::Divider;
+  /// What is left to divide: the last parts of those that wait.
   struct Task {
-    std::vector<std::uint32_t> parts;
+    std::size_t first;
     std::uint32_t parent;
     bool is_before;
     std::uint32_t depth;
   };
-  struct Divider {
-    Cut cut;
-    Plane plane;
-    PlaneFilter filter;
-    double at = 0;  // of a cut across an axis: the coordinate
+  /// The same for a builder of its own.
+  struct Subtree {
+    std::vector<std::uint32_t> parts;
+    Task task;
   };
 
-  void build_subtrees(std::vector<Task> tasks);
-  void take_parts(const BspBuilder& from, const std::vector<std::uint32_t>& parts);
-  void take_subtree(BspTree&& part, const Task& task);
   void add_facet(TriangleId facet);
   void add_part(TriangleId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original);
-  Divider divider(const Cut& cut) const;
-  Sign side(const Divider& d, const PlacedCorner& placed, TriangleId facet);
-  bool is_side_of(const Cut& cut, const Cut& face) const;
-  PlacedCorner placed(const PieceCorner& corner, TriangleId facet) const;
-  Side side(const Divider& d, const Part& part);
-  void take_sample(const std::vector<std::uint32_t>& parts);
-  Divider choose(const std::vector<std::uint32_t>& parts);
-  std::size_t score(const Divider& d, bool is_large);
-  struct Sorted {
-    std::vector<std::uint32_t> behind, before, inside;
-  };
-  void sort_parts(const Divider& d, const std::vector<std::uint32_t>& parts, Sorted& sorted);
+  void build_subtrees(const std::vector<Subtree>& subtrees);
+  void take_subtree(const BspTree& part, const Task& task, std::size_t acrosses);
+  void take_sample(std::span<const std::uint32_t> parts);
+  Divider choose(std::span<const std::uint32_t> parts);
+  std::size_t score_across(std::size_t axis, float at) const;
+  std::size_t score_face(const Divider& d);
+  bool sort_parts(const Divider& d, std::span<const std::uint32_t> parts);
   void divide(const Task& task);
+  void divide_small(const Task& task);
   std::array<std::uint32_t, 2> split(std::uint32_t part, const Divider& d);
+  std::uint32_t add_node(const Cut& plane, const Task& task, std::span<std::uint32_t> inside);
   std::uint64_t random() {  // splitmix64, Steele, Lea & Flood 2014
     std::uint64_t z = (seed_ += 0x9e3779b97f4a7c15U);
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
     z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
     return z ^ (z >> 31U);
   }
-  std::uint32_t any(const std::vector<std::uint32_t>& parts) {
-    return parts[static_cast<std::size_t>(random() % parts.size())];
-  }
 
-  /// Corners of some parts of a node, a coordinate at a time: what planes are tried on.
+  /// Some parts of a node, and their corners a coordinate at a time: what planes are tried on.
   struct Sample {
+    std::array<std::array<float, tested>, 3> low, high;
     std::vector<double> x, y, z, error;
     std::vector<double> side;        // of a plane, by corner: 1, before it; -1, behind; 0, or doubles do not tell
     std::vector<std::uint32_t> end;  // by part
-    std::vector<TriangleId> facet;
+    std::vector<std::uint32_t> parts;
   };
 
   BspTree& tree_;
   const Mesh& mesh_;
   Shared& shared_;
   const Sight& sight_;
-  Predicates exact_;
+  BspParts parts_;
   std::uint64_t seed_;
-  std::vector<Part> parts_;
-  std::vector<PlacedCorner> corners_;
-  std::vector<Task> waiting_;
-  std::vector<Sign> signs_;
-  std::vector<PlacedCorner> crossings_;
+  std::vector<Task> tasks_;
+  std::vector<std::uint32_t> waiting_;                   // the parts of all tasks
+  std::vector<std::uint32_t> behind_, before_, inside_;  // of a plane
+  std::vector<std::uint32_t> now_;                       // the parts of a task
+  /// The parts of a node below a small one: bit k, that in place k.
+  struct SmallNode {
+    std::uint64_t parts;
+    Task task;
+  };
+  std::vector<SmallNode> small_open_;
   Sample sample_;
-  std::vector<VertexId> vertices_;  // that planes across axes are tried at
 };
 
 /// The sides of a facet as planes parallel to an axis: they do not depend on a view.
 void BspBuilder::add_part(TriangleId facet, std::span<const VertexId> ring, int axis,
                           const std::vector<std::uint8_t>& original) {
-  Part part{facet, static_cast<std::uint32_t>(corners_.size()), 0};
+  std::vector<BspBounds::Corner> corners;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const VertexId u = ring[k], v = ring[(k + 1) % ring.size()];
-    PieceCorner c;
-    c.vertex = u;
-    c.side = {Cut::Kind::line, static_cast<std::uint8_t>(axis), std::min(u, v).value, std::max(u, v).value};
-    c.original = original[k] != 0;
-    corners_.push_back({c, sight_.point(u), 0});
+    corners.push_back({u.value, BspBounds::none,
+                       tree_.bounds_.add({std::min(u, v), std::max(u, v), static_cast<std::uint8_t>(axis), original[k] != 0})});
   }
-  check_countable(corners_.size(), "corners of a BSP");
-  part.end = static_cast<std::uint32_t>(corners_.size());
-  parts_.push_back(part);
+  parts_.find_box(parts_.add(facet, corners));
 }
 
 void BspBuilder::add_facet(TriangleId facet) {
   const TriangleId end = facet_end(mesh_, facet);
-  const int axis = dropped_axis(sight_, facet, exact_);
+  const int axis = dropped_axis(sight_, facet, parts_.exact());
   std::vector<std::uint8_t> original(3, 1);
   if (end.value - facet.value > 1) {
-    if (const std::vector<VertexId> ring = convex_ring(sight_, facet, exact_); !ring.empty()) {
+    if (const std::vector<VertexId> ring = convex_ring(sight_, facet, parts_.exact()); !ring.empty()) {
       original.assign(ring.size(), 1);
       add_part(facet, ring, axis, original);
       return;
@@ -173,114 +156,63 @@ void BspBuilder::add_facets() {
     if (facet_of(mesh_, TriangleId(i)) == TriangleId(i)) add_facet(TriangleId(i));
 }
 
-BspBuilder::Divider BspBuilder::divider(const Cut& cut) const {
-  Divider d;
-  d.cut = cut;
-  d.plane = cut_plane(sight_, cut);
-  if (cut.kind == Cut::Kind::across)
-    d.at = sight_.point(VertexId(cut.u))[cut.axis];
-  else
-    d.filter = sight_.filter(d.plane);
-  return d;
-}
-
-PlacedCorner BspBuilder::placed(const PieceCorner& corner, TriangleId facet) const {
-  PlacedCorner out{corner, {}, HUGE_VAL};
-  const auto at = near_meet(sight_.face_plane(facet), cut_plane(sight_, corner.a), cut_plane(sight_, corner.b));
-  const double error = std::max({at[0].error, at[1].error, at[2].error});
-  out.p = {at[0].value, at[1].value, at[2].value};
-  // Beyond this a coordinate would break the bound of a filter.
-  const double size = std::fabs(out.p.x) + std::fabs(out.p.y) + std::fabs(out.p.z);
-  if (exact_.filter_is_proven() && size < 0x1p100 && error < 0x1p100) out.error = std::max(error, 0x1p-1000);
-  return out;
-}
-
-/// Whether a cut is by an edge of the facet that is also one of the other face: then a corner on it lies in that face's plane.
-bool BspBuilder::is_side_of(const Cut& cut, const Cut& face) const {
-  if (cut.kind != Cut::Kind::line) return false;
-  const auto& c = mesh_.triangles[TriangleId(face.u)];
-  const auto has = [&](std::uint32_t v) { return v == c[0].value || v == c[1].value || v == c[2].value; };
-  return has(cut.u) && has(cut.v);
-}
-
-/// On which side of the plane a corner of a part lies.
-Sign BspBuilder::side(const Divider& d, const PlacedCorner& placed, TriangleId facet) {
-  const PieceCorner& corner = placed.corner;
-  const bool across = d.cut.kind == Cut::Kind::across;
-  if (corner.vertex.is_valid()) {
-    if (across) return sign_of(placed.p[d.cut.axis] - d.at);
-    const auto& c = mesh_.triangles[TriangleId(d.cut.u)];
-    if (corner.vertex == c[0] || corner.vertex == c[1] || corner.vertex == c[2]) return Sign::zero;
-    const ErrorBounded x = d.filter(placed.p);
-    return x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(d.plane, placed.p);
-  }
-  if (corner.a == d.cut || corner.b == d.cut) return Sign::zero;
-  if (!across && (is_side_of(corner.a, d.cut) || is_side_of(corner.b, d.cut))) return Sign::zero;
-  ErrorBounded x;
-  if (across) {
-    x = ErrorBounded{placed.p[d.cut.axis], placed.error} - ErrorBounded{d.at, 0};
-  } else {
-    x = d.filter(placed.p);
-    x.error +=
-        (std::fabs(d.filter.nx) + std::fabs(d.filter.ny) + std::fabs(d.filter.nz) + 3 * d.filter.slope) * placed.error * 1.01;
-  }
-  if (x.is_certain()) return sign_of(x.value);
-  return exact_.side(d.plane, sight_.face_plane(facet), cut_plane(sight_, corner.a), cut_plane(sight_, corner.b));
-}
-
-Side BspBuilder::side(const Divider& d, const Part& part) {
-  if (d.cut.kind == Cut::Kind::face && TriangleId(d.cut.u) == part.facet) return Side::inside;
-  bool before = false, behind = false;
-  for (std::uint32_t k = part.first; k < part.end; ++k) {
-    const Sign s = side(d, corners_[k], part.facet);
-    before = before || s == Sign::positive;
-    behind = behind || s == Sign::negative;
-    if (before && behind) return Side::both;
-  }
-  return before ? Side::before : behind ? Side::behind : Side::inside;
-}
-
-void BspBuilder::take_sample(const std::vector<std::uint32_t>& parts) {
+void BspBuilder::take_sample(std::span<const std::uint32_t> parts) {
   Sample& s = sample_;
   for (std::vector<double>* v : {&s.x, &s.y, &s.z, &s.error}) v->clear();
   s.end.clear();
-  s.facet.clear();
+  s.parts.clear();
   const std::size_t n = std::min(tested, parts.size());
   for (std::size_t k = 0; k < n; ++k) {
-    const Part& part = parts_[parts[k * parts.size() / n]];
-    for (std::uint32_t c = part.first; c < part.end; ++c) {
-      const PlacedCorner& corner = corners_[c];
+    const std::uint32_t index = parts[k * parts.size() / n];
+    const BspParts::Part& part = parts_[index];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      s.low[axis][k] = part.low[axis];
+      s.high[axis][k] = part.high[axis];
+    }
+    for (const BspParts::Corner& corner : parts_.corners(part)) {
       s.x.push_back(corner.p.x);
       s.y.push_back(corner.p.y);
       s.z.push_back(corner.p.z);
       s.error.push_back(corner.error);
     }
     s.end.push_back(static_cast<std::uint32_t>(s.x.size()));
-    s.facet.push_back(part.facet);
+    s.parts.push_back(index);
   }
   s.side.resize(s.x.size());
 }
 
-/// Little is good: cuts, and parts more on one side than on the other. As large as possible: the plane divides nothing. By
-/// doubles: what is too near to the plane for them counts as in it, and no tree is wrong for that.
-std::size_t BspBuilder::score(const Divider& d, bool is_large) {
+/// As large as possible: the plane divides nothing. By floats: no tree is wrong for a wrong guess.
+std::size_t BspBuilder::score_across(std::size_t axis, float at) const {
+  const std::size_t n = sample_.parts.size();
+  const float *const low = sample_.low[axis].data(), *const high = sample_.high[axis].data();
+  std::uint32_t only_behind = 0, only_before = 0, inside = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t is_behind = low[k] < at ? 1 : 0, is_before = high[k] > at ? 1 : 0;
+    only_behind += is_behind & ~is_before;
+    only_before += is_before & ~is_behind;
+    inside += 1U & ~(is_behind | is_before);
+  }
+  const std::size_t both = n - only_behind - only_before - inside, behind = only_behind, before = only_before;
+  const bool divides = (behind > 0 && before > 0) || inside > 0;
+  if (!divides || behind + both == n || before + both == n) return ~std::size_t{0};
+  // Where all others lie on one side, it takes the faces in it out of a large node, and no more.
+  if ((behind + both == 0 || before + both == 0) && inside <= 1) return 2 * n;
+  return score(behind, before, both);
+}
+
+/// By doubles: what is too near to the plane for them counts as in it.
+std::size_t BspBuilder::score_face(const Divider& d) {
   Sample& s = sample_;
   const std::size_t corners = s.x.size(), n = s.end.size();
-  const bool is_face = d.cut.kind == Cut::Kind::face;
   double* const sides = s.side.data();
   const double* const error = s.error.data();
-  const auto side = [](double value, double bound) { return (value > bound ? 1.0 : 0.0) - (value < -bound ? 1.0 : 0.0); };
-  if (is_face) {
-    const PlaneFilter f = d.filter;
-    const double spread = (std::fabs(f.nx) + std::fabs(f.ny) + std::fabs(f.nz) + 3 * f.slope) * 1.01;
-    const double *const x = s.x.data(), *const y = s.y.data(), *const z = s.z.data();
-    for (std::size_t i = 0; i < corners; ++i) {
-      const ErrorBounded value = f({x[i], y[i], z[i]});
-      sides[i] = side(value.value, value.error + spread * error[i]);
-    }
-  } else {
-    const double* const at = d.cut.axis == 0 ? s.x.data() : d.cut.axis == 1 ? s.y.data() : s.z.data();
-    for (std::size_t i = 0; i < corners; ++i) sides[i] = side(at[i] - d.at, error[i]);
+  const double *const x = s.x.data(), *const y = s.y.data(), *const z = s.z.data();
+  const PlaneFilter f = d.filter;
+  const double spread = d.spread;
+  for (std::size_t i = 0; i < corners; ++i) {
+    const ErrorBounded value = f({x[i], y[i], z[i]});
+    const double bound = value.error + spread * error[i];
+    sides[i] = (value.value > bound ? 1.0 : 0.0) - (value.value < -bound ? 1.0 : 0.0);
   }
   std::array<std::size_t, 4> count = {0, 0, 0, 0};  // by whether some is behind, and before
   std::uint32_t corner = 0;
@@ -290,192 +222,304 @@ std::size_t BspBuilder::score(const Divider& d, bool is_large) {
       least = std::min(least, sides[corner]);
       most = std::max(most, sides[corner]);
     }
-    const bool is_own = is_face && TriangleId(d.cut.u) == s.facet[k];
+    const bool is_own = d.id == BspBounds::facet(parts_[s.parts[k]].facet);
     ++count[is_own ? 0U : unsigned{least < 0} | unsigned{most > 0} << 1U];
   }
   const auto [inside, behind, before, both] = count;
   const bool divides = (behind > 0 && before > 0) || inside > 0;
-  if (!divides || behind + both == n || before + both == n) return is_face ? 9 * n : ~std::size_t{0};
-  // A face that all others lie on one side of takes itself out of a large node, and no more.
-  if (is_large && (behind + both == 0 || before + both == 0) && inside <= 1) return 2 * n;
-  return 8 * both + (behind > before ? behind - before : before - behind);
+  if (!divides || behind + both == n || before + both == n) return 9 * n;
+  if ((behind + both == 0 || before + both == 0) && inside <= 1) return 2 * n;
+  return score(behind, before, both);
 }
 
-BspBuilder::Divider BspBuilder::choose(const std::vector<std::uint32_t>& parts) {
-  if (parts.size() == 1) return divider({Cut::Kind::face, 0, parts_[parts.front()].facet.value, 0});
+/// Of a large node: planes across the axes at quantiles of some vertices, and planes of some faces.
+BspBuilder::Divider BspBuilder::choose(std::span<const std::uint32_t> parts) {
   take_sample(parts);
-  const bool is_small = parts.size() <= small_node;
-  Divider best;
-  std::size_t least = ~std::size_t{0};
-  const auto consider = [&](const Cut& cut) {
-    const Divider d = divider(cut);
-    const std::size_t s = score(d, !is_small);
-    if (s >= least) return;
-    least = s;
-    best = d;
-  };
-  if (!is_small) {
-    // Vertices at quantiles of each coordinate.
-    vertices_.clear();
-    for (std::size_t k = 0; k < 31; ++k) {
-      const Part& part = parts_[any(parts)];
-      const VertexId v = corners_[part.first + random() % (part.end - part.first)].corner.vertex;
-      if (v.is_valid()) vertices_.push_back(v);
-    }
-    for (int axis = 0; axis < 3 && !vertices_.empty(); ++axis) {
-      std::sort(vertices_.begin(), vertices_.end(), [&](VertexId u, VertexId v) {
-        return std::pair(sight_.point(u)[axis], u) < std::pair(sight_.point(v)[axis], v);
-      });
-      for (const std::size_t tenths : {3U, 4U, 5U, 6U, 7U})
-        consider({Cut::Kind::across, static_cast<std::uint8_t>(axis), vertices_[vertices_.size() * tenths / 10].value, 0});
+  struct Best {
+    std::size_t score = ~std::size_t{0};
+    VertexId vertex;
+    int axis = 0;
+  } best;
+  constexpr std::size_t vertices = 31;
+  std::array<VertexId, vertices> some;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < vertices; ++k) {
+    const auto corners = parts_.corners(parts_[parts[static_cast<std::size_t>(random() % parts.size())]]);
+    const BspBounds::Corner& c = corners[static_cast<std::size_t>(random() % corners.size())].bounds;
+    if (c.is_vertex()) some[count++] = VertexId(c.a);
+  }
+  for (int axis = 0; axis < 3 && count > 0; ++axis) {
+    struct Place {
+      double at;
+      VertexId vertex;
+    };
+    std::array<Place, vertices> places;
+    for (std::size_t k = 0; k < count; ++k) places[k] = {sight_.point(some[k])[axis], some[k]};
+    std::sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count),
+              [](const Place& x, const Place& y) { return x.at != y.at ? x.at < y.at : x.vertex < y.vertex; });
+    for (const std::size_t tenths : {3U, 4U, 5U, 6U, 7U}) {
+      const Place& place = places[count * tenths / 10];
+      const std::size_t s = score_across(static_cast<std::size_t>(axis), static_cast<float>(place.at));
+      if (s < best.score) best = {s, place.vertex, axis};
     }
   }
-  const std::size_t planes = is_small ? std::min<std::size_t>(8, parts.size()) : 4;
-  // In a small node the first plane that cuts nothing is good enough.
-  for (std::size_t k = 0; k < planes && !(is_small && least <= parts.size()); ++k) {
-    const std::uint32_t part = is_small ? parts[k * parts.size() / planes] : any(parts);
-    consider({Cut::Kind::face, 0, parts_[part].facet.value, 0});
+  Divider face;
+  bool is_face = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint32_t part = parts[static_cast<std::size_t>(random() % parts.size())];
+    const Divider d = parts_.divider(parts_[part].facet);
+    const std::size_t s = score_face(d);
+    if (s >= best.score) continue;
+    best.score = s;
+    face = d;
+    is_face = true;
   }
-  return best;
+  if (is_face) return face;
+  Divider across = parts_.divider(best.vertex, best.axis);
+  across.id = BspBounds::across(tree_.bounds_.acrosses.size());
+  return across;
 }
 
-/// The parts behind and before the plane.
-std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t index, const Divider& d) {
-  const Part part = parts_[index];
-  const std::size_t n = part.end - part.first;
-  signs_.clear();
-  for (std::uint32_t k = part.first; k < part.end; ++k) signs_.push_back(side(d, corners_[k], part.facet));
-  // A convex part has two sides that cross the plane, or fewer; both halves have the corners there.
-  crossings_.clear();
-  for (std::size_t k = 0; k < n; ++k) {
-    const PieceCorner& c = corners_[part.first + k].corner;
-    if (signs_[k] * signs_[(k + 1) % n] == Sign::negative)
-      crossings_.push_back(placed({{}, c.side, d.cut, c.side, c.original}, part.facet));
-  }
-  std::array<std::uint32_t, 2> halves;
-  for (const Sign wanted : {Sign::negative, Sign::positive}) {
-    Part half{part.facet, static_cast<std::uint32_t>(corners_.size()), 0};
-    auto crossing = crossings_.begin();
-    for (std::size_t k = 0; k < n; ++k) {
-      const PlacedCorner corner = corners_[part.first + k];
-      const Sign here = signs_[k] * wanted, next = signs_[(k + 1) % n] * wanted;
-      const auto along_cut = [&](PlacedCorner c) {  // here the plane takes over
-        c.corner.side = d.cut;
-        c.corner.original = false;
-        return c;
-      };
-      if (here == Sign::positive) {
-        corners_.push_back(corner);
-        if (next == Sign::negative) corners_.push_back(along_cut(*crossing++));
-      } else if (here == Sign::zero) {
-        corners_.push_back(next == Sign::positive ? corner : along_cut(corner));
-      } else if (next == Sign::positive) {
-        corners_.push_back(*crossing++);
-      }
-    }
-    half.end = static_cast<std::uint32_t>(corners_.size());
-    halves[wanted == Sign::positive ? 1 : 0] = static_cast<std::uint32_t>(parts_.size());
-    parts_.push_back(half);
-  }
-  check_countable(corners_.size(), "corners of a BSP");
+std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t part, const Divider& d) {
   ++tree_.splits_;
   if (++shared_.pieces > shared_.most)
     throw InputError("bsp: this scene takes more than " + std::to_string(shared_.most) +
                      " pieces, expected fewer: --method depth-sort cuts less");
-  return halves;
+  return parts_.split(part, d);
 }
 
-void BspBuilder::sort_parts(const Divider& d, const std::vector<std::uint32_t>& parts, Sorted& sorted) {
-  for (const std::uint32_t part : parts) switch (side(d, parts_[part])) {
-      case Side::behind:
-        sorted.behind.push_back(part);
-        break;
-      case Side::before:
-        sorted.before.push_back(part);
-        break;
-      case Side::inside:
-        sorted.inside.push_back(part);
-        break;
-      case Side::both: {
-        const auto halves = split(part, d);
-        sorted.behind.push_back(halves[0]);
-        sorted.before.push_back(halves[1]);
-        break;
-      }
+/// False: nothing is divided.
+bool BspBuilder::sort_parts(const Divider& d, std::span<const std::uint32_t> parts) {
+  behind_.clear();
+  before_.clear();
+  inside_.clear();
+  const auto axis = static_cast<std::size_t>(d.cut.axis);
+  const auto at = static_cast<float>(d.at);
+  for (const std::uint32_t index : parts) {
+    const BspParts::Part& part = parts_[index];
+    BspParts::Sides sides;
+    // Most boxes tell.
+    if (d.is_across() && (part.high[axis] < at || part.low[axis] > at))
+      sides = {part.high[axis]<at, part.low[axis]> at};
+    else
+      sides = parts_.sides(d, part);
+    if (sides.behind && sides.before) {
+      const auto [behind, before] = split(index, d);
+      for (const std::uint32_t half : {behind, before}) parts_.find_box(half);
+      behind_.push_back(behind);
+      before_.push_back(before);
+    } else {
+      (sides.behind ? behind_ : sides.before ? before_ : inside_).push_back(index);
     }
+  }
+  return !inside_.empty() || (!behind_.empty() && !before_.empty());
 }
 
-void BspBuilder::divide(const Task& task) {
-  Divider d = choose(task.parts);
-  Sorted sorted;
-  sort_parts(d, task.parts, sorted);
-  auto& [behind, before, inside] = sorted;
-  if (inside.empty() && (behind.empty() || before.empty())) {
-    // Doubles were mistaken about a plane across an axis. The plane of a face always has that face in it.
-    sorted = {};
-    d = divider({Cut::Kind::face, 0, parts_[task.parts.front()].facet.value, 0});
-    sort_parts(d, task.parts, sorted);
-  }
+/// A node with the parts that lie in its plane.
+std::uint32_t BspBuilder::add_node(const Cut& plane, const Task& task, std::span<std::uint32_t> inside) {
   const auto node = static_cast<std::uint32_t>(tree_.nodes_.size());
-  tree_.nodes_.push_back({d.cut, 0, 0, static_cast<std::uint32_t>(tree_.pieces_.size()), 0});
+  const auto first = static_cast<std::uint32_t>(tree_.pieces_.size());
   tree_.depth_ = std::max<std::size_t>(tree_.depth_, task.depth);
   if (node > 0) (task.is_before ? tree_.nodes_[task.parent].before : tree_.nodes_[task.parent].behind) = node;
-  std::stable_sort(inside.begin(), inside.end(),
-                   [&](std::uint32_t x, std::uint32_t y) { return parts_[x].facet < parts_[y].facet; });
-  for (const std::uint32_t part : inside) {
-    const auto first = static_cast<std::uint32_t>(tree_.corners_.size());
-    for (std::uint32_t k = parts_[part].first; k < parts_[part].end; ++k) tree_.corners_.push_back(corners_[k].corner);
-    tree_.pieces_.push_back({parts_[part].facet, first, static_cast<std::uint32_t>(tree_.corners_.size())});
+  if (inside.size() > 1)
+    std::stable_sort(inside.begin(), inside.end(),
+                     [&](std::uint32_t x, std::uint32_t y) { return parts_[x].facet < parts_[y].facet; });
+  for (const std::uint32_t index : inside) {
+    const BspParts::Part& part = parts_[index];
+    const auto corner = static_cast<std::uint32_t>(tree_.corners_.size());
+    for (const BspParts::Corner& c : parts_.corners(part)) tree_.corners_.push_back(c.bounds);
+    tree_.pieces_.push_back({part.facet, corner, static_cast<std::uint32_t>(tree_.corners_.size())});
   }
-  tree_.nodes_[node].end_piece = static_cast<std::uint32_t>(tree_.pieces_.size());
-  if (!before.empty()) waiting_.push_back({std::move(before), node, true, task.depth + 1});
-  if (!behind.empty()) waiting_.push_back({std::move(behind), node, false, task.depth + 1});
+  tree_.nodes_.push_back({plane, 0, 0, first, static_cast<std::uint32_t>(tree_.pieces_.size())});
+  return node;
+}
+
+/// The parts of the task are the last that wait.
+void BspBuilder::divide(const Task& task) {
+  now_.assign(waiting_.begin() + static_cast<std::ptrdiff_t>(task.first), waiting_.end());
+  waiting_.resize(task.first);
+  Divider d = choose(now_);
+  if (!sort_parts(d, now_)) {
+    // Floats were mistaken about a plane across an axis. The plane of a face always has that face in it.
+    d = parts_.divider(parts_[now_.front()].facet);
+    sort_parts(d, now_);
+  }
+  if (d.is_across()) tree_.bounds_.add_across(d.cut);
+  const std::uint32_t node = add_node(d.cut, task, inside_);
+  for (const bool is_before : {true, false}) {
+    const std::vector<std::uint32_t>& side = is_before ? before_ : behind_;
+    if (side.empty()) continue;
+    tasks_.push_back({waiting_.size(), node, is_before, task.depth + 1});
+    waiting_.insert(waiting_.end(), side.begin(), side.end());
+  }
+}
+
+/// All that is below a small node. On which side of a face's plane a part lies is asked once, and kept for all nodes below, as
+/// one bit of a word for each part: the best of many planes costs little.
+void BspBuilder::divide_small(const Task& task) {
+  constexpr std::size_t most = 64;
+  struct Row {  // of a plane: bit k, of the part in place k
+    std::uint64_t known = 0, behind = 0, before = 0;
+  };
+  std::array<std::uint32_t, most> part;  // by place
+  std::array<std::uint8_t, most> plane;  // by place: that of its facet
+  std::array<Divider, small_node> dividers;
+  std::array<Row, small_node> rows;
+  std::size_t planes = 0;
+  std::uint64_t used = 0;
+  for (std::size_t k = task.first; k < waiting_.size(); ++k) {
+    const std::size_t place = k - task.first;
+    part[place] = waiting_[k];
+    plane[place] = static_cast<std::uint8_t>(planes++);
+    used |= std::uint64_t{1} << place;
+  }
+  waiting_.resize(task.first);
+  std::uint64_t prepared = 0;  // planes
+  const auto find_row = [&](std::size_t of, std::uint64_t parts) -> const Row& {
+    const std::size_t p = plane[of];
+    if ((prepared >> p & 1U) == 0) {
+      dividers[p] = parts_.divider(parts_[part[of]].facet);
+      prepared |= std::uint64_t{1} << p;
+    }
+    Row& row = rows[p];
+    for (std::uint64_t open = parts & ~row.known; open != 0; open &= open - 1) {
+      const int k = std::countr_zero(open);
+      const BspParts::Sides sides = parts_.sides(dividers[p], parts_[part[static_cast<std::size_t>(k)]]);
+      row.behind |= std::uint64_t{sides.behind} << k;
+      row.before |= std::uint64_t{sides.before} << k;
+    }
+    row.known |= parts;
+    return row;
+  };
+  std::vector<SmallNode>& open = small_open_;
+  open.assign(1, {used, task});
+  while (!open.empty()) {
+    const SmallNode node = open.back();
+    open.pop_back();
+    const auto n = static_cast<std::size_t>(std::popcount(node.parts));
+    std::size_t least = ~std::size_t{0}, best = 0, tries = n > 1 ? 8 : 0;
+    for (std::uint64_t left = node.parts; left != 0; left &= left - 1) {
+      const auto place = static_cast<std::size_t>(std::countr_zero(left));
+      if (n == 1) {
+        best = place;
+        break;
+      }
+      // Planes that have been tried above cost nothing.
+      const bool is_known = (node.parts & ~rows[plane[place]].known) == 0;
+      if (!is_known && tries == 0) continue;
+      if (!is_known) --tries;
+      const Row& row = find_row(place, node.parts);
+      const auto count = [&](std::uint64_t parts) { return static_cast<std::size_t>(std::popcount(parts & node.parts)); };
+      const std::size_t s =
+          score(count(row.behind & ~row.before), count(row.before & ~row.behind), count(row.behind & row.before));
+      if (s < least) {
+        least = s;
+        best = place;
+      }
+      if (s <= n) break;
+    }
+    const Row row = find_row(best, node.parts);
+    const std::uint8_t own = plane[best];
+    std::uint64_t behind = node.parts & row.behind & ~row.before, before = node.parts & row.before & ~row.behind;
+    const std::uint64_t both = node.parts & row.behind & row.before, inside = node.parts & ~(row.behind | row.before);
+    if (static_cast<std::size_t>(std::popcount(used) + std::popcount(both)) > most) {
+      // More than there are places for.
+      tasks_.push_back({waiting_.size(), node.task.parent, node.task.is_before, node.task.depth});
+      for (std::uint64_t left = node.parts; left != 0; left &= left - 1) {
+        waiting_.push_back(part[static_cast<std::size_t>(std::countr_zero(left))]);
+        parts_.find_box(waiting_.back());
+      }
+      used &= ~node.parts;
+      continue;
+    }
+    for (std::uint64_t left = both; left != 0; left &= left - 1) {
+      const int k = std::countr_zero(left), other = std::countr_zero(~used);
+      const std::uint64_t bit = std::uint64_t{1} << k, other_bit = std::uint64_t{1} << other;
+      const auto halves = split(part[static_cast<std::size_t>(k)], dividers[own]);
+      part[static_cast<std::size_t>(k)] = halves[0];
+      part[static_cast<std::size_t>(other)] = halves[1];
+      plane[static_cast<std::size_t>(other)] = plane[static_cast<std::size_t>(k)];
+      used |= other_bit;
+      behind |= bit;
+      before |= other_bit;
+      // What is true of the whole is true of both; a plane that cuts the whole is asked again.
+      for (std::size_t p = 0; p < planes; ++p) {
+        Row& r = rows[p];
+        const bool was_cut = (r.behind & r.before & bit) != 0;
+        if (was_cut) {
+          r.known &= ~bit;
+          r.behind &= ~bit;
+          r.before &= ~bit;
+        }
+        for (std::uint64_t* bits : {&r.known, &r.behind, &r.before})
+          *bits = (*bits & ~other_bit) | ((*bits & bit) != 0 ? other_bit : 0);
+      }
+    }
+    inside_.clear();
+    for (std::uint64_t left = inside; left != 0; left &= left - 1)
+      inside_.push_back(part[static_cast<std::size_t>(std::countr_zero(left))]);
+    used &= ~inside;
+    const std::uint32_t at = add_node(dividers[own].cut, node.task, inside_);
+    if (before != 0) open.push_back({before, {0, at, true, node.task.depth + 1}});
+    if (behind != 0) open.push_back({behind, {0, at, false, node.task.depth + 1}});
+  }
 }
 
 /// The top of the tree first, then what is below it in parallel: where it is parted does not depend on the threads.
 void BspBuilder::build() {
   constexpr std::size_t least = 16'384, share = 32;
   const std::size_t small = std::max(least, parts_.size() / share);
-  std::vector<Task> subtrees;
-  Task all{{}, 0, false, 1};
-  for (std::uint32_t k = 0; k < parts_.size(); ++k) all.parts.push_back(k);
-  if (!all.parts.empty()) waiting_.push_back(std::move(all));
+  std::vector<Subtree> subtrees;
+  for (std::uint32_t k = 0; k < parts_.size(); ++k) waiting_.push_back(k);
+  if (!waiting_.empty()) tasks_.push_back({0, 0, false, 1});
   const bool is_large = parts_.size() > small;
-  while (!waiting_.empty()) {
-    Task task = std::move(waiting_.back());
-    waiting_.pop_back();
-    if (is_large && task.parts.size() <= small)
-      subtrees.push_back(std::move(task));
-    else
+  while (!tasks_.empty()) {
+    const Task task = tasks_.back();
+    tasks_.pop_back();
+    const std::size_t n = waiting_.size() - task.first;
+    if (is_large && n <= small) {
+      subtrees.push_back({{waiting_.begin() + static_cast<std::ptrdiff_t>(task.first), waiting_.end()}, task});
+      waiting_.resize(task.first);
+    } else if (n <= small_node) {
+      divide_small(task);
+    } else {
       divide(task);
+    }
   }
-  build_subtrees(std::move(subtrees));
-  tree_.decisions_ += exact_.counts();
+  build_subtrees(subtrees);
+  tree_.decisions_ += parts_.exact().counts();
 }
 
-void BspBuilder::take_parts(const BspBuilder& from, const std::vector<std::uint32_t>& parts) {
-  for (const std::uint32_t p : parts) {
-    const Part& part = from.parts_[p];
-    const auto first = static_cast<std::uint32_t>(corners_.size());
-    corners_.insert(corners_.end(), from.corners_.begin() + part.first, from.corners_.begin() + part.end);
-    parts_.push_back({part.facet, first, static_cast<std::uint32_t>(corners_.size())});
-  }
-}
-
-void BspBuilder::build_subtrees(std::vector<Task> tasks) {
-  std::vector<BspTree> built(tasks.size(), BspTree());
+void BspBuilder::build_subtrees(const std::vector<Subtree>& subtrees) {
+  std::vector<BspTree> built(subtrees.size(), BspTree());
   const std::uint64_t seed = seed_;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks.size(), 1), [&](const auto& range) {
+  const std::vector<Cut> acrosses = tree_.bounds_.acrosses;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, subtrees.size(), 1), [&](const auto& range) {
     for (std::size_t k = range.begin(); k != range.end(); ++k) {
+      built[k].bounds_.acrosses = acrosses;
       BspBuilder builder(built[k], shared_, seed + k);
-      builder.take_parts(*this, tasks[k].parts);
+      for (const std::uint32_t part : subtrees[k].parts) builder.parts_.add(parts_, parts_[part]);
       builder.build();
     }
   });
-  for (std::size_t k = 0; k < tasks.size(); ++k) take_subtree(std::move(built[k]), tasks[k]);
+  std::size_t nodes = tree_.nodes_.size(), pieces = tree_.pieces_.size(), corners = tree_.corners_.size();
+  for (const BspTree& part : built) {
+    nodes += part.nodes_.size();
+    pieces += part.pieces_.size();
+    corners += part.corners_.size();
+  }
+  check_countable(corners, "corners of a BSP");
+  tree_.nodes_.reserve(nodes);
+  tree_.pieces_.reserve(pieces);
+  tree_.corners_.reserve(corners);
+  for (std::size_t k = 0; k < subtrees.size(); ++k) {
+    take_subtree(built[k], subtrees[k].task, acrosses.size());
+    built[k] = BspTree();
+  }
 }
 
-void BspBuilder::take_subtree(BspTree&& part, const Task& task) {
+/// @param acrosses how many of its planes across an axis are those of the top of the tree
+void BspBuilder::take_subtree(const BspTree& part, const Task& task, std::size_t acrosses) {
   const auto node = static_cast<std::uint32_t>(tree_.nodes_.size()), piece = static_cast<std::uint32_t>(tree_.pieces_.size()),
              corner = static_cast<std::uint32_t>(tree_.corners_.size());
   (task.is_before ? tree_.nodes_[task.parent].before : tree_.nodes_[task.parent].behind) = node;
@@ -491,8 +535,13 @@ void BspBuilder::take_subtree(BspTree&& part, const Task& task) {
     p.end_corner += corner;
     tree_.pieces_.push_back(p);
   }
-  tree_.corners_.insert(tree_.corners_.end(), part.corners_.begin(), part.corners_.end());
-  check_countable(tree_.corners_.size(), "corners of a BSP");
+  const auto shift = static_cast<std::uint32_t>(tree_.bounds_.acrosses.size() - acrosses);
+  const auto shifted = [&](BspBounds::Id id) {
+    return id != BspBounds::none && BspBounds::is_across(id) && BspBounds::place(id) >= acrosses ? id + shift : id;
+  };
+  for (const BspBounds::Corner& c : part.corners_)
+    tree_.corners_.push_back({c.is_vertex() ? c.a : shifted(c.a), shifted(c.b), shifted(c.side)});
+  for (std::size_t k = acrosses; k < part.bounds_.acrosses.size(); ++k) tree_.bounds_.add_across(part.bounds_.acrosses[k]);
   tree_.depth_ = std::max(tree_.depth_, part.depth_ + task.depth - 1);
   tree_.splits_ += part.splits_;
   tree_.decisions_ += part.decisions_;
@@ -501,7 +550,7 @@ void BspBuilder::take_subtree(BspTree&& part, const Task& task) {
 BspTree::BspTree(const Mesh& mesh, const BspOptions& options) : mesh_(&mesh) {
   if (mesh.triangles.empty()) return;
   const Sight sight(mesh, any_view(), Arithmetic::staged);
-  BspBuilder::Shared shared{sight};
+  BspBuilder::Shared shared{sight, bounds_.sides};
   BspBuilder builder(*this, shared, options.seed);
   builder.add_facets();
   shared.pieces = builder.parts();
