@@ -119,6 +119,7 @@ class BspBuilder {
     Task task;
   };
   std::vector<SmallNode> small_open_;
+  std::array<Divider, small_node> small_dividers_;
   Sample sample_;
 };
 
@@ -152,6 +153,9 @@ void BspBuilder::add_facet(TriangleId facet) {
 }
 
 void BspBuilder::add_facets() {
+  const std::size_t n = mesh_.triangles.size();
+  parts_.reserve(n, 3 * n);
+  tree_.bounds_.sides.reserve(3 * n);
   for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
     if (facet_of(mesh_, TriangleId(i)) == TriangleId(i)) add_facet(TriangleId(i));
 }
@@ -363,7 +367,6 @@ void BspBuilder::divide_small(const Task& task) {
   };
   std::array<std::uint32_t, most> part;  // by place
   std::array<std::uint8_t, most> plane;  // by place: that of its facet
-  std::array<Divider, small_node> dividers;
   std::array<Row, small_node> rows;
   std::size_t planes = 0;
   std::uint64_t used = 0;
@@ -378,13 +381,13 @@ void BspBuilder::divide_small(const Task& task) {
   const auto find_row = [&](std::size_t of, std::uint64_t parts) -> const Row& {
     const std::size_t p = plane[of];
     if ((prepared >> p & 1U) == 0) {
-      dividers[p] = parts_.divider(parts_[part[of]].facet);
+      small_dividers_[p] = parts_.divider(parts_[part[of]].facet);
       prepared |= std::uint64_t{1} << p;
     }
     Row& row = rows[p];
     for (std::uint64_t open = parts & ~row.known; open != 0; open &= open - 1) {
       const int k = std::countr_zero(open);
-      const BspParts::Sides sides = parts_.sides(dividers[p], parts_[part[static_cast<std::size_t>(k)]]);
+      const BspParts::Sides sides = parts_.sides(small_dividers_[p], parts_[part[static_cast<std::size_t>(k)]]);
       row.behind |= std::uint64_t{sides.behind} << k;
       row.before |= std::uint64_t{sides.before} << k;
     }
@@ -418,7 +421,7 @@ void BspBuilder::divide_small(const Task& task) {
       }
       if (s <= n) break;
     }
-    const Row row = find_row(best, node.parts);
+    const Row row = n == 1 ? Row() : find_row(best, node.parts);
     const std::uint8_t own = plane[best];
     std::uint64_t behind = node.parts & row.behind & ~row.before, before = node.parts & row.before & ~row.behind;
     const std::uint64_t both = node.parts & row.behind & row.before, inside = node.parts & ~(row.behind | row.before);
@@ -435,7 +438,7 @@ void BspBuilder::divide_small(const Task& task) {
     for (std::uint64_t left = both; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left), other = std::countr_zero(~used);
       const std::uint64_t bit = std::uint64_t{1} << k, other_bit = std::uint64_t{1} << other;
-      const auto halves = split(part[static_cast<std::size_t>(k)], dividers[own]);
+      const auto halves = split(part[static_cast<std::size_t>(k)], small_dividers_[own]);
       part[static_cast<std::size_t>(k)] = halves[0];
       part[static_cast<std::size_t>(other)] = halves[1];
       plane[static_cast<std::size_t>(other)] = plane[static_cast<std::size_t>(k)];
@@ -459,7 +462,7 @@ void BspBuilder::divide_small(const Task& task) {
     for (std::uint64_t left = inside; left != 0; left &= left - 1)
       inside_.push_back(part[static_cast<std::size_t>(std::countr_zero(left))]);
     used &= ~inside;
-    const std::uint32_t at = add_node(dividers[own].cut, node.task, inside_);
+    const std::uint32_t at = add_node({Cut::Kind::face, 0, parts_[part[best]].facet.value, 0}, node.task, inside_);
     if (before != 0) open.push_back({before, {0, at, true, node.task.depth + 1}});
     if (behind != 0) open.push_back({behind, {0, at, false, node.task.depth + 1}});
   }

@@ -46,8 +46,7 @@ BspParts::Divider BspParts::divider(TriangleId facet) const {
   Divider d;
   d.cut = {Cut::Kind::face, 0, facet.value, 0};
   d.id = BspBounds::facet(facet);
-  d.plane = sight_.face_plane(facet);
-  d.filter = sight_.filter(d.plane);
+  d.filter = sight_.filter(sight_.face_plane(facet));
   d.vertices = sight_.mesh().triangles[facet];
   d.spread = (std::fabs(d.filter.nx) + std::fabs(d.filter.ny) + std::fabs(d.filter.nz) + 3 * d.filter.slope) * 1.01;
   return d;
@@ -56,7 +55,6 @@ BspParts::Divider BspParts::divider(TriangleId facet) const {
 BspParts::Divider BspParts::divider(VertexId v, int axis) const {
   Divider d;
   d.cut = {Cut::Kind::across, static_cast<std::uint8_t>(axis), v.value, 0};
-  d.plane = cut_plane(sight_, d.cut);
   d.at = sight_.point(v)[axis];
   return d;
 }
@@ -76,7 +74,7 @@ Sign BspParts::side_beyond_filter(const Divider& d, const Corner& corner, Triang
   const auto is_of_divider = [&](VertexId v) { return v == d.vertices[0] || v == d.vertices[1] || v == d.vertices[2]; };
   if (c.is_vertex()) {
     if (d.is_across()) return sign_of(corner.p[d.cut.axis] - d.at);
-    return is_of_divider(VertexId(c.a)) ? Sign::zero : exact_.side_beyond_filter(d.plane, corner.p);
+    return is_of_divider(VertexId(c.a)) ? Sign::zero : exact_.side_beyond_filter(cut_plane(sight_, d.cut), corner.p);
   }
   if (c.a == d.id || c.b == d.id) return Sign::zero;
   // On an edge of the facet that is also one of the divider's.
@@ -85,7 +83,7 @@ Sign BspParts::side_beyond_filter(const Divider& d, const Corner& corner, Triang
       const BspBounds::Side& side = sides_[BspBounds::place(id)];
       if (is_of_divider(side.u) && is_of_divider(side.v)) return Sign::zero;
     }
-  return exact_.side(d.plane, sight_.face_plane(facet), plane(c.a), plane(c.b));
+  return exact_.side(cut_plane(sight_, d.cut), sight_.face_plane(facet), plane(c.a), plane(c.b));
 }
 
 BspParts::Sides BspParts::sides(const Divider& d, const Part& part) {
@@ -122,7 +120,7 @@ BspParts::Corner BspParts::crossing(const Divider& d, const Part& part, std::siz
     out.error = 1.01 * (std::max(from.error, to.error) + length * (t_error + 4 * ErrorBounded::u) + 2 * ErrorBounded::u * size);
   }
   if (!(out.error < 0x1p-40)) {
-    const auto at = near_meet(sight_.face_plane(part.facet), plane(out.bounds.a), d.plane);
+    const auto at = near_meet(sight_.face_plane(part.facet), plane(out.bounds.a), cut_plane(sight_, d.cut));
     out.p = {at[0].value, at[1].value, at[2].value};
     out.error = std::max({at[0].error, at[1].error, at[2].error});
   }

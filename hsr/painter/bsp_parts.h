@@ -32,7 +32,6 @@ class BspParts {
   struct Divider {
     Cut cut;
     BspBounds::Id id = BspBounds::none;  // across: once it divides
-    Plane plane;
     PlaneFilter filter;
     std::array<VertexId, 3> vertices;  // of a facet
     double spread = 0;                 // of the filter's value by the error of a coordinate
@@ -53,6 +52,10 @@ class BspParts {
   const Part& operator[](std::uint32_t part) const { return parts_[part]; }
   std::span<const Corner> corners(const Part& part) const { return {corners_.data() + part.first, corners_.data() + part.end}; }
 
+  void reserve(std::size_t parts, std::size_t corners) {
+    parts_.reserve(parts);
+    corners_.reserve(corners);
+  }
   std::uint32_t add(TriangleId facet, std::span<const BspBounds::Corner> ring);
   std::uint32_t add(const BspParts& from, const Part& part);
   void find_box(std::uint32_t part);
