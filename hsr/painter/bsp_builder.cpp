@@ -20,7 +20,7 @@ namespace hsr {
 
 namespace {
 
-constexpr std::size_t small_node = 24;  // faces: below it the planes of faces divide, above it mostly planes across axes
+constexpr std::size_t small_node = 32;  // faces: below it the planes of faces divide, above it mostly planes across axes
 constexpr std::size_t tested = 48;      // faces of a node that a plane is tried on
 
 View any_view() {
@@ -31,7 +31,7 @@ View any_view() {
 
 /// Little is good: cuts, and parts more on one side than on the other.
 std::size_t score(std::size_t behind, std::size_t before, std::size_t both) {
-  return 8 * both + (behind > before ? behind - before : before - behind);
+  return 10 * both + (behind > before ? behind - before : before - behind);
 }
 
 }  // namespace
@@ -236,7 +236,7 @@ std::size_t BspBuilder::score_face(const Divider& d) {
   return score(behind, before, both);
 }
 
-/// Of a large node: planes across the axes at quantiles of some vertices, and planes of some faces.
+/// Of a large node.
 BspBuilder::Divider BspBuilder::choose(std::span<const std::uint32_t> parts) {
   take_sample(parts);
   struct Best {
@@ -244,6 +244,7 @@ BspBuilder::Divider BspBuilder::choose(std::span<const std::uint32_t> parts) {
     VertexId vertex;
     int axis = 0;
   } best;
+  // Planes across the axes at quantiles of some vertices.
   constexpr std::size_t vertices = 31;
   std::array<VertexId, vertices> some;
   std::size_t count = 0;
@@ -267,9 +268,10 @@ BspBuilder::Divider BspBuilder::choose(std::span<const std::uint32_t> parts) {
       if (s < best.score) best = {s, place.vertex, axis};
     }
   }
+  // Where those cut more than a few, planes of some faces.
   Divider face;
   bool is_face = false;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < 4 && best.score > sample_.parts.size(); ++k) {
     const std::uint32_t part = parts[static_cast<std::size_t>(random() % parts.size())];
     const Divider d = parts_.divider(parts_[part].facet);
     const std::size_t s = score_face(d);
@@ -419,7 +421,7 @@ void BspBuilder::divide_small(const Task& task) {
         least = s;
         best = place;
       }
-      if (s <= n) break;
+      if (count(row.behind & row.before) == 0) break;
     }
     const Row row = n == 1 ? Row() : find_row(best, node.parts);
     const std::uint8_t own = plane[best];
