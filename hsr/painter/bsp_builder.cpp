@@ -20,7 +20,7 @@ namespace hsr {
 
 namespace {
 
-constexpr std::size_t small_node = 32;  // faces: below it the planes of faces divide, above it mostly planes across axes
+constexpr std::size_t small_node = 24;  // faces: below it the planes of faces divide, above it mostly planes across axes
 constexpr std::size_t tested = 48;      // faces of a node that a plane is tried on
 
 View any_view() {
@@ -31,7 +31,7 @@ View any_view() {
 
 /// Little is good: cuts, and parts more on one side than on the other.
 std::size_t score(std::size_t behind, std::size_t before, std::size_t both) {
-  return 10 * both + (behind > before ? behind - before : before - behind);
+  return 8 * both + (behind > before ? behind - before : before - behind);
 }
 
 }  // namespace
@@ -268,10 +268,10 @@ BspBuilder::Divider BspBuilder::choose(std::span<const std::uint32_t> parts) {
       if (s < best.score) best = {s, place.vertex, axis};
     }
   }
-  // Where those cut more than a few, planes of some faces.
+  // Planes of some faces.
   Divider face;
   bool is_face = false;
-  for (std::size_t k = 0; k < 4 && best.score > sample_.parts.size(); ++k) {
+  for (std::size_t k = 0; k < 4; ++k) {
     const std::uint32_t part = parts[static_cast<std::size_t>(random() % parts.size())];
     const Divider d = parts_.divider(parts_[part].facet);
     const std::size_t s = score_face(d);
