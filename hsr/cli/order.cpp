@@ -54,7 +54,7 @@ const char* const examples = R"(Examples:
   hsr order scene.obj -o scene.json --method naive     by the middle of each face, as most software does; may be wrong
   hsr order scene.obj -o scene.svg --check             and compared with the nearest face at each of 1024 x 1024 samples)";
 
-void describe(Report& report, const DepthSort& sorted, const Mesh& mesh) {
+void describe(Report& report, const DepthSort& sorted, const Mesh& mesh, const View& view) {
   const DepthSortCounts& c = sorted.counts;
   report["clusters"] = c.clusters;
   report["tests"] = {{"candidates", c.candidates},   {"apart", c.apart},       {"by_depth", c.by_depth},
@@ -67,9 +67,9 @@ void describe(Report& report, const DepthSort& sorted, const Mesh& mesh) {
   for (const PaintersCycle& cycle : sorted.cycles) {
     Report::Json faces = Report::Json::array();
     for (const TriangleId t : cycle.facets) faces.push_back(mesh.face_of[t].value);
-    Report::Json witnesses = Report::Json::array();
-    for (const auto& w : cycle.witnesses) witnesses.push_back({w[0].to_double(), w[1].to_double(), w[2].to_double()});
-    cycles.push_back({{"faces", std::move(faces)}, {"witnesses", std::move(witnesses)}});
+    Report::Json points = Report::Json::array();
+    for (const auto& w : witnesses(mesh, view, cycle)) points.push_back({w[0].to_double(), w[1].to_double(), w[2].to_double()});
+    cycles.push_back({{"faces", std::move(faces)}, {"witnesses", std::move(points)}});
   }
   report["cycles"] = std::move(cycles);
   if (c.clusters > 1)
@@ -129,7 +129,7 @@ void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
     DepthSortOptions options;
     options.classic = a.cuts == "classic";
     DepthSort sorted = report.timed("order", [&] { return depth_sort(mesh, chosen.view, options); });
-    describe(report, sorted, mesh);
+    if (!a.report.empty()) describe(report, sorted, mesh, chosen.view);
     order = std::move(sorted.order);
   } else if (a.method == "bsp") {
     BspOptions options;

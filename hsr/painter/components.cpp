@@ -67,21 +67,68 @@ std::vector<std::vector<std::uint32_t>> cyclic_components(const Graph& graph) {
   return components;
 }
 
-std::vector<std::uint32_t> shortest_cycle(const Graph& graph, std::uint32_t node) {
-  std::vector<std::uint32_t> from(graph.size(), none), reached = {node};
-  for (std::size_t next = 0; next < reached.size(); ++next)
-    for (const std::uint32_t t : graph[reached[next]]) {
-      if (t == node) {
-        std::vector<std::uint32_t> cycle = {reached[next]};
-        while (cycle.back() != node) cycle.push_back(from[cycle.back()]);
-        std::reverse(cycle.begin(), cycle.end());
-        return cycle;
+namespace {
+
+/// Looks for one cycle after another; what a search has marked is cleared after it.
+class CycleSearch {
+ public:
+  explicit CycleSearch(const Graph& graph) : graph_(graph), from_(graph.size(), none) {}
+
+  std::vector<std::uint32_t> through(std::uint32_t node) {
+    reached_.assign(1, node);
+    std::vector<std::uint32_t> cycle = search(node);
+    for (const std::uint32_t k : reached_)
+      if (from_[k] != blocked) from_[k] = none;
+    return cycle;
+  }
+  void block(const std::vector<std::uint32_t>& nodes) {
+    for (const std::uint32_t k : nodes) from_[k] = blocked;
+  }
+  bool is_blocked(std::uint32_t node) const { return from_[node] == blocked; }
+  std::size_t edges() const { return edges_; }
+
+ private:
+  static constexpr std::uint32_t blocked = none - 1;
+
+  std::vector<std::uint32_t> search(std::uint32_t node) {
+    for (std::size_t next = 0; next < reached_.size(); ++next)
+      for (const std::uint32_t t : graph_[reached_[next]]) {
+        ++edges_;
+        if (t == node) {
+          std::vector<std::uint32_t> cycle = {reached_[next]};
+          while (cycle.back() != node) cycle.push_back(from_[cycle.back()]);
+          std::reverse(cycle.begin(), cycle.end());
+          return cycle;
+        }
+        if (from_[t] != none) continue;
+        from_[t] = reached_[next];
+        reached_.push_back(t);
       }
-      if (from[t] != none) continue;
-      from[t] = reached[next];
-      reached.push_back(t);
-    }
-  return {};
+    return {};
+  }
+
+  const Graph& graph_;
+  std::vector<std::uint32_t> from_, reached_;
+  std::size_t edges_ = 0;  // looked at
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> shortest_cycle(const Graph& graph, std::uint32_t node) { return CycleSearch(graph).through(node); }
+
+std::vector<std::vector<std::uint32_t>> disjoint_cycles(const Graph& graph, const std::vector<std::uint32_t>& nodes) {
+  const std::size_t enough = 4 * graph.targets.size();
+  CycleSearch search(graph);
+  std::vector<std::vector<std::uint32_t>> cycles;
+  for (const std::uint32_t node : nodes) {
+    if (search.edges() > enough) break;
+    if (search.is_blocked(node)) continue;
+    std::vector<std::uint32_t> cycle = search.through(node);
+    if (cycle.empty()) continue;
+    search.block(cycle);
+    cycles.push_back(std::move(cycle));
+  }
+  return cycles;
 }
 
 }  // namespace hsr

@@ -243,7 +243,7 @@ void Sorter::resolve_cycles() {
   }
 }
 
-/// Cuts cycle after cycle, in a strongly connected component and what becomes of it.
+/// Cuts cycles, those that share no piece at once, in a strongly connected component and what becomes of it.
 void Sorter::resolve(std::vector<std::uint32_t> nodes) {
   constexpr std::size_t largest = 4096;  // beyond that to look for cycles one by one takes too long
   std::vector<std::vector<std::uint32_t>> open = {std::move(nodes)};
@@ -256,13 +256,17 @@ void Sorter::resolve(std::vector<std::uint32_t> nodes) {
       std::vector<std::uint32_t> part;
       part.reserve(component.size());
       for (const std::uint32_t k : component) part.push_back(some[k]);
-      std::vector<std::uint32_t> cycle = shortest_cycle(graph, component.front());
-      for (std::uint32_t& k : cycle) k = some[k];
-      if (component.size() > largest || cuts_left == 0 || !cut_cycle(cycle, part)) {
+      std::size_t cuts = 0;
+      if (component.size() <= largest)
+        for (std::vector<std::uint32_t>& cycle : disjoint_cycles(graph, component)) {
+          for (std::uint32_t& k : cycle) k = some[k];
+          if (cuts < cuts_left && cut_cycle(cycle, part)) ++cuts;
+        }
+      if (cuts == 0) {
         order_by_planes(part);
         continue;
       }
-      --cuts_left;
+      cuts_left -= cuts;
       open.push_back(std::move(part));
     }
   }
@@ -290,15 +294,8 @@ PaintersCycle Sorter::named(const std::vector<std::uint32_t>& cycle) {
   for (std::size_t k = 0; k < cycle.size(); ++k) {
     const PieceOfFacet &here = shaped(cycle[k]), &next = shaped(cycle[(k + 1) % cycle.size()]);
     found.facets.push_back(here.facet);
-    // The middle of the corners of the common part, on this face: inside it, as it is convex.
-    std::array<Rational, 3> middle;
-    if (const auto common = overlaps_.common_part(here, next))
-      for (const MapPoint& p : common->points) {
-        const auto at = point_of(mesh_, view_, here.facet, p);
-        for (std::size_t i = 0; i < 3; ++i)
-          middle[i] = middle[i] + at[i] / Rational(static_cast<double>(common->points.size()));
-      }
-    found.witnesses.push_back(std::move(middle));
+    auto common = overlaps_.common_part(here, next);
+    found.common.push_back(common ? std::move(common->points) : std::vector<MapPoint>());
   }
   return found;
 }
@@ -406,6 +403,19 @@ DepthSort Sorter::sort() {
 }
 
 }  // namespace
+
+std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& view, const PaintersCycle& cycle) {
+  std::vector<std::array<Rational, 3>> found(cycle.facets.size());
+  // The middle of the corners of the common part, on this face: inside it, as it is convex.
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Rational count(static_cast<double>(cycle.common[k].size()));
+    for (const MapPoint& p : cycle.common[k]) {
+      const auto at = point_of(mesh, view, cycle.facets[k], p);
+      for (std::size_t i = 0; i < 3; ++i) found[k][i] = found[k][i] + at[i] / count;
+    }
+  }
+  return found;
+}
 
 DepthSort depth_sort(const Mesh& mesh, const View& view, const DepthSortOptions& options) {
   if (mesh.triangles.empty()) return {};

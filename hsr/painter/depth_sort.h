@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "hsr/map/map_point.h"
 #include "hsr/painter/painters_order.h"
 
 namespace hsr {
@@ -12,8 +13,12 @@ namespace hsr {
 /// Faces each of which hides a part of the one before it, and the first a part of the last: no order of whole faces is right.
 struct PaintersCycle {
   std::vector<TriangleId> facets;
-  std::vector<std::array<Rational, 3>> witnesses;  ///< on each, where the next is before it
+  std::vector<std::vector<MapPoint>>
+      common;  ///< by face, the corners of a convex part of the image where the next is before it
 };
+
+/// A point on each face of the cycle where the next is before it, exactly.
+std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& view, const PaintersCycle& cycle);
 
 struct DepthSortCounts {
   std::uint64_t clusters = 0;    ///< groups that planes part: only within them pieces
