@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <deque>
 #include <string>
-#include <unordered_map>
 
 #include "geometry/error.h"
 #include "hsr/painter/components.h"
@@ -19,10 +18,10 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffU;
 
-/// What overlaps a piece: `before` is painted before it.
+/// What overlaps a piece: `before` is painted before it, unless they pierce each other.
 struct Neighbour {
   std::uint32_t piece;
-  bool before;
+  bool before, piercing;
 };
 
 class Sorter {
@@ -48,7 +47,7 @@ class Sorter {
   std::optional<MapHalfPlane> parting_line(std::uint32_t piece, std::uint32_t before, std::uint32_t after);
   void order_by_planes(const std::vector<std::uint32_t>& component);
   bool split(std::uint32_t piece, const MapHalfPlane& line);
-  void relate(std::uint32_t a, std::uint32_t b);
+  void relate(std::uint32_t part, const Neighbour& of_whole);
   const PieceOfFacet& shaped(std::uint32_t piece);
   void count_pieces(std::size_t more);
   template <class F>
@@ -69,7 +68,7 @@ class Sorter {
   // The relations that were found first, by piece; those of parts of pieces.
   std::vector<std::uint32_t> first_neighbour_;
   std::vector<Neighbour> neighbours_;
-  std::unordered_map<std::uint32_t, std::vector<Neighbour>> more_neighbours_;
+  std::vector<std::vector<Neighbour>> more_neighbours_;
   std::deque<std::array<std::uint32_t, 2>> piercing_;
   // Components that planes have ordered: they are painted as one.
   std::vector<std::uint32_t> block_of_;  // by piece, or none
@@ -135,23 +134,29 @@ void Sorter::begin_cutting(const OverlapGraph& found) {
   neighbours_.resize(2 * found.overlapping);
   std::vector<std::uint32_t> next(first_neighbour_.begin(), first_neighbour_.end() - 1);
   found.for_each_pair([&](std::uint32_t first, std::uint32_t second) {
-    neighbours_[next[first]++] = {second, false};
-    neighbours_[next[second]++] = {first, true};
+    neighbours_[next[first]++] = {second, false, false};
+    neighbours_[next[second]++] = {first, true, false};
   });
   // In an order that does not depend on how pairs are found.
   for (std::size_t k = 0; k + 1 < first_neighbour_.size(); ++k)
     std::sort(neighbours_.begin() + first_neighbour_[k], neighbours_.begin() + first_neighbour_[k + 1],
               [](const Neighbour& x, const Neighbour& y) { return x.piece < y.piece; });
+  const auto mark = [&](std::uint32_t piece, std::uint32_t other) {
+    const auto begin = neighbours_.begin() + first_neighbour_[piece], end = neighbours_.begin() + first_neighbour_[piece + 1];
+    std::lower_bound(begin, end, other, [](const Neighbour& n, std::uint32_t p) { return n.piece < p; })->piercing = true;
+  };
+  for (const auto& [a, b] : piercing_) {
+    mark(a, b);
+    mark(b, a);
+  }
 }
 
 template <class F>
 void Sorter::for_each_neighbour(std::uint32_t piece, const F& visit) const {
   if (piece + 1 < first_neighbour_.size())
     for (std::uint32_t k = first_neighbour_[piece]; k < first_neighbour_[piece + 1]; ++k) visit(neighbours_[k]);
-  if (more_neighbours_.empty()) return;
-  const auto more = more_neighbours_.find(piece);
-  if (more != more_neighbours_.end())
-    for (const Neighbour& n : more->second) visit(n);
+  if (piece < more_neighbours_.size())
+    for (const Neighbour& n : more_neighbours_[piece]) visit(n);
 }
 
 const PieceOfFacet& Sorter::shaped(std::uint32_t p) {
@@ -161,13 +166,21 @@ const PieceOfFacet& Sorter::shaped(std::uint32_t p) {
   return piece;
 }
 
-void Sorter::relate(std::uint32_t a, std::uint32_t b) {
-  if (pieces_[a].facet == pieces_[b].facet) return;
-  const Overlap how = overlaps_.relation(shaped(a), shaped(b));
-  if (how == Overlap::none) return;
-  if (how == Overlap::piercing) piercing_.push_back({std::min(a, b), std::max(a, b)});
-  more_neighbours_[a].push_back({b, how == Overlap::second_behind});
-  more_neighbours_[b].push_back({a, how != Overlap::second_behind});
+/// What lies before or behind the whole lies so with its parts, where it overlaps them.
+void Sorter::relate(std::uint32_t part, const Neighbour& of_whole) {
+  const std::uint32_t other = of_whole.piece;
+  Neighbour now = of_whole;
+  if (of_whole.piercing) {
+    const Overlap how = overlaps_.relation(shaped(part), shaped(other));
+    if (how == Overlap::none) return;
+    now.before = how == Overlap::second_behind;
+    now.piercing = how == Overlap::piercing;
+  } else if (!overlaps_.have_common_part(shaped(part), shaped(other))) {
+    return;
+  }
+  if (now.piercing) piercing_.push_back({std::min(part, other), std::max(part, other)});
+  more_neighbours_[part].push_back(now);
+  more_neighbours_[other].push_back({part, !now.before, now.piercing});
 }
 
 void Sorter::count_pieces(std::size_t more) {
@@ -188,12 +201,13 @@ bool Sorter::split(std::uint32_t piece, const MapHalfPlane& line) {
   is_cut_[piece] = 1;
   is_cut_.resize(pieces_.size(), 0);
   block_of_.resize(pieces_.size(), none);
+  more_neighbours_.resize(pieces_.size());
   cluster_of_.resize(pieces_.size(), cluster_of_[piece]);
-  std::vector<std::uint32_t> around;
+  std::vector<Neighbour> around;
   for_each_neighbour(piece, [&](const Neighbour& n) {
-    if (is_cut_[n.piece] == 0) around.push_back(n.piece);
+    if (is_cut_[n.piece] == 0) around.push_back(n);
   });
-  for (const std::uint32_t n : around) {
+  for (const Neighbour& n : around) {
     relate(first, n);
     relate(first + 1, n);
   }

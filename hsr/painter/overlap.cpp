@@ -163,7 +163,7 @@ std::optional<ConvexPiece> Overlaps::common_part(const PieceOfFacet& a, const Pi
 }
 
 Overlap Overlaps::relation(const PieceOfFacet& a, const PieceOfFacet& b) {
-  if (separates(a, b) || separates(b, a)) {
+  if (!have_common_part(a, b)) {
     ++counts_.image_sides;
     return Overlap::none;
   }

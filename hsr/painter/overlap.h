@@ -61,6 +61,8 @@ class Overlaps {
   explicit Overlaps(const Sight& sight, bool classic = false) : map_(sight), sight_(sight), classic_(classic) {}
 
   Overlap relation(const PieceOfFacet& a, const PieceOfFacet& b);
+  /// Whether the interiors of their images have a point in common.
+  bool have_common_part(const PieceOfFacet& a, const PieceOfFacet& b) { return !separates(a, b) && !separates(b, a); }
   /// Where the corners of a piece are, for relations of pieces that have been cut.
   std::vector<NearCorner> near_corners(const PieceOfFacet& piece) const;
   /// The common part of their images, if it has an inside.
