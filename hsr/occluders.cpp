@@ -18,4 +18,19 @@ Occluders::Occluders(const Sight& sight, const std::vector<ImageBox>& boxes, con
   tree = BoxTree(kept);
 }
 
+void Occluders::prepare(const Sight& sight) {
+  if (!faces.empty()) return;
+  std::vector<TriangleId> along_tree;
+  along_tree.reserve(triangles.size());
+  place.resize(triangles.size());
+  for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
+    tree.visit_leaf<BoxTree::Depth::any>(leaf, ImageBox::everything(), [&](std::uint32_t i) {
+      place[i] = static_cast<std::uint32_t>(along_tree.size());
+      along_tree.push_back(triangles[i]);
+      return true;
+    });
+  faces.resize(along_tree.size());
+  for_each(faces.size(), [&](std::size_t k) { faces[k] = ImageFace(sight, along_tree[k]); });
+}
+
 }  // namespace hsr

@@ -204,6 +204,18 @@ double Sight::compute_image(VertexId v) {
   return error;
 }
 
+/// The bounds of compute_image, and of add_to for what the point itself is off by.
+NearImage Sight::image(const Point3& p, double error) const {
+  if (is_perspective()) {
+    const Point3 q = minus(p, eye_.at);
+    const double e = 6 * u * size(q) + error * 1.01 + 0x1p-1000, m = dot(depth_, q);
+    if (!(m > 2 * e)) return {{0, 0}, HUGE_VAL};
+    const double x = dot(row_[0], q) / m, y = dot(row_[1], q) / m, most = std::max(std::fabs(x), std::fabs(y));
+    return {{image_mirror_ * x, y}, (e + most * e) / (m - e) * 1.01 + 4 * u * most};
+  }
+  return {{image_mirror_ * dot(row_[0], p), dot(row_[1], p)}, (5 * u * size(p) + error) * 1.01 + 0x1p-1000};
+}
+
 Sign Sight::side(const Plane& plane, VertexId p, Predicates& exact) const {
   const ErrorBounded x = filter(plane)(points_[p]);
   if (!x.is_certain()) return exact.side_beyond_filter(plane, points_[p]);

@@ -14,6 +14,12 @@ struct ImagePoint {
   double x, y;
 };
 
+/// The image of a point that is known nearly.
+struct NearImage {
+  ImagePoint at;
+  double error;  ///< of each coordinate
+};
+
 /// A mesh as one view sees it: what every method needs first.
 ///
 /// Points, eye and target are multiplied by one power of two, and the direction by another, so that the largest coordinate is
@@ -50,6 +56,9 @@ class Sight {
   const ImagePoint& image(VertexId v) const { return image_[v]; }
   /// Zero: every image is exact. Infinite: images decide nothing.
   double image_error() const { return image_error_; }
+  /// The image of another point, which is within `error` of p in the sum of its coordinates; p is already scaled. An infinite
+  /// error where doubles do not tell.
+  NearImage image(const Point3& p, double error) const;
   /// 1 or -1: the x of the images is that of the boxes, times this, and moved.
   double image_mirror() const { return image_mirror_; }
 

@@ -185,22 +185,37 @@ bool Shadows::clip(const Cut& cut, const Plane& plane, bool a_on, bool b_on, Sig
   return clip(cut, at(filter, plane, a_, a_on), at(filter, plane, b_, b_on), wanted, open);
 }
 
-void Shadows::cast(TriangleId triangle, std::vector<Shadow>& shadows) {
+void Shadows::cast(const ImageFace& face, std::vector<Shadow>& shadows) {
+  if (!is_edge() || face.has(a_.vertex) || face.has(b_.vertex) || !(sight_.image_error() < HUGE_VAL)) {
+    cast(face.triangle, {}, shadows);
+    return;
+  }
+  const ImageFace::Overlap overlap = face.overlap(sight_.image(a_.vertex), sight_.image(b_.vertex), sight_.image_error());
+  if (overlap.is_none) return;
+  const ErrorBounded at_a = face.plane(a_.p), at_b = face.plane(b_.p);
+  const bool before_a = face.facing * at_a.value < -at_a.error, before_b = face.facing * at_b.value < -at_b.error;
+  if (before_a && before_b) return;
+  const bool is_behind = face.facing * at_a.value > at_a.error && face.facing * at_b.value > at_b.error;
+  cast(face.triangle, {false, is_behind, overlap.is_within}, shadows);
+}
+
+void Shadows::cast(TriangleId triangle, const Known& known, std::vector<Shadow>& shadows) {
   const auto& c = sight_.mesh().triangles[triangle];
   const Sign facing = sight_.facing(triangle);
   const bool a_on = is_corner(a_.vertex, c), b_on = is_corner(b_.vertex, c);
   // Nothing hides in its own plane, unless seen edge-on.
   if (facing != Sign::zero && (a_on && b_on)) return;
   if (facing != Sign::zero && !is_edge() && is_one(facet_of(sight_.mesh(), triangle))) return;
-  if (misses(c)) return;
+  if (known.may_miss && misses(c)) return;
   if (facing == Sign::zero) {
     edge_on(triangle, shadows);
     return;
   }
   begin();
   const Plane plane = sight_.face_plane(triangle);
-  if (!clip(cut_of(Cut::Kind::face, triangle.value), plane, a_on, b_on, facing, true)) return;
+  if (!known.is_behind && !clip(cut_of(Cut::Kind::face, triangle.value), plane, a_on, b_on, facing, true)) return;
   for (std::size_t k = 0; k < 3; ++k) {
+    if ((known.is_within >> k & 1U) != 0) continue;
     const VertexId u = c[k], v = c[(k + 1) % 3];
     // O(u, v, .) changes its sign with the order of u and v; the cut is named in one order.
     const Sign wanted = u < v ? facing : -facing;

@@ -5,6 +5,7 @@
 
 #include "hsr/contacts/half_space.h"
 #include "hsr/contacts/intersection.h"
+#include "hsr/image_face.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/sight.h"
 
@@ -46,7 +47,9 @@ class Shadows {
   /// 3
   bool within(const std::array<HalfSpace, 3>& half_spaces, Bound& from, Bound& to, std::size_t& along);
   /// Appends the shadows of `triangle` on the edge, at most four.
-  void cast(TriangleId triangle, std::vector<Shadow>& shadows);
+  void cast(TriangleId triangle, std::vector<Shadow>& shadows) { cast(triangle, {}, shadows); }
+  /// The same.
+  void cast(const ImageFace& face, std::vector<Shadow>& shadows);
 
   /// Where the plane of `cut` crosses the line. @pre it separates the ends of the line
   Bound place(const Cut& cut);
@@ -66,6 +69,13 @@ class Shadows {
     ErrorBounded x;
     Sign sign;
   };
+  /// What a prepared triangle tells of the edge for certain.
+  struct Known {
+    bool may_miss = true;    ///< not looked at: whether it misses the edge in the image
+    bool is_behind = false;  ///< the edge is strictly beyond its plane
+    unsigned is_within = 0;  ///< see ImageFace::Overlap
+  };
+  void cast(TriangleId triangle, const Known& known, std::vector<Shadow>& shadows);
   /// An end of the line: a vertex, or where a plane cuts the line of two others, and then known within `error`.
   struct End {
     VertexId vertex;

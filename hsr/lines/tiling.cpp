@@ -147,7 +147,10 @@ void Tiling::cast_all(const Tiled& line, const ImageBox& box, const Occluders& o
   occluders.tree.visit(box, [&](std::uint32_t i) {
     ++result_.pairs;
     const std::size_t before = cast_.size();
-    shadows_.cast(occluders.triangles[i], cast_);
+    if (occluders.faces.empty())
+      shadows_.cast(occluders.triangles[i], cast_);
+    else
+      shadows_.cast(occluders.face(i), cast_);
     if (options_.why || cast_.size() == before) return true;
     all_hidden = shadows_.covers_all(cast_.back());
     // Now and then the shadows so far are united: together they may hide the whole edge. As their number doubles, so that a

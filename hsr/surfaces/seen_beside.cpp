@@ -22,16 +22,26 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
   side_ = side;
   parts_.assign(1, {{stretch.from, stretch.from_t, stretch.from_error}, {stretch.to, stretch.to_t, stretch.to_error}, {}, {}});
   ImageBox query = ImageBox::nothing();
-  for (const Place& end : {parts_[0].from, parts_[0].to}) {
-    const NearPoint p = point(end);
+  std::array<ImagePoint, 2> ends;
+  double error = sight_.image_error();
+  for (const std::size_t k : {0U, 1U}) {
+    const NearPoint p = point(k == 0 ? parts_[0].from : parts_[0].to);
     query.add(sight_.box(p.p, 3 * p.error));
+    const NearImage image = sight_.image(p.p, 3 * p.error);
+    ends[k] = image.at;
+    error += image.error;
   }
   // The tree visits what reaches nearer than the farthest of what is seen so far.
   query.farthest = -std::numeric_limits<float>::infinity();
   occluders_.tree.visit(query, [&](std::uint32_t i) {
+    const ImageFace& face = occluders_.face(i);
+    const ImageFace::Overlap overlap = face.overlap(ends[0], ends[1], error);
+    if (overlap.is_none) return true;
+    const Linear of_t = nearness(face);
+    if (certainly_behind(of_t)) return true;
     const std::size_t before = parts_.size();
     const TriangleId first = parts_.front().seen;
-    insert(occluders_.triangles[i]);
+    insert(face.triangle, of_t, overlap.is_within);
     if (parts_.size() == before && parts_.front().seen == first) return true;
     float lowest = std::numeric_limits<float>::infinity();
     for (const Part& part : parts_) lowest = std::min(lowest, farthest(part));
@@ -94,18 +104,22 @@ SeenBeside::Linear SeenBeside::along(const PlaneFilter& filter, bool zero_at_a, 
 }
 
 /// -t(p) / t(E): how far toward the viewer from the stretch the plane is; see point of farthest().
-SeenBeside::Linear SeenBeside::nearness(TriangleId t) const {
-  const auto& c = sight_.mesh().triangles[t];
-  const auto is_corner = [&](VertexId v) { return v.is_valid() && (v == c[0] || v == c[1] || v == c[2]); };
-  const PlaneFilter filter = sight_.filter(sight_.face_plane(t));
-  const Linear value = along(filter, is_corner(stretch_->at_a), is_corner(stretch_->at_b));
-  const Point3& e = sight_.eye().at;
-  // The bound of a PlaneFilter at o + D is that of n . D.
-  const ErrorBounded at_eye =
-      sight_.is_perspective() ? filter(e)
-                              : ErrorBounded{filter.nx * e.x + filter.ny * e.y + filter.nz * e.z,
-                                             filter.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + filter.least};
-  return {quotient(-value.at_a, at_eye), quotient(-value.at_b, at_eye)};
+SeenBeside::Linear SeenBeside::nearness(const ImageFace& face) const {
+  const auto is_corner = [&](VertexId v) { return v.is_valid() && face.has(v); };
+  const Linear value = along(face.plane, is_corner(stretch_->at_a), is_corner(stretch_->at_b));
+  return {value.at_a * face.per_eye, value.at_b * face.per_eye};
+}
+
+/// Whether a triangle of this nearness is certainly farther than what is seen, all along: it would change nothing.
+bool SeenBeside::certainly_behind(const Linear& of_t) const {
+  return std::all_of(parts_.begin(), parts_.end(), [&](const Part& part) {
+    if (!part.seen.is_valid()) return false;
+    for (const Place* end : {&part.from, &part.to}) {
+      const ErrorBounded gap = at(of_t, *end) - at(part.nearness, *end);
+      if (!(gap.value < -gap.error)) return false;
+    }
+    return true;
+  });
 }
 
 SeenBeside::Place SeenBeside::crossing(const MapLine& other, const Linear& value) const {
@@ -151,8 +165,10 @@ bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, P
   return true;
 }
 
-bool SeenBeside::clip(TriangleId t, Place& from, Place& to) {
+/// @param is_within bit k: the part is known to be on the inner side of side k
+bool SeenBeside::clip(TriangleId t, unsigned is_within, Place& from, Place& to) {
   for (std::size_t k = 0; k < 3; ++k) {
+    if ((is_within >> k & 1U) != 0) continue;
     const MapHalfPlane h = side_of_triangle(sight_, t, k);
     const VertexId v(h.line.u), w(h.line.v);
     const auto is_end = [&](VertexId x) { return x.is_valid() && (x == v || x == w); };
@@ -195,10 +211,9 @@ Sign SeenBeside::nearer_beside(TriangleId s, TriangleId t) {
   throw InvariantError("SeenBeside: two triangles on one line");
 }
 
-void SeenBeside::insert(TriangleId t) {
+void SeenBeside::insert(TriangleId t, const Linear& of_t, unsigned is_within) {
   Place from = parts_.front().from, to = parts_.back().to;
-  if (!clip(t, from, to)) return;
-  const Linear of_t = nearness(t);
+  if (!clip(t, is_within, from, to)) return;
   next_.clear();
   const Mesh& mesh = map_.mesh();
   for (const Part& part : parts_) {

@@ -31,6 +31,7 @@ struct SeenPart {
 /// "Just beside" settles what coincides in the image: a triangle that ends at the line is there on its own side only; of two
 /// that meet in the line the one that is nearer beside it is seen; of two in one plane the lower index.
 /// Doubles with proven bounds tell most places and depths apart; the symbols decide the others.
+/// @pre the occluders are prepared
 /// Exact: yes. Cost: O(k m) for the k triangles that overlap the part and m parts. Source: Hart & Sharir 1986 (envelopes of
 /// segments), here of faces over a line.
 class SeenBeside {
@@ -55,11 +56,12 @@ class SeenBeside {
     Linear nearness;
   };
 
-  void insert(TriangleId t);
-  bool clip(TriangleId t, Place& from, Place& to);
+  void insert(TriangleId t, const Linear& of_t, unsigned is_within);
+  bool certainly_behind(const Linear& of_t) const;
+  bool clip(TriangleId t, unsigned is_within, Place& from, Place& to);
   bool clip(const MapHalfPlane& h, const Linear& value, Place& from, Place& to);
   Linear along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const;
-  Linear nearness(TriangleId t) const;
+  Linear nearness(const ImageFace& face) const;
   ErrorBounded at(const Linear& f, const Place& place) const;
   Place crossing(const MapLine& other, const Linear& value) const;
   Sign order(const Place& x, const Place& y);

@@ -208,7 +208,7 @@ class FragmentFinder {
   void find_lines();
   void find_sides();
   template <class F>
-  void collect(std::size_t n, const F& visit);
+  void collect(std::span<const std::uint32_t> order, const F& visit);
 
   const FragmentOptions& options_;
   Sight sight_;
@@ -240,6 +240,7 @@ void FragmentFinder::find_lines() {
   });
   leave_out_hidden(boxes, left_out);
   occluders_.emplace(sight_, boxes, left_out);
+  occluders_->prepare(sight_);
   intersections_ = find_intersections(sight_, *occluders_);
   auto edges = collected<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e) {
@@ -257,16 +258,27 @@ void FragmentFinder::find_lines() {
                       : roberts(sight_, requested, *occluders_, line_options);
 }
 
+/// The numbers from 0 to n - 1, ascending by key(i) < keys.
+template <class Key>
+std::vector<std::uint32_t> ordered(std::size_t n, std::size_t keys, const Key& key) {
+  std::vector<std::uint32_t> next(keys + 1, 0), order(n);
+  for (std::size_t i = 0; i < n; ++i) ++next[key(i) + 1];
+  for (std::size_t k = 1; k <= keys; ++k) next[k] += next[k - 1];
+  for (std::size_t i = 0; i < n; ++i) order[next[key(i)]++] = static_cast<std::uint32_t>(i);
+  return order;
+}
+
 template <class F>
-void FragmentFinder::collect(std::size_t n, const F& visit) {
+void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visit) {
   constexpr std::size_t block = 256;
+  const std::size_t n = order.size();
   std::vector<std::vector<FacetSide>> parts((n + block - 1) / block);
   std::vector<DecisionCounts> counts(parts.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
       SideFinder finder(sight_, *occluders_, intersections_);
       const std::size_t end = std::min((part + 1) * block, n);
-      for (std::size_t i = part * block; i < end; ++i) visit(finder, i);
+      for (std::size_t i = part * block; i < end; ++i) visit(finder, order[i]);
       parts[part] = finder.take();
       counts[part] = finder.decisions();
     }
@@ -278,11 +290,20 @@ void FragmentFinder::collect(std::size_t n, const F& visit) {
 }
 
 void FragmentFinder::find_sides() {
-  collect(lines_.lines.size(), [&](SideFinder& finder, std::size_t i) { finder.add_edge(lines_, lines_.lines[i]); });
-  collect(intersections_.segments.size(),
-          [&](SideFinder& finder, std::size_t i) { finder.add_intersection(intersections_.segments[i]); });
+  // Along the tree: neighbours in the image look at the same triangles, which are still in the cache.
+  std::vector<std::uint32_t> place(mesh_.triangles.size(), 0);
+  for (std::size_t i = 0; i < occluders_->triangles.size(); ++i) place[occluders_->triangles[i].value] = occluders_->place[i];
+  const auto along_tree = [&](std::size_t n, const auto& triangle) {
+    return ordered(n, place.size(), [&](std::size_t i) { return place[triangle(i).value]; });
+  };
+  const auto& lines = lines_.lines;
+  const auto& segments = intersections_.segments;
+  collect(along_tree(lines.size(), [&](std::size_t i) { return mesh_.triangles_at(lines[i].edge).front(); }),
+          [&](SideFinder& finder, std::size_t i) { finder.add_edge(lines_, lines[i]); });
+  collect(along_tree(segments.size(), [&](std::size_t i) { return segments[i].s; }),
+          [&](SideFinder& finder, std::size_t i) { finder.add_intersection(segments[i]); });
   if (sight_.is_perspective())
-    collect(occluders_->triangles.size(),
+    collect(along_tree(occluders_->triangles.size(), [&](std::size_t i) { return occluders_->triangles[i]; }),
             [&](SideFinder& finder, std::size_t i) { finder.add_near_cut(occluders_->triangles[i]); });
   // A counting sort by facet.
   first_side_.assign(mesh_.triangles.size() + 1, 0);

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "geometry/plane_filter.h"
+#include "hsr/sight.h"
+
+namespace hsr {
+
+/// A triangle prepared for the many lines that it is asked about: its image, and its plane.
+///
+/// A determinant of image points that are known within E has the bound of ImageLine. What is not known is not a number, or has
+/// an unbounded error, and decides nothing.
+struct ImageFace {
+  TriangleId triangle;
+  std::array<VertexId, 3> corners;
+  std::array<double, 3> x = {}, y = {};  ///< of the corners' images
+  double facing = 0;                     ///< 1 or -1: times O, positive within
+  PlaneFilter plane;
+  ErrorBounded per_eye;  ///< -1 / plane(E), E the viewpoint: times plane(p), how far toward the viewer from p the plane is
+
+  ImageFace() = default;
+  ImageFace(const Sight& sight, TriangleId t)
+      : triangle(t), corners(sight.mesh().triangles[t]), plane(sight.filter(sight.face_plane(t))) {
+    const bool is_known = sight.image_error() < HUGE_VAL && sight.facing(t) != Sign::zero;
+    facing = sight.facing(t) == Sign::positive ? 1 : -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ImagePoint p = is_known ? sight.image(corners[k]) : ImagePoint{NAN, NAN};
+      x[k] = p.x;
+      y[k] = p.y;
+    }
+    const Point3& e = sight.eye().at;
+    // The bound of a PlaneFilter at o + D is that of n . D.
+    const ErrorBounded at_eye =
+        sight.is_perspective() ? plane(e)
+                               : ErrorBounded{plane.nx * e.x + plane.ny * e.y + plane.nz * e.z,
+                                              plane.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + plane.least};
+    per_eye = quotient({-1, 0}, at_eye);
+  }
+
+  bool has(VertexId v) const { return v == corners[0] || v == corners[1] || v == corners[2]; }
+
+  /// What the image tells for certain of the triangle and a segment.
+  struct Overlap {
+    bool is_none = false;    ///< they have no point in common
+    unsigned is_within = 0;  ///< bit k: both ends are strictly on the inner side of the triangle's side k
+  };
+  /// The triangle lies strictly on one side of pq, or both p and q beyond one of its sides, or neither is certain.
+  /// @param error of each coordinate of all of these points
+  Overlap overlap(const ImagePoint& p, const ImagePoint& q, double error) const {
+    const double least = 9.1 * error * error + 0x1p-1000, per_length = 2.2 * error;
+    const double sx = q.x - p.x, sy = q.y - p.y, size = std::fabs(sx) + std::fabs(sy);
+    const double line_least = least + per_length * size, line_slope = per_length + 4.2 * ErrorBounded::u * size;
+    bool left = true, right = true, is_none = false;
+    unsigned is_within = 0;
+    std::array<double, 3> px, py;
+    for (std::size_t k = 0; k < 3; ++k) {
+      px[k] = x[k] - p.x;
+      py[k] = y[k] - p.y;
+      const double det = sx * py[k] - sy * px[k], bound = line_least + line_slope * (std::fabs(px[k]) + std::fabs(py[k]));
+      left &= det > bound;
+      right &= det < -bound;
+    }
+    if (left || right) return {true, 0};
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned next = k == 2 ? 0 : k + 1;
+      const double dx = facing * (x[next] - x[k]), dy = facing * (y[next] - y[k]), length = std::fabs(dx) + std::fabs(dy);
+      const double side_least = least + per_length * length, slope = per_length + 4.2 * ErrorBounded::u * length;
+      const double qx = q.x - x[k], qy = q.y - y[k];
+      const double at_p = dy * px[k] - dx * py[k], at_q = dx * qy - dy * qx;
+      const double bound_p = side_least + slope * (std::fabs(px[k]) + std::fabs(py[k]));
+      const double bound_q = side_least + slope * (std::fabs(qx) + std::fabs(qy));
+      is_none |= at_p < -bound_p && at_q < -bound_q;
+      is_within |= (unsigned{at_p > bound_p} & unsigned{at_q > bound_q}) << k;
+    }
+    return {is_none, is_within};
+  }
+};
+
+}  // namespace hsr
