@@ -45,6 +45,7 @@ struct ImageFace {
   struct Overlap {
     bool is_none = false;    ///< they have no point in common
     unsigned is_within = 0;  ///< bit k: both ends are strictly on the inner side of the triangle's side k
+    std::array<ErrorBounded, 3> at_p = {}, at_q = {};  ///< O of side k for the ends, times facing, in the image
   };
   /// The triangle lies strictly on one side of pq, or both p and q beyond one of its sides, or neither is certain.
   /// @param error of each coordinate of all of these points
@@ -52,8 +53,8 @@ struct ImageFace {
     const double least = 9.1 * error * error + 0x1p-1000, per_length = 2.2 * error;
     const double sx = q.x - p.x, sy = q.y - p.y, size = std::fabs(sx) + std::fabs(sy);
     const double line_least = least + per_length * size, line_slope = per_length + 4.2 * ErrorBounded::u * size;
-    bool left = true, right = true, is_none = false;
-    unsigned is_within = 0;
+    bool left = true, right = true;
+    Overlap overlap;
     std::array<double, 3> px, py;
     for (std::size_t k = 0; k < 3; ++k) {
       px[k] = x[k] - p.x;
@@ -62,7 +63,8 @@ struct ImageFace {
       left &= det > bound;
       right &= det < -bound;
     }
-    if (left || right) return {true, 0};
+    overlap.is_none = left || right;
+    if (overlap.is_none) return overlap;
     for (unsigned k = 0; k < 3; ++k) {
       const unsigned next = k == 2 ? 0 : k + 1;
       const double dx = facing * (x[next] - x[k]), dy = facing * (y[next] - y[k]), length = std::fabs(dx) + std::fabs(dy);
@@ -71,10 +73,12 @@ struct ImageFace {
       const double at_p = dy * px[k] - dx * py[k], at_q = dx * qy - dy * qx;
       const double bound_p = side_least + slope * (std::fabs(px[k]) + std::fabs(py[k]));
       const double bound_q = side_least + slope * (std::fabs(qx) + std::fabs(qy));
-      is_none |= at_p < -bound_p && at_q < -bound_q;
-      is_within |= (unsigned{at_p > bound_p} & unsigned{at_q > bound_q}) << k;
+      if (at_p < -bound_p && at_q < -bound_q) overlap.is_none = true;
+      overlap.at_p[k] = {at_p, bound_p};
+      overlap.at_q[k] = {at_q, bound_q};
+      overlap.is_within |= (unsigned{at_p > bound_p} & unsigned{at_q > bound_q}) << k;
     }
-    return {is_none, is_within};
+    return overlap;
   }
 };
 

@@ -196,7 +196,7 @@ void Shadows::cast(const ImageFace& face, std::vector<Shadow>& shadows) {
   const bool before_a = face.facing * at_a.value < -at_a.error, before_b = face.facing * at_b.value < -at_b.error;
   if (before_a && before_b) return;
   const bool is_behind = face.facing * at_a.value > at_a.error && face.facing * at_b.value > at_b.error;
-  cast(face.triangle, {false, is_behind, overlap.is_within}, shadows);
+  cast(face.triangle, {false, is_behind, &overlap}, shadows);
 }
 
 void Shadows::cast(TriangleId triangle, const Known& known, std::vector<Shadow>& shadows) {
@@ -215,10 +215,23 @@ void Shadows::cast(TriangleId triangle, const Known& known, std::vector<Shadow>&
   const Plane plane = sight_.face_plane(triangle);
   if (!known.is_behind && !clip(cut_of(Cut::Kind::face, triangle.value), plane, a_on, b_on, facing, true)) return;
   for (std::size_t k = 0; k < 3; ++k) {
-    if ((known.is_within >> k & 1U) != 0) continue;
+    if (known.image != nullptr && (known.image->is_within >> k & 1U) != 0) continue;
     const VertexId u = c[k], v = c[(k + 1) % 3];
     // O(u, v, .) changes its sign with the order of u and v; the cut is named in one order.
     const Sign wanted = u < v ? facing : -facing;
+    // Parallel: images are linear along the edge, and their determinants as good as those in space.
+    if (known.image != nullptr && !sight_.is_perspective()) {
+      const auto value = [&](ErrorBounded x, const End& end) -> Value {
+        if (u > v) x = -x;
+        if (facing == Sign::negative) x = -x;
+        if (!x.is_certain())
+          return Shadows::known(x, exact_.side_beyond_filter(sight_.sight_plane(std::min(u, v), std::max(u, v)), end.p));
+        ++exact_.counts().filter;
+        return {x, sign_of(x.value)};
+      };
+      if (!clip(sight_cut(u, v), value(known.image->at_p[k], a_), value(known.image->at_q[k], b_), wanted, false)) return;
+      continue;
+    }
     if (!clip(sight_cut(u, v), sight_.sight_plane(std::min(u, v), std::max(u, v)), a_.vertex == u || a_.vertex == v,
               b_.vertex == u || b_.vertex == v, wanted, false))
       return;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
+#include <tuple>
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
@@ -59,6 +59,7 @@ class Linker {
   bool may_be_one(const MapPlace& p, const MapPlace& q) const {
     return std::fabs(p.x - q.x) <= p.error_x + q.error_x && std::fabs(p.y - q.y) <= p.error_y + q.error_y;
   }
+  bool certainly_turn(std::uint32_t p, std::uint32_t q, std::uint32_t r) const;
   Sign turn(const Piece& p, bool back_p, const Piece& q, bool back_q);
   void drop_straight(std::vector<std::uint32_t>& pieces);
   bool turns_left(const std::vector<std::uint32_t>& pieces);
@@ -70,14 +71,24 @@ class Linker {
   std::span<const MapSide> sides_;
   std::vector<MapPoint> points_;
   std::vector<MapPlace> places_;
-  std::vector<std::uint32_t> by_x_;   // points, by the lower bound of x
-  double widest_ = 0;                 // of the bounds of x
-  std::vector<Piece> ends_, pieces_;  // of whole sides; of cut ones
-  std::vector<std::uint32_t> next_;   // by piece
+  std::vector<std::uint32_t> by_x_;          // points, by the lower bound of x
+  double widest_ = 0;                        // of the bounds of x
+  std::vector<Piece> ends_, pieces_;         // of whole sides; of cut ones
+  std::vector<std::uint32_t> next_;          // by piece
+  std::vector<std::uint32_t> place_on_way_;  // of each point on the way of split(), the piece that leaves it
   std::vector<Walk> walks_;
   std::vector<std::vector<Loop>> regions_;
   std::vector<std::size_t> holes_of_walk_;
 };
+
+/// Whether three points certainly lie on no line: the bound of ImageLine, E the largest error of the three.
+bool Linker::certainly_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+  const MapPlace &p = places_[i], &q = places_[j], &r = places_[k];
+  const double error = std::max({p.error_x, p.error_y, q.error_x, q.error_y, r.error_x, r.error_y});
+  const double dx = q.x - p.x, dy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
+  const double d = std::fabs(dx) + std::fabs(dy), l = std::fabs(rx) + std::fabs(ry);
+  return std::fabs(dx * ry - dy * rx) > 2.2 * error * (d + l) + 9.1 * error * error + 4.2 * ErrorBounded::u * d * l + 0x1p-1000;
+}
 
 /// Gives each point of the image one number.
 void Linker::find_points() {
@@ -152,6 +163,7 @@ void Linker::cut_sides() {
       if (r.x - r.error_x > high) break;
       if (*i == side.from || *i == side.to || r.x + r.error_x < low || r.y + r.error_y < low_y || r.y - r.error_y > high_y)
         continue;
+      if (certainly_turn(side.from, side.to, *i)) continue;
       if (map_.side(side.line, points_[*i]) != Sign::zero) continue;
       const Sign after_from = map_.order(side.line, points_[side.from], points_[*i]);
       const Sign before_to = map_.order(side.line, points_[*i], points_[side.to]);
@@ -267,6 +279,7 @@ void Linker::link() {
 
 void Linker::walk() {
   std::vector<bool> is_done(pieces_.size(), false);
+  place_on_way_.assign(points_.size(), none);
   std::vector<std::uint32_t> pieces;
   for (std::uint32_t first = 0; first < pieces_.size(); ++first) {
     if (is_done[first]) continue;
@@ -283,15 +296,13 @@ void Linker::walk() {
 void Linker::split(const std::vector<std::uint32_t>& pieces) {
   Walk walk;
   std::vector<std::uint32_t> way;
-  std::map<std::uint32_t, std::size_t> place;  // of each point on the way, the piece that leaves it
   for (const std::uint32_t i : pieces) {
-    place[pieces_[i].from] = way.size();
+    place_on_way_[pieces_[i].from] = static_cast<std::uint32_t>(way.size());
     way.push_back(i);
-    const auto back = place.find(pieces_[i].to);
-    if (back == place.end()) continue;
-    const std::size_t begin = back->second;
-    Loop loop{{way.begin() + static_cast<std::ptrdiff_t>(begin), way.end()}};
-    for (const std::uint32_t k : loop.pieces) place.erase(pieces_[k].from);
+    const std::uint32_t begin = place_on_way_[pieces_[i].to];
+    if (begin == none) continue;
+    Loop loop{{way.begin() + begin, way.end()}};
+    for (const std::uint32_t k : loop.pieces) place_on_way_[pieces_[k].from] = none;
     way.resize(begin);
     drop_straight(loop.pieces);
     loop.is_outer = turns_left(loop.pieces);
@@ -306,7 +317,8 @@ void Linker::drop_straight(std::vector<std::uint32_t>& pieces) {
   std::vector<std::uint32_t> corners;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const Piece &before = pieces_[pieces[(k + pieces.size() - 1) % pieces.size()]], &here = pieces_[pieces[k]];
-    if (before.line == here.line || map_.turn(before.line, here.line) == Sign::zero) continue;
+    if (before.line == here.line) continue;
+    if (!certainly_turn(before.from, here.from, here.to) && map_.turn(before.line, here.line) == Sign::zero) continue;
     corners.push_back(pieces[k]);
   }
   if (corners.size() < 3) throw InvariantError("link_rings: a ring without area");

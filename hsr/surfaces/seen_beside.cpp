@@ -33,23 +33,29 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
   }
   // The tree visits what reaches nearer than the farthest of what is seen so far.
   query.farthest = -std::numeric_limits<float>::infinity();
-  occluders_.tree.visit(query, [&](std::uint32_t i) {
-    const ImageFace& face = occluders_.face(i);
+  const auto look_at = [&](const ImageFace& face) {
     const ImageFace::Overlap overlap = face.overlap(ends[0], ends[1], error);
-    if (overlap.is_none) return true;
+    if (overlap.is_none) return;
     const Linear of_t = nearness(face);
-    if (certainly_behind(of_t)) return true;
+    if (certainly_behind(of_t)) return;
     const std::size_t before = parts_.size();
     const TriangleId first = parts_.front().seen;
     insert(face.triangle, of_t, overlap.is_within);
-    if (parts_.size() == before && parts_.front().seen == first) return true;
+    if (parts_.size() == before && parts_.front().seen == first) return;
     float lowest = std::numeric_limits<float>::infinity();
-    for (const Part& part : parts_) lowest = std::min(lowest, farthest(part));
+    for (const Part& part : parts_)
+      if (lowest > query.farthest) lowest = std::min(lowest, farthest(part));
     query.farthest = std::max(query.farthest, lowest);
+  };
+  for (const ImageFace* face : stretch.first)
+    if (face != nullptr) look_at(*face);
+  occluders_.tree.visit(query, [&](std::uint32_t i) {
+    const ImageFace& face = occluders_.face(i);
+    if (&face != stretch.first[0] && &face != stretch.first[1]) look_at(face);
     return true;
   });
   result_.clear();
-  for (const Part& part : parts_) result_.push_back({part.from.p, part.to.p, part.seen});
+  for (const Part& part : parts_) result_.push_back({part.from.p, part.to.p, part.seen, part.to.t, part.to.error});
   return result_;
 }
 

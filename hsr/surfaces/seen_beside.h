@@ -18,12 +18,15 @@ struct MapStretch {
   NearPoint a, b;
   double from_t = 0, from_error = 0, to_t = 1, to_error = 0;
   VertexId at_a = {}, at_b = {};  ///< the vertices that are a and b, if they are
+  /// Faces that are likely to be seen beside it: looked at first, so that what lies behind them need not be.
+  std::array<const ImageFace*, 2> first = {};
 };
 
 /// A part of a line of the map, and the triangle that is seen just beside it; none: nothing is.
 struct SeenPart {
   MapPoint from, to;  ///< along the line
   TriangleId seen;
+  double to_t = 0, to_error = 0;  ///< where `to` is, as in MapStretch
 };
 
 /// Which triangle is seen just beside a part of a line: the lower envelope of the faces over it. One object per thread.

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "hsr/contacts/intersections.h"
@@ -34,10 +35,14 @@ struct FacetSide {
 /// Collects the sides along the lines of the map. One object per block of lines.
 class SideFinder {
  public:
-  SideFinder(const Sight& sight, const Occluders& occluders, const Intersections& intersections)
+  /// @param place of each triangle among the prepared ones
+  SideFinder(const Sight& sight, const Occluders& occluders, const Intersections& intersections,
+             const std::vector<std::uint32_t>& place)
       : sight_(sight),
         mesh_(sight.mesh()),
+        occluders_(occluders),
         intersections_(intersections),
+        place_(place),
         map_(sight),
         left_(map_, occluders),
         right_(map_, occluders) {}
@@ -60,7 +65,9 @@ class SideFinder {
 
   const Sight& sight_;
   const Mesh& mesh_;
+  const Occluders& occluders_;
   const Intersections& intersections_;
+  const std::vector<std::uint32_t>& place_;
   MapSight map_;
   SeenBeside left_, right_;
   std::vector<FacetSide> sides_;
@@ -141,7 +148,9 @@ void SideFinder::add_intersection(const Intersection& crossing) {
   };
   MapPoint from = point(crossing.from), to = point(crossing.to);
   if (map_.order(line, from, to) == Sign::positive) std::swap(from, to);  // along its image, not in space
-  add({line, from, to, map_.point(from, crossing.s), map_.point(to, crossing.s)}, {}, {});
+  MapStretch stretch{line, from, to, map_.point(from, crossing.s), map_.point(to, crossing.s)};
+  stretch.first = {&occluders_.faces[place_[crossing.s.value]], &occluders_.faces[place_[crossing.t.value]]};
+  add(stretch, {}, {});
 }
 
 /// The part of a triangle in the near plane, where it has been cut; or its side there, which may be a diagonal of its face.
@@ -171,7 +180,8 @@ ErrorBounded SideFinder::parameter_at(const Edge& edge, const Cut& cut) const {
 }
 
 void SideFinder::add(const MapStretch& stretch, TriangleId left, TriangleId right) {
-  const SeenPart whole_left{stretch.from, stretch.to, left}, whole_right{stretch.from, stretch.to, right};
+  const SeenPart whole_left{stretch.from, stretch.to, left, stretch.to_t, stretch.to_error},
+      whole_right{stretch.from, stretch.to, right, stretch.to_t, stretch.to_error};
   const std::span<const SeenPart> l = left.is_valid() ? std::span(&whole_left, 1) : left_.find(stretch, Sign::positive);
   const std::span<const SeenPart> r = right.is_valid() ? std::span(&whole_right, 1) : right_.find(stretch, Sign::negative);
   add_different(stretch.line, l, r);
@@ -183,7 +193,9 @@ void SideFinder::add_different(const MapLine& line, std::span<const SeenPart> le
   std::size_t i = 0, j = 0;
   MapPoint from = left.front().from;
   while (i < left.size() && j < right.size()) {
-    const Sign first = map_.order(line, left[i].to, right[j].to);
+    const double gap = left[i].to_t - right[j].to_t;
+    const bool is_certain = std::fabs(gap) > (left[i].to_error + right[j].to_error) * 1.01;
+    const Sign first = is_certain ? sign_of(gap) : map_.order(line, left[i].to, right[j].to);
     const MapPoint to = first == Sign::positive ? right[j].to : left[i].to;
     const TriangleId l = facet(left[i].seen), r = facet(right[j].seen);
     if (l != r) {
@@ -207,6 +219,7 @@ class FragmentFinder {
   void leave_out_hidden(const std::vector<ImageBox>& boxes, std::vector<std::uint8_t>& left_out) const;
   void find_lines();
   void find_sides();
+  std::vector<std::uint32_t> place_;  // of each triangle along the tree of the occluders
   template <class F>
   void collect(std::span<const std::uint32_t> order, const F& visit);
 
@@ -276,7 +289,7 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
   std::vector<DecisionCounts> counts(parts.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      SideFinder finder(sight_, *occluders_, intersections_);
+      SideFinder finder(sight_, *occluders_, intersections_, place_);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t i = part * block; i < end; ++i) visit(finder, order[i]);
       parts[part] = finder.take();
@@ -291,10 +304,10 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
 
 void FragmentFinder::find_sides() {
   // Along the tree: neighbours in the image look at the same triangles, which are still in the cache.
-  std::vector<std::uint32_t> place(mesh_.triangles.size(), 0);
-  for (std::size_t i = 0; i < occluders_->triangles.size(); ++i) place[occluders_->triangles[i].value] = occluders_->place[i];
+  place_.assign(mesh_.triangles.size(), 0);
+  for (std::size_t i = 0; i < occluders_->triangles.size(); ++i) place_[occluders_->triangles[i].value] = occluders_->place[i];
   const auto along_tree = [&](std::size_t n, const auto& triangle) {
-    return ordered(n, place.size(), [&](std::size_t i) { return place[triangle(i).value]; });
+    return ordered(n, place_.size(), [&](std::size_t i) { return place_[triangle(i).value]; });
   };
   const auto& lines = lines_.lines;
   const auto& segments = intersections_.segments;
