@@ -16,9 +16,17 @@ namespace hsr {
 /// Sorts `cast` and replaces what overlaps or touches by its union.
 void Tiling::unite(std::vector<Shadow>& cast) {
   if (cast.size() < 2) return;
-  // stable_sort stays within bounds even where --arithmetic double gives no order at all.
-  std::stable_sort(cast.begin(), cast.end(),
-                   [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; });
+  const auto before = [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; };
+  // Both sorts are stable and stay within bounds even where --arithmetic double gives no order at all. The first is for few.
+  if (cast.size() <= 16) {
+    for (auto i = cast.begin() + 1; i != cast.end(); ++i) {
+      auto at = i;
+      while (at != cast.begin() && before(*i, *(at - 1))) --at;
+      std::rotate(at, i, i + 1);
+    }
+  } else {
+    std::stable_sort(cast.begin(), cast.end(), before);
+  }
   std::size_t last = 0;
   for (std::size_t i = 1; i < cast.size(); ++i) {
     if (shadows_.order(cast[i].from, cast[last].to) == Sign::positive)

@@ -43,7 +43,7 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
     insert(face.triangle, of_t, overlap.is_within);
     if (parts_.size() == before && parts_.front().seen == first) return;
     float lowest = std::numeric_limits<float>::infinity();
-    for (const Part& part : parts_)
+    for (Part& part : parts_)
       if (lowest > query.farthest) lowest = std::min(lowest, farthest(part));
     query.farthest = std::max(query.farthest, lowest);
   };
@@ -67,8 +67,12 @@ NearPoint SeenBeside::point(const Place& place) const {
           (length * (place.error + 4 * u * reach) + (a.error + b.error) * reach + 4 * u * size(a.p)) * 1.01};
 }
 
-/// How far away what is seen along the part may be, at most.
-float SeenBeside::farthest(const Part& part) const {
+float SeenBeside::farthest(Part& part) const {
+  if (part.farthest == unknown) part.farthest = farthest_of(part);
+  return part.farthest;
+}
+
+float SeenBeside::farthest_of(const Part& part) const {
   if (!part.seen.is_valid()) return -std::numeric_limits<float>::infinity();
   float lowest = std::numeric_limits<float>::infinity();
   for (const Place& end : {part.from, part.to}) {
@@ -143,10 +147,12 @@ Sign SeenBeside::order(const Place& x, const Place& y) {
 }
 
 void SeenBeside::add(const Place& from, const Place& to, TriangleId t, const Linear& nearness) {
-  if (!next_.empty() && next_.back().seen == t)
+  if (!next_.empty() && next_.back().seen == t) {
     next_.back().to = to;
-  else
+    next_.back().farthest = unknown;
+  } else {
     next_.push_back({from, to, t, nearness});
+  }
 }
 
 /// Cuts the part of the line to what is within the half-plane just beside it. False: nothing.
@@ -224,8 +230,14 @@ void SeenBeside::insert(TriangleId t, const Linear& of_t, unsigned is_within) {
   const Mesh& mesh = map_.mesh();
   for (const Part& part : parts_) {
     const auto keep = [&](const Place& x, const Place& y) { add(x, y, part.seen, part.nearness); };
+    const auto keep_whole = [&] {
+      if (!next_.empty() && next_.back().seen == part.seen)
+        keep(part.from, part.to);
+      else
+        next_.push_back(part);
+    };
     if (part.seen.is_valid() && facet_of(mesh, part.seen) == facet_of(mesh, t)) {
-      keep(part.from, part.to);
+      keep_whole();
       continue;
     }
     // The part before t, within it, and after it.
@@ -233,7 +245,7 @@ void SeenBeside::insert(TriangleId t, const Linear& of_t, unsigned is_within) {
     const bool ends_earlier = order(to, part.to) == Sign::negative;
     const Place low = starts_later ? from : part.from, high = ends_earlier ? to : part.to;
     if (order(low, high) != Sign::negative) {
-      keep(part.from, part.to);
+      keep_whole();
       continue;
     }
     if (starts_later) keep(part.from, low);

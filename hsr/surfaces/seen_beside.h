@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -57,7 +58,9 @@ class SeenBeside {
     Place from, to;
     TriangleId seen;
     Linear nearness;
+    float farthest = unknown;  ///< how far away what is seen here may be, at most
   };
+  static constexpr float unknown = std::numeric_limits<float>::infinity();
 
   void insert(TriangleId t, const Linear& of_t, unsigned is_within);
   bool certainly_behind(const Linear& of_t) const;
@@ -73,7 +76,8 @@ class SeenBeside {
   Sign nearer_beside(TriangleId s, TriangleId t);
   void add(const Place& from, const Place& to, TriangleId t, const Linear& nearness);
   NearPoint point(const Place& place) const;
-  float farthest(const Part& part) const;
+  float farthest(Part& part) const;
+  float farthest_of(const Part& part) const;
 
   MapSight& map_;
   const Sight& sight_;

@@ -229,7 +229,8 @@ class FragmentFinder {
   std::optional<Occluders> occluders_;
   Intersections intersections_;
   VisibleLines lines_;
-  std::vector<FacetSide> sides_;         // by facet
+  std::vector<std::vector<FacetSide>> found_;  // of each block of lines
+  std::vector<MapSide> sides_;                 // by facet
   std::vector<std::size_t> first_side_;  // by TriangleId, one more
   DecisionCounts decisions_;
 };
@@ -297,7 +298,7 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
     }
   });
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    sides_.insert(sides_.end(), parts[part].begin(), parts[part].end());
+    found_.push_back(std::move(parts[part]));
     decisions_ += counts[part];
   }
 }
@@ -320,12 +321,14 @@ void FragmentFinder::find_sides() {
             [&](SideFinder& finder, std::size_t i) { finder.add_near_cut(occluders_->triangles[i]); });
   // A counting sort by facet.
   first_side_.assign(mesh_.triangles.size() + 1, 0);
-  for (const FacetSide& s : sides_) ++first_side_[s.facet.value + 1U];
+  for (const auto& part : found_)
+    for (const FacetSide& s : part) ++first_side_[s.facet.value + 1U];
   for (std::size_t t = 1; t < first_side_.size(); ++t) first_side_[t] += first_side_[t - 1];
-  std::vector<FacetSide> sorted(sides_.size());
+  sides_.resize(first_side_.back());
   std::vector<std::size_t> next(first_side_.begin(), first_side_.end() - 1);
-  for (const FacetSide& s : sides_) sorted[next[s.facet.value]++] = s;
-  sides_ = std::move(sorted);
+  for (const auto& part : found_)
+    for (const FacetSide& s : part) sides_[next[s.facet.value]++] = s.side;
+  found_.clear();
 }
 
 VisibleFragments FragmentFinder::fragments() {
@@ -334,20 +337,17 @@ VisibleFragments FragmentFinder::fragments() {
   find_sides();
   struct Worker {
     MapSight at;
-    std::vector<MapSide> sides;
     MapSight& map() { return at; }
   };
   VisibleFragments all = fragments_in_blocks(
       mesh_, options_,
       [&] {
-        return Worker{MapSight(sight_), {}};
+        return Worker{MapSight(sight_)};
       },
       [&](Worker& worker, TriangleId facet, FragmentParts& parts) {
         const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
         if (begin == end) return;
-        worker.sides.clear();
-        for (std::size_t i = begin; i < end; ++i) worker.sides.push_back(sides_[i].side);
-        parts.add(facet, link_rings(worker.at, worker.sides));
+        parts.add(facet, link_rings(worker.at, std::span(sides_).subspan(begin, end - begin)));
       });
   all.decisions += decisions_;
   all.decisions += lines_.decisions;
