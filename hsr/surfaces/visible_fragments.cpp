@@ -231,7 +231,7 @@ class FragmentFinder {
   VisibleLines lines_;
   std::vector<std::vector<FacetSide>> found_;  // of each block of lines
   std::vector<MapSide> sides_;                 // by facet
-  std::vector<std::size_t> first_side_;  // by TriangleId, one more
+  std::vector<std::size_t> first_side_;        // by TriangleId, one more
   DecisionCounts decisions_;
 };
 
@@ -340,10 +340,7 @@ VisibleFragments FragmentFinder::fragments() {
     MapSight& map() { return at; }
   };
   VisibleFragments all = fragments_in_blocks(
-      mesh_, options_,
-      [&] {
-        return Worker{MapSight(sight_)};
-      },
+      mesh_, options_, [&] { return Worker{MapSight(sight_)}; },
       [&](Worker& worker, TriangleId facet, FragmentParts& parts) {
         const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
         if (begin == end) return;
