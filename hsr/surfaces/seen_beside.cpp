@@ -50,7 +50,10 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
   for (const ImageFace* face : stretch.first)
     if (face != nullptr) look_at(*face);
   occluders_.tree.visit(query, [&](std::uint32_t i) {
-    const ImageFace& face = occluders_.face(i);
+    ImageFace own;
+    const bool is_prepared = !occluders_.faces.empty();
+    if (!is_prepared) own = ImageFace(sight_, occluders_.triangles[i]);
+    const ImageFace& face = is_prepared ? occluders_.face(i) : own;
     if (&face != stretch.first[0] && &face != stretch.first[1]) look_at(face);
     return true;
   });

@@ -35,7 +35,6 @@ struct SeenPart {
 /// "Just beside" settles what coincides in the image: a triangle that ends at the line is there on its own side only; of two
 /// that meet in the line the one that is nearer beside it is seen; of two in one plane the lower index.
 /// Doubles with proven bounds tell most places and depths apart; the symbols decide the others.
-/// @pre the occluders are prepared
 /// Exact: yes. Cost: O(k m) for the k triangles that overlap the part and m parts. Source: Hart & Sharir 1986 (envelopes of
 /// segments), here of faces over a line.
 class SeenBeside {

@@ -149,7 +149,8 @@ void SideFinder::add_intersection(const Intersection& crossing) {
   MapPoint from = point(crossing.from), to = point(crossing.to);
   if (map_.order(line, from, to) == Sign::positive) std::swap(from, to);  // along its image, not in space
   MapStretch stretch{line, from, to, map_.point(from, crossing.s), map_.point(to, crossing.s)};
-  stretch.first = {&occluders_.faces[place_[crossing.s.value]], &occluders_.faces[place_[crossing.t.value]]};
+  if (!occluders_.faces.empty())
+    stretch.first = {&occluders_.faces[place_[crossing.s.value]], &occluders_.faces[place_[crossing.t.value]]};
   add(stretch, {}, {});
 }
 
@@ -254,7 +255,6 @@ void FragmentFinder::find_lines() {
   });
   leave_out_hidden(boxes, left_out);
   occluders_.emplace(sight_, boxes, left_out);
-  occluders_->prepare(sight_);
   intersections_ = find_intersections(sight_, *occluders_);
   auto edges = collected<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e) {
@@ -268,6 +268,8 @@ void FragmentFinder::find_lines() {
   line_options.arithmetic = options_.arithmetic;
   const Layers layers(sight_, left_out);
   const bool appel_pays = options_.arithmetic == Arithmetic::staged && layers.edges().size() <= occluders_->triangles.size();
+  // Of a mesh few lines are looked along, as most edges have a face on each side: records would not pay.
+  if (!appel_pays) occluders_->prepare(sight_);
   lines_ = appel_pays ? appel(sight_, requested, layers, *occluders_, line_options)
                       : roberts(sight_, requested, *occluders_, line_options);
 }
@@ -306,7 +308,7 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
 void FragmentFinder::find_sides() {
   // Along the tree: neighbours in the image look at the same triangles, which are still in the cache.
   place_.assign(mesh_.triangles.size(), 0);
-  for (std::size_t i = 0; i < occluders_->triangles.size(); ++i) place_[occluders_->triangles[i].value] = occluders_->place[i];
+  for (std::size_t i = 0; i < occluders_->place.size(); ++i) place_[occluders_->triangles[i].value] = occluders_->place[i];
   const auto along_tree = [&](std::size_t n, const auto& triangle) {
     return ordered(n, place_.size(), [&](std::size_t i) { return place_[triangle(i).value]; });
   };
