@@ -427,7 +427,7 @@ void BspBuilder::divide_small(const Task& task) {
     const std::uint8_t own = plane[best];
     std::uint64_t behind = node.parts & row.behind & ~row.before, before = node.parts & row.before & ~row.behind;
     const std::uint64_t both = node.parts & row.behind & row.before, inside = node.parts & ~(row.behind | row.before);
-    if (static_cast<std::size_t>(std::popcount(used) + std::popcount(both)) > most) {
+    if (static_cast<std::size_t>(std::popcount(used)) + static_cast<std::size_t>(std::popcount(both)) > most) {
       // More than there are places for.
       tasks_.push_back({waiting_.size(), node.task.parent, node.task.is_before, node.task.depth});
       for (std::uint64_t left = node.parts; left != 0; left &= left - 1) {

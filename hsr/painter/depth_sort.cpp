@@ -27,11 +27,7 @@ struct Neighbour {
 class Sorter {
  public:
   Sorter(const Mesh& mesh, const View& view, const DepthSortOptions& options)
-      : options_(options),
-        mesh_(mesh),
-        view_(view),
-        sight_(mesh, view, options.arithmetic),
-        overlaps_(sight_, options.classic) {}
+      : options_(options), mesh_(mesh), sight_(mesh, view, options.arithmetic), overlaps_(sight_, options.classic) {}
 
   DepthSort sort();
 
@@ -57,7 +53,6 @@ class Sorter {
 
   const DepthSortOptions& options_;
   const Mesh& mesh_;
-  const View& view_;
   Sight sight_;
   Overlaps overlaps_;
   FacePieces faces_;

@@ -62,7 +62,7 @@ struct Axis {
       return all;
     }
     const std::size_t last = stops.size() - 1, stride = (last + 6) / 7;
-    for (std::size_t k = 0; k < last; k = k + 2 * stride > last ? last : k + stride)  // the last one always, and room before it
+    for (std::size_t k = 0; k<last; k = k + 2 * stride> last ? last : k + stride)  // the last one always, and room before it
       all.push_back({static_cast<double>(k) / static_cast<double>(last), short_text(stops[k])});
     all.push_back({1, short_text(stops[last])});
     return all;
