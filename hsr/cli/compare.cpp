@@ -155,7 +155,7 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
   text.facts = {
       fmt::format("{}: {} faces, {} triangles", name, comparison.faces, comparison.triangles), "view: " + chosen.title,
       fmt::format("{0} x {0} samples in the pictures below; {1} runs of each method, {2} thread(s)", a.size, a.runs, a.threads),
-      machine_and_date(), "hsr " HSR_VERSION};
+      machine_and_date(), std::string("hsr ") + HSR_VERSION};
   directory.write("index.html", comparison_page(comparison, images, text));
   describe(report, comparison);
   report["view"] = chosen.title;

@@ -119,7 +119,7 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
   text.title = "Where visibility methods break";
   text.facts = {fmt::format("{0} families of scenes with one knob each{1}; {2} x {2} samples", result.families.size(),
                             a.quick ? ", fewer values (--quick)" : "", a.size),
-                machine_and_date(), "hsr " HSR_VERSION};
+                machine_and_date(), std::string("hsr ") + HSR_VERSION};
   directory.write("index.html", stability_page(result, text));
   describe(report, result);
   directory.write("report.json", report.text());

@@ -93,6 +93,7 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
 
 void add_colours(HtmlPage& page, const std::vector<ComparedColours>& compared) {
   std::vector<std::vector<HtmlCell>> rows;
+  rows.reserve(compared.size());
   for (const ComparedColours& c : compared)
     rows.push_back({{c.method},
                     {c.samples},
