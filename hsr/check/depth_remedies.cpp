@@ -39,6 +39,7 @@ Mesh mesh_of(std::initializer_list<Square> squares) {
   return make_mesh(points, polygons);
 }
 
+/// Whether all samples show the nearer wall, which is the second: its triangles are 2 and 3.
 bool tells_apart(double z, double gap, double near, DepthFormat format) {
   const Mesh mesh = mesh_of({{z + gap, 2 * z, 0}, {z, 2 * z, 0}});
   const View view = view_along_z(near / 2);

@@ -63,13 +63,13 @@ class Rasterizer {
     int end_row;
   };
 
+  static constexpr int unknown = -1, not_in_front = -2;
   /// Of a vertex: where it is seen, in rows and columns of samples; rows above it, columns before it, for either a negative
   /// number, if there is none or it is not known.
   struct Place {
     ErrorBounded y, x;
     int row = unknown, column = unknown;
   };
-  static constexpr int unknown = -1, not_in_front = -2;
 
   struct SideOfTriangle;
 

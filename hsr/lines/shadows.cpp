@@ -199,37 +199,38 @@ void Shadows::cast(const ImageFace& face, std::vector<Shadow>& shadows) {
   cast(face.triangle, {false, is_behind, &overlap}, shadows);
 }
 
-void Shadows::cast(TriangleId triangle, const Known& known, std::vector<Shadow>& shadows) {
+void Shadows::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<Shadow>& shadows) {
   const auto& c = sight_.mesh().triangles[triangle];
   const Sign facing = sight_.facing(triangle);
   const bool a_on = is_corner(a_.vertex, c), b_on = is_corner(b_.vertex, c);
   // Nothing hides in its own plane, unless seen edge-on.
   if (facing != Sign::zero && (a_on && b_on)) return;
   if (facing != Sign::zero && !is_edge() && is_one(facet_of(sight_.mesh(), triangle))) return;
-  if (known.may_miss && misses(c)) return;
+  if (prefilter.may_miss && misses(c)) return;
   if (facing == Sign::zero) {
     edge_on(triangle, shadows);
     return;
   }
   begin();
   const Plane plane = sight_.face_plane(triangle);
-  if (!known.is_behind && !clip(cut_of(Cut::Kind::face, triangle.value), plane, a_on, b_on, facing, true)) return;
+  if (!prefilter.is_behind && !clip(cut_of(Cut::Kind::face, triangle.value), plane, a_on, b_on, facing, true)) return;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (known.image != nullptr && (known.image->is_within >> k & 1U) != 0) continue;
+    if (prefilter.image != nullptr && (prefilter.image->is_within >> k & 1U) != 0) continue;
     const VertexId u = c[k], v = c[(k + 1) % 3];
     // O(u, v, .) changes its sign with the order of u and v; the cut is named in one order.
     const Sign wanted = u < v ? facing : -facing;
     // Parallel: images are linear along the edge, and their determinants as good as those in space.
-    if (known.image != nullptr && !sight_.is_perspective()) {
+    if (prefilter.image != nullptr && !sight_.is_perspective()) {
       const auto value = [&](ErrorBounded x, const End& end) -> Value {
         if (u > v) x = -x;
         if (facing == Sign::negative) x = -x;
         if (!x.is_certain())
-          return Shadows::known(x, exact_.side_beyond_filter(sight_.sight_plane(std::min(u, v), std::max(u, v)), end.p));
+          return known(x, exact_.side_beyond_filter(sight_.sight_plane(std::min(u, v), std::max(u, v)), end.p));
         ++exact_.counts().filter;
         return {x, sign_of(x.value)};
       };
-      if (!clip(sight_cut(u, v), value(known.image->at_p[k], a_), value(known.image->at_q[k], b_), wanted, false)) return;
+      if (!clip(sight_cut(u, v), value(prefilter.image->at_p[k], a_), value(prefilter.image->at_q[k], b_), wanted, false))
+        return;
       continue;
     }
     if (!clip(sight_cut(u, v), sight_.sight_plane(std::min(u, v), std::max(u, v)), a_.vertex == u || a_.vertex == v,

@@ -70,12 +70,12 @@ class Shadows {
     Sign sign;
   };
   /// What a prepared triangle tells of the edge for certain.
-  struct Known {
+  struct Prefilter {
     bool may_miss = true;                       ///< not looked at: whether it misses the edge in the image
     bool is_behind = false;                     ///< the edge is strictly beyond its plane
     const ImageFace::Overlap* image = nullptr;  ///< with the edge
   };
-  void cast(TriangleId triangle, const Known& known, std::vector<Shadow>& shadows);
+  void cast(TriangleId triangle, const Prefilter& prefilter, std::vector<Shadow>& shadows);
   /// An end of the line: a vertex, or where a plane cuts the line of two others, and then known within `error`.
   struct End {
     VertexId vertex;

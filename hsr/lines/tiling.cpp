@@ -17,7 +17,8 @@ namespace hsr {
 void Tiling::unite(std::vector<Shadow>& cast) {
   if (cast.size() < 2) return;
   const auto before = [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; };
-  // Both sorts are stable and stay within bounds even where --arithmetic double gives no order at all. The first is for few.
+  // Both sorts are stable and stay within bounds even where --arithmetic double gives no order at all. The first takes no
+  // memory, which for a few shadows, as most edges have, costs more than to sort them.
   if (cast.size() <= 16) {
     for (auto i = cast.begin() + 1; i != cast.end(); ++i) {
       auto at = i;

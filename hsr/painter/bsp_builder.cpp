@@ -14,6 +14,7 @@
 #include "hsr/map/convex_ring.h"
 #include "hsr/painter/bsp.h"
 #include "hsr/painter/bsp_parts.h"
+#include "hsr/painter/side_bits.h"
 #include "hsr/sight.h"
 
 namespace hsr {
@@ -32,6 +33,14 @@ View any_view() {
 /// Little is good: cuts, and parts more on one side than on the other.
 std::size_t score(std::size_t behind, std::size_t before, std::size_t both) {
   return 8 * both + (behind > before ? behind - before : before - behind);
+}
+
+std::size_t number_of(std::uint64_t bits) { return static_cast<std::size_t>(std::popcount(bits)); }
+
+/// Ascending.
+template <class F>
+void for_each_bit(std::uint64_t bits, const F& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
 }  // namespace
@@ -85,6 +94,8 @@ class BspBuilder {
   bool sort_parts(const Divider& d, std::span<const std::uint32_t> parts);
   void divide(const Task& task);
   void divide_small(const Task& task);
+  const SideBits<small_node>::Row& small_row(std::size_t place, std::uint64_t parts);
+  std::size_t choose_small(std::uint64_t parts);
   std::array<std::uint32_t, 2> split(std::uint32_t part, const Divider& d);
   std::uint32_t add_node(const Cut& plane, const Task& task, std::span<std::uint32_t> inside);
   std::uint64_t random() {  // splitmix64, Steele, Lea & Flood 2014
@@ -119,7 +130,15 @@ class BspBuilder {
     Task task;
   };
   std::vector<SmallNode> small_open_;
-  std::array<Divider, small_node> small_dividers_;
+  /// The parts below a small node, and the planes of their facets.
+  struct Small {
+    std::uint64_t used = 0;                                        // places
+    std::array<std::uint32_t, SideBits<small_node>::places> part;  // by place
+    std::array<std::uint8_t, SideBits<small_node>::places> plane;  // by place: that of its facet
+    std::array<Divider, small_node> dividers;                      // by plane, once it is asked for
+    SideBits<small_node> sides;
+  };
+  Small small_;
   Sample sample_;
 };
 
@@ -360,114 +379,84 @@ void BspBuilder::divide(const Task& task) {
   }
 }
 
-/// All that is below a small node. On which side of a face's plane a part lies is asked once, and kept for all nodes below, as
-/// one bit of a word for each part: the best of many planes costs little.
+/// All that is below a small node. On which side of a face's plane a part lies is asked once, and kept for all nodes below: the
+/// best of many planes costs little.
 void BspBuilder::divide_small(const Task& task) {
-  constexpr std::size_t most = 64;
-  struct Row {  // of a plane: bit k, of the part in place k
-    std::uint64_t known = 0, behind = 0, before = 0;
-  };
-  std::array<std::uint32_t, most> part;  // by place
-  std::array<std::uint8_t, most> plane;  // by place: that of its facet
-  std::array<Row, small_node> rows;
-  std::size_t planes = 0;
-  std::uint64_t used = 0;
+  small_ = {};
   for (std::size_t k = task.first; k < waiting_.size(); ++k) {
     const std::size_t place = k - task.first;
-    part[place] = waiting_[k];
-    plane[place] = static_cast<std::uint8_t>(planes++);
-    used |= std::uint64_t{1} << place;
+    small_.part[place] = waiting_[k];
+    small_.plane[place] = static_cast<std::uint8_t>(place);
+    small_.used |= std::uint64_t{1} << place;
   }
   waiting_.resize(task.first);
-  std::uint64_t prepared = 0;  // planes
-  const auto find_row = [&](std::size_t of, std::uint64_t parts) -> const Row& {
-    const std::size_t p = plane[of];
-    if ((prepared >> p & 1U) == 0) {
-      small_dividers_[p] = parts_.divider(parts_[part[of]].facet);
-      prepared |= std::uint64_t{1} << p;
-    }
-    Row& row = rows[p];
-    for (std::uint64_t open = parts & ~row.known; open != 0; open &= open - 1) {
-      const int k = std::countr_zero(open);
-      const BspParts::Sides sides = parts_.sides(small_dividers_[p], parts_[part[static_cast<std::size_t>(k)]]);
-      row.behind |= std::uint64_t{sides.behind} << k;
-      row.before |= std::uint64_t{sides.before} << k;
-    }
-    row.known |= parts;
-    return row;
-  };
-  std::vector<SmallNode>& open = small_open_;
-  open.assign(1, {used, task});
-  while (!open.empty()) {
-    const SmallNode node = open.back();
-    open.pop_back();
-    const auto n = static_cast<std::size_t>(std::popcount(node.parts));
-    std::size_t least = ~std::size_t{0}, best = 0, tries = n > 1 ? 8 : 0;
-    for (std::uint64_t left = node.parts; left != 0; left &= left - 1) {
-      const auto place = static_cast<std::size_t>(std::countr_zero(left));
-      if (n == 1) {
-        best = place;
-        break;
-      }
-      // Planes that have been tried above cost nothing.
-      const bool is_known = (node.parts & ~rows[plane[place]].known) == 0;
-      if (!is_known && tries == 0) continue;
-      if (!is_known) --tries;
-      const Row& row = find_row(place, node.parts);
-      const auto count = [&](std::uint64_t parts) { return static_cast<std::size_t>(std::popcount(parts & node.parts)); };
-      const std::size_t s =
-          score(count(row.behind & ~row.before), count(row.before & ~row.behind), count(row.behind & row.before));
-      if (s < least) {
-        least = s;
-        best = place;
-      }
-      if (count(row.behind & row.before) == 0) break;
-    }
-    const Row row = n == 1 ? Row() : find_row(best, node.parts);
-    const std::uint8_t own = plane[best];
+  small_open_.assign(1, {small_.used, task});
+  while (!small_open_.empty()) {
+    const SmallNode node = small_open_.back();
+    small_open_.pop_back();
+    const std::size_t best = choose_small(node.parts);
+    // A plane has its own part in it.
+    const auto row = number_of(node.parts) == 1 ? SideBits<small_node>::Row() : small_row(best, node.parts);
     std::uint64_t behind = node.parts & row.behind & ~row.before, before = node.parts & row.before & ~row.behind;
     const std::uint64_t both = node.parts & row.behind & row.before, inside = node.parts & ~(row.behind | row.before);
-    if (static_cast<std::size_t>(std::popcount(used)) + static_cast<std::size_t>(std::popcount(both)) > most) {
+    if (number_of(small_.used) + number_of(both) > SideBits<small_node>::places) {
       // More than there are places for.
       tasks_.push_back({waiting_.size(), node.task.parent, node.task.is_before, node.task.depth});
-      for (std::uint64_t left = node.parts; left != 0; left &= left - 1) {
-        waiting_.push_back(part[static_cast<std::size_t>(std::countr_zero(left))]);
+      for_each_bit(node.parts, [&](std::size_t place) {
+        waiting_.push_back(small_.part[place]);
         parts_.find_box(waiting_.back());
-      }
-      used &= ~node.parts;
+      });
+      small_.used &= ~node.parts;
       continue;
     }
-    for (std::uint64_t left = both; left != 0; left &= left - 1) {
-      const int k = std::countr_zero(left), other = std::countr_zero(~used);
-      const std::uint64_t bit = std::uint64_t{1} << k, other_bit = std::uint64_t{1} << other;
-      const auto halves = split(part[static_cast<std::size_t>(k)], small_dividers_[own]);
-      part[static_cast<std::size_t>(k)] = halves[0];
-      part[static_cast<std::size_t>(other)] = halves[1];
-      plane[static_cast<std::size_t>(other)] = plane[static_cast<std::size_t>(k)];
-      used |= other_bit;
-      behind |= bit;
-      before |= other_bit;
-      // What is true of the whole is true of both; a plane that cuts the whole is asked again.
-      for (std::size_t p = 0; p < planes; ++p) {
-        Row& r = rows[p];
-        const bool was_cut = (r.behind & r.before & bit) != 0;
-        if (was_cut) {
-          r.known &= ~bit;
-          r.behind &= ~bit;
-          r.before &= ~bit;
-        }
-        for (std::uint64_t* bits : {&r.known, &r.behind, &r.before})
-          *bits = (*bits & ~other_bit) | ((*bits & bit) != 0 ? other_bit : 0);
-      }
-    }
+    for_each_bit(both, [&](std::size_t place) {
+      const auto free = static_cast<std::size_t>(std::countr_zero(~small_.used));
+      const auto halves = split(small_.part[place], small_.dividers[small_.plane[best]]);
+      small_.part[place] = halves[0];
+      small_.part[free] = halves[1];
+      small_.plane[free] = small_.plane[place];
+      small_.sides.cut(place, free);
+      small_.used |= std::uint64_t{1} << free;
+      behind |= std::uint64_t{1} << place;
+      before |= std::uint64_t{1} << free;
+    });
     inside_.clear();
-    for (std::uint64_t left = inside; left != 0; left &= left - 1)
-      inside_.push_back(part[static_cast<std::size_t>(std::countr_zero(left))]);
-    used &= ~inside;
-    const std::uint32_t at = add_node({Cut::Kind::face, 0, parts_[part[best]].facet.value, 0}, node.task, inside_);
-    if (before != 0) open.push_back({before, {0, at, true, node.task.depth + 1}});
-    if (behind != 0) open.push_back({behind, {0, at, false, node.task.depth + 1}});
+    for_each_bit(inside, [&](std::size_t place) { inside_.push_back(small_.part[place]); });
+    small_.used &= ~inside;
+    const std::uint32_t at = add_node({Cut::Kind::face, 0, parts_[small_.part[best]].facet.value, 0}, node.task, inside_);
+    if (before != 0) small_open_.push_back({before, {0, at, true, node.task.depth + 1}});
+    if (behind != 0) small_open_.push_back({behind, {0, at, false, node.task.depth + 1}});
   }
+}
+
+/// The sides of the plane of the part in a place, for all of `parts`.
+const SideBits<small_node>::Row& BspBuilder::small_row(std::size_t place, std::uint64_t parts) {
+  const std::size_t plane = small_.plane[place];
+  BspParts::Divider& divider = small_.dividers[plane];
+  if (divider.id == BspBounds::none) divider = parts_.divider(parts_[small_.part[place]].facet);
+  return small_.sides.find(plane, parts, [&](std::size_t k) { return parts_.sides(divider, parts_[small_.part[k]]); });
+}
+
+/// The place of a part whose plane divides well; of eight that are tried, and of those that cost nothing, as they have been
+/// tried above.
+std::size_t BspBuilder::choose_small(std::uint64_t parts) {
+  std::size_t least = ~std::size_t{0}, best = static_cast<std::size_t>(std::countr_zero(parts)), tries = 8;
+  if (number_of(parts) == 1) return best;
+  for (std::uint64_t left = parts; left != 0; left &= left - 1) {
+    const auto place = static_cast<std::size_t>(std::countr_zero(left));
+    const bool is_known = (parts & ~small_.sides[small_.plane[place]].known) == 0;
+    if (!is_known && tries == 0) continue;
+    if (!is_known) --tries;
+    const SideBits<small_node>::Row& row = small_row(place, parts);
+    const std::uint64_t behind = parts & row.behind, before = parts & row.before;
+    const std::size_t s = score(number_of(behind & ~before), number_of(before & ~behind), number_of(behind & before));
+    if (s < least) {
+      least = s;
+      best = place;
+    }
+    if ((behind & before) == 0) break;
+  }
+  return best;
 }
 
 /// The top of the tree first, then what is below it in parallel: where it is parted does not depend on the threads.

@@ -220,7 +220,6 @@ class FragmentFinder {
   void leave_out_hidden(const std::vector<ImageBox>& boxes, std::vector<std::uint8_t>& left_out) const;
   void find_lines();
   void find_sides();
-  std::vector<std::uint32_t> place_;  // of each triangle along the tree of the occluders
   template <class F>
   void collect(std::span<const std::uint32_t> order, const F& visit);
 
@@ -230,6 +229,7 @@ class FragmentFinder {
   std::optional<Occluders> occluders_;
   Intersections intersections_;
   VisibleLines lines_;
+  std::vector<std::uint32_t> place_;           // of each triangle along the tree of the occluders
   std::vector<std::vector<FacetSide>> found_;  // of each block of lines
   std::vector<MapSide> sides_;                 // by facet
   std::vector<std::size_t> first_side_;        // by TriangleId, one more

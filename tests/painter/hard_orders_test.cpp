@@ -273,6 +273,7 @@ TEST_CASE("a plain weave is cut at most once for each of its holes", "[painter][
   const DepthSort of_bent = checked(bent);
   // Around each hole four pieces of bands lie in a circle, and neighbouring holes share one.
   CHECK(of_bent.counts.cuts_in_cycles <= (n - 1) * (n - 1));
+  CHECK(2 * of_bent.counts.cuts_in_cycles >= (n - 1) * (n - 1));  // and no cut serves more than two
   CHECK(of_bent.counts.cuts_at_intersections == 0);
 
   // Two bands each way, tilted: each is over one and under the other. Four in a circle: one cut.
