@@ -44,6 +44,15 @@ struct BigArithmetic {
   static Number scalar(double k) { return Number(k); }
 };
 
+/// n / d, reduced once: where sums and products of BigArithmetic end, instead of rationals that are reduced at each. @pre d is
+/// not zero
+inline Rational quotient(const CGAL::Mpzf& n, const CGAL::Mpzf& d) {
+  Rational x, y;
+  n.export_to_mpq_t(x.get());
+  d.export_to_mpq_t(y.get());
+  return x / y;
+}
+
 /// Every coordinate divided by 2^lowest, every entry of a direction by its own power: whole numbers, and no sign changes, since
 /// each polynomial of spans is homogeneous in the points and in the direction.
 template <std::size_t L>

@@ -3,15 +3,26 @@
 #include "geometry/arithmetics.h"
 #include "geometry/error.h"
 #include "geometry/polynomials.h"
-#include "geometry/rational_arithmetic.h"
 
 namespace hsr {
 
+namespace {
+
+using Big = BigArithmetic::Number;
+
+/// x at p, and what it falls by from p to q.
+std::array<Big, 2> value_and_fall(const Plane& x, const Point3& p, const Point3& q) {
+  const BigArithmetic a;
+  const Big at_p = polynomials::value(a, x, p), fall = at_p - polynomials::value(a, x, q);
+  require(fall != 0, "parameter_of_cut: the plane is parallel to the edge");
+  return {at_p, fall};
+}
+
+}  // namespace
+
 Rational parameter_of_cut(const Plane& x, const Point3& p, const Point3& q) {
-  const RationalArithmetic a;
-  const Rational at_p = polynomials::value(a, x, p), at_q = polynomials::value(a, x, q);
-  require(at_p != at_q, "parameter_of_cut: the plane is parallel to the edge");
-  return at_p / (at_p - at_q);
+  const auto [at_p, fall] = value_and_fall(x, p, q);
+  return quotient(at_p, fall);
 }
 
 ConstructedPoint ConstructedPoint::on_edge(const Point3& p, const Point3& q, const Plane& x) {
@@ -30,18 +41,17 @@ ConstructedPoint ConstructedPoint::meet(const Plane& a, const Plane& b, const Pl
 }
 
 std::array<Rational, 3> ConstructedPoint::exact() const {
+  const BigArithmetic a;
   if (is_on_edge_) {
-    const Rational t = parameter_of_cut(planes_[0], p_, q_);
-    std::array<Rational, 3> r;
-    for (int k = 0; k < 3; ++k) r[static_cast<std::size_t>(k)] = Rational(p_[k]) + t * (Rational(q_[k]) - Rational(p_[k]));
-    return r;
+    const auto [at_p, fall] = value_and_fall(planes_[0], p_, q_);
+    const auto along = [&](int k) { return quotient(fall * Big(p_[k]) + at_p * a.difference(q_, p_, k), fall); };
+    return {along(0), along(1), along(2)};
   }
-  const RationalArithmetic a;
   const auto d = polynomials::meet_point(a, planes_[0], planes_[1], planes_[2]);
-  const Rational det = polynomials::meet_value(a, planes_[0], planes_[1], planes_[2]);
-  require(det.sign() != Sign::zero, "ConstructedPoint: the three planes meet in no single point");
+  const Big det = polynomials::meet_value(a, planes_[0], planes_[1], planes_[2]);
+  require(det != 0, "ConstructedPoint: the three planes meet in no single point");
   const Point3& o = planes_[0].o;
-  return {Rational(o.x) + d.x / det, Rational(o.y) + d.y / det, Rational(o.z) + d.z / det};
+  return {quotient(det * Big(o.x) + d.x, det), quotient(det * Big(o.y) + d.y, det), quotient(det * Big(o.z) + d.z, det)};
 }
 
 std::array<ErrorBounded, 3> near_meet(const Plane& x, const Plane& y, const Plane& z) {

@@ -4,7 +4,6 @@
 
 #include "geometry/arithmetics.h"
 #include "geometry/error.h"
-#include "geometry/rational_arithmetic.h"
 #include "geometry/view_plane_polynomials.h"
 
 namespace hsr {
@@ -55,46 +54,46 @@ std::array<ErrorBounded, 2> image_of_point(const Camera& camera, const Point3& p
 
 namespace {
 
-using Exact = polynomials::Vector<Rational>;
+using Big = BigArithmetic::Number;
+using Exact = polynomials::Vector<Big>;
 
-/// A point of the line of sight with the direction of the ray, or the homogeneous coordinates, q.
-Exact point_of_ray(const Camera& camera, const Exact& q, const Point3& origin) {
-  if (!camera.eye.is_direction) {
-    const Point3& e = camera.eye.at;
-    return {Rational(e.x) + q.x, Rational(e.y) + q.y, Rational(e.z) + q.z};
-  }
-  const int k = largest_axis(camera.eye.at);
-  std::array<Rational, 3> p = {origin.x, origin.y, origin.z};
-  const auto at = [&](int axis) -> Rational& { return p[static_cast<std::size_t>(axis % 3)]; };
-  at(k + 1) = at(k + 1) + q.x / q.z;
-  at(k + 2) = at(k + 2) + q.y / q.z;
-  return {p[0], p[1], p[2]};
-}
+Big dot(const Point3& row, const Exact& q) { return Big(row.x) * q.x + Big(row.y) * q.y + Big(row.z) * q.z; }
 
+/// The direction of the ray on which the lines of l and m cross, or the homogeneous coordinates of the crossing.
 Exact exact_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Point3& origin) {
-  const RationalArithmetic a;
+  const BigArithmetic a;
   auto q = polynomials::cross(polynomials::line(a, camera, l, origin), polynomials::line(a, camera, m, origin));
   const bool is_parallel = camera.eye.is_direction;
-  const Rational w = is_parallel ? q.z : polynomials::dot(polynomials::difference(a, camera.target, camera.eye.at), q);
-  require(w.sign() != Sign::zero, "exact_crossing: the lines are parallel in the image");
+  const Big w = is_parallel ? q.z : polynomials::dot(polynomials::difference(a, camera.target, camera.eye.at), q);
+  require(w != 0, "exact_crossing: the lines are parallel in the image");
   return q;
 }
 
-/// Where the line of sight of p meets x.
-std::array<Rational, 3> met(const Camera& camera, const Exact& p, const Plane& x) {
-  const RationalArithmetic a;
+/// Where the ray from the eye with the direction q meets x: e - (x(e) / n . q) q.
+std::array<Rational, 3> met_by_ray(const Camera& camera, const Exact& q, const Plane& x) {
+  const BigArithmetic a;
   const auto plane = polynomials::plane_at_eye(a, camera, x);
-  require(plane.at_eye.sign() != Sign::zero, "exact_point: the plane contains the viewpoint");
+  require(plane.at_eye != 0, "exact_point: the plane contains the viewpoint");
+  const Big slope = polynomials::dot(plane.normal, q);
+  require(slope != 0, "exact_point: the line of sight is parallel to the plane");
   const Point3& e = camera.eye.at;
-  const Exact away =
-      camera.eye.is_direction ? Exact{e.x, e.y, e.z} : Exact{p.x - Rational(e.x), p.y - Rational(e.y), p.z - Rational(e.z)};
-  const Rational slope = polynomials::dot(plane.normal, away);
-  // The value at p, from the eye or from x's own origin; only spans are faces.
-  const Rational at_p =
-      polynomials::dot(plane.normal, Exact{p.x - Rational(x.o.x), p.y - Rational(x.o.y), p.z - Rational(x.o.z)});
-  require(slope.sign() != Sign::zero, "exact_point: the line of sight is parallel to the plane");
-  const Rational s = at_p / slope;
-  return {p.x - s * away.x, p.y - s * away.y, p.z - s * away.z};
+  const auto along = [&](double from, const Big& toward) { return quotient(slope * Big(from) - plane.at_eye * toward, slope); };
+  return {along(e.x, q.x), along(e.y, q.y), along(e.z, q.z)};
+}
+
+/// Where the line of sight of origin + d / w meets x, parallel: p - (x(p) / n . D) D.
+std::array<Rational, 3> met_by_parallel(const Camera& camera, const Point3& origin, const Exact& d, const Big& w,
+                                        const Plane& x) {
+  const BigArithmetic a;
+  const auto plane = polynomials::plane_at_eye(a, camera, x);
+  require(plane.at_eye != 0, "exact_point: the plane contains the viewpoint");
+  const Big at =
+      polynomials::dot(plane.normal, d) + w * polynomials::dot(plane.normal, polynomials::difference(a, origin, x.o));
+  const Big scale = w * plane.at_eye;
+  const auto along = [&](int axis, const Big& from) {
+    return quotient(scale * Big(origin[axis]) + plane.at_eye * from - at * Big(camera.eye.at[axis]), scale);
+  };
+  return {along(0, d.x), along(1, d.y), along(2, d.z)};
 }
 
 /// A point of plane x on the line of sight with the coordinates q. Relative to x.o, so that no digits are lost.
@@ -119,21 +118,29 @@ std::array<ErrorBounded, 3> near_met(const Camera& camera, const Vector& q, cons
 }
 
 std::array<Rational, 2> exact_image_of_ray(const Camera& camera, const Exact& q, const std::array<Point3, 2>& rows) {
-  const RationalArithmetic a;
-  if (camera.eye.is_direction) return {q.x / q.z, q.y / q.z};
-  const Rational depth = polynomials::dot(polynomials::difference(a, camera.target, camera.eye.at), q);
-  const auto along = [&](const Point3& row) { return polynomials::dot(Exact{row.x, row.y, row.z}, q) / depth; };
-  return {along(rows[0]), along(rows[1])};
+  const BigArithmetic a;
+  if (camera.eye.is_direction) return {quotient(q.x, q.z), quotient(q.y, q.z)};
+  const Big depth = polynomials::dot(polynomials::difference(a, camera.target, camera.eye.at), q);
+  return {quotient(dot(rows[0], q), depth), quotient(dot(rows[1], q), depth)};
 }
 
 }  // namespace
 
 std::array<Rational, 3> exact_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x) {
-  return met(camera, point_of_ray(camera, exact_crossing(camera, l, m, x.o), x.o), x);
+  const Exact q = exact_crossing(camera, l, m, x.o);
+  if (!camera.eye.is_direction) return met_by_ray(camera, q, x);
+  const int k = largest_axis(camera.eye.at);
+  const Big none = 0;
+  return met_by_parallel(camera, x.o,
+                         k == 0   ? Exact{none, q.x, q.y}
+                         : k == 1 ? Exact{q.y, none, q.x}
+                                  : Exact{q.x, q.y, none},
+                         q.z, x);
 }
 
 std::array<Rational, 3> exact_point(const Camera& camera, const Point3& p, const Plane& x) {
-  return met(camera, {p.x, p.y, p.z}, x);
+  if (!camera.eye.is_direction) return met_by_ray(camera, polynomials::difference(BigArithmetic{}, p, camera.eye.at), x);
+  return met_by_parallel(camera, p, {0, 0, 0}, 1, x);
 }
 
 std::array<ErrorBounded, 3> near_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x) {
@@ -148,12 +155,14 @@ std::array<Rational, 2> exact_image_of_crossing(const Camera& camera, const View
 
 std::array<Rational, 2> exact_image_of_point(const Camera& camera, const Point3& p, const Point3& origin,
                                              const std::array<Point3, 2>& rows) {
-  const RationalArithmetic a;
+  const BigArithmetic a;
   if (!camera.eye.is_direction) return exact_image_of_ray(camera, polynomials::difference(a, p, camera.eye.at), rows);
   const Point3& d = camera.eye.at;
   const int k = largest_axis(d), i = (k + 1) % 3, j = (k + 2) % 3;
-  const Rational along = a.difference(p, origin, k) / Rational(d[k]);
-  return {a.difference(p, origin, i) - Rational(d[i]) * along, a.difference(p, origin, j) - Rational(d[j]) * along};
+  const auto share = [&](int axis) {
+    return quotient(Big(d[k]) * a.difference(p, origin, axis) - Big(d[axis]) * a.difference(p, origin, k), d[k]);
+  };
+  return {share(i), share(j)};
 }
 
 }  // namespace hsr

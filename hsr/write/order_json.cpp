@@ -11,8 +11,11 @@ namespace hsr {
 namespace {
 
 void append_coordinate(std::string& out, const Rational& x, Numbers numbers) {
-  const double rounded = x.to_double();
-  const bool is_double = std::isfinite(rounded) && Rational(rounded) == x;
+  // Of most corners of cut pieces the denominator is no power of two: then x is no double.
+  const mpz_srcptr denominator = mpq_denref(x.get());
+  const bool is_dyadic = mpz_scan1(denominator, 0) + 1 == mpz_sizeinbase(denominator, 2);
+  const double rounded = is_dyadic ? x.to_double() : 0;
+  const bool is_double = is_dyadic && std::isfinite(rounded) && Rational(rounded) == x;
   append_rational(out, x, is_double ? numbers : Numbers::exact);
 }
 
