@@ -6,12 +6,17 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/arithmetics.h"
+#include "geometry/error_bounded.h"
 #include "geometry/predicates.h"
 #include "geometry/rational_vector.h"
 #include "hsr/painter/image_rows.h"
 #include "hsr/painter/verify.h"
 
 namespace hsr {
+
+/// Homogeneous coordinates: the point is (h[0], h[1], h[2]) / h[3], and h[3] > 0; or a direction, and h[3] = 0.
+using WholePoint = std::array<BigArithmetic::Number, 4>;
 
 /// The distinct corners of painted polygons, by numbers: the same point, the same number. Doubles stay doubles.
 class PaintedPoints {
@@ -31,6 +36,10 @@ class PaintedPoints {
   RationalVector exact(std::uint32_t number) const {
     return is_double(number) ? rational(points_[number]) : rationals_[exact_[number]];
   }
+  /// In doubles with proven bounds.
+  const std::array<ErrorBounded, 3>& near(std::uint32_t number) const { return near_[number]; }
+  /// Exactly, without a division.
+  WholePoint whole(std::uint32_t number) const;
   /// Of all that are doubles.
   const Certificate& certificate() const { return certificate_; }
 
@@ -46,13 +55,15 @@ class PaintedPoints {
   std::vector<Point3> points_;
   std::vector<std::uint32_t> exact_;  // by number: the place in rationals_
   std::vector<RationalVector> rationals_;
+  std::vector<WholePoint> wholes_;                 // of rationals_
+  std::vector<std::array<ErrorBounded, 3>> near_;  // by number
   std::unordered_map<Point3, std::uint32_t, Hash> doubles_seen_;
   std::map<RationalVector, std::uint32_t> rationals_seen_;
   Certificate certificate_;
 };
 
-/// On which side painted points lie: by the predicates in stages where all are doubles, by rationals else. Signs are those of
-/// geometry/plane.h. One object per thread.
+/// On which side painted points lie: by the predicates in stages where all are doubles; else in doubles with bounds, and by a
+/// determinant of whole numbers where these do not tell. Signs are those of geometry/plane.h. One object per thread.
 class PaintedSides {
  public:
   PaintedSides(const PaintedPoints& points, const ImageRows& rows, const View& view);
@@ -68,6 +79,7 @@ class PaintedSides {
   const PaintedPoints& points_;
   const ImageRows& rows_;
   const View& view_;
+  WholePoint whole_eye_;
   Predicates predicates_;
 };
 
