@@ -109,18 +109,32 @@ Point3 centre(const Mesh& mesh) {
   return {middle(low.x, high.x), middle(low.y, high.y), middle(low.z, high.z)};
 }
 
-std::array<Rational, 2> image(const View& view, const std::array<Rational, 3>& p) {
+// The line of sight of p meets the paper at o + w, w = x u + y v: with n = u x v, x = w . (v x n) / n.n and y = w . (n x u) /
+// n.n. Parallel, w = d + s D for d = p - o, s = -n.d / n.D; perspective, w = e - o + s (p - e), s = n.(o - e) / n.(p - e).
+PaperImage::PaperImage(const View& view) : is_parallel_(view.viewpoint.is_direction) {
   const RationalVector o = rational(view.frame.origin), u = rational(view.frame.right), v = rational(view.frame.up);
   const RationalVector n = cross(u, v), e = rational(view.viewpoint.at);
-  // The point where the line of sight of p meets the paper, relative to the origin: w = x u + y v.
-  const RationalVector along = view.viewpoint.is_direction ? e : minus(p, e);
-  const RationalVector& from = view.viewpoint.is_direction ? p : e;
-  const Rational slope = dot(n, along);
+  const Rational nn = dot(n, n), slope = dot(n, is_parallel_ ? e : minus(o, e));
   require(slope.sign() != Sign::zero, "image: the line of sight is parallel to the paper");
-  const Rational s = dot(n, minus(o, from)) / slope;
-  const RationalVector w = {from[0] + s * along[0] - o[0], from[1] + s * along[1] - o[1], from[2] + s * along[2] - o[2]};
-  const Rational nn = dot(n, n);
-  return {dot(cross(w, v), n) / nn, dot(cross(u, w), n) / nn};
+  base_ = is_parallel_ ? o : e;
+  rows_ = {cross(v, n), cross(n, u)};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Rational along = dot(rows_[k], e) / slope;
+    for (std::size_t i = 0; i < 3; ++i) rows_[k][i] = (is_parallel_ ? rows_[k][i] - along * n[i] : rows_[k][i]) / nn;
+    if (!is_parallel_) at_base_[k] = dot(rows_[k], minus(e, o));
+  }
+  for (std::size_t i = 0; i < 3; ++i) depth_[i] = n[i] / slope;
 }
+
+std::array<Rational, 2> PaperImage::operator()(const std::array<Rational, 3>& p) const {
+  const RationalVector d = minus(p, base_);
+  const Rational x = dot(rows_[0], d), y = dot(rows_[1], d);
+  if (is_parallel_) return {x, y};
+  const Rational w = dot(depth_, d);
+  require(w.sign() != Sign::zero, "image: the line of sight is parallel to the paper");
+  return {at_base_[0] + x / w, at_base_[1] + y / w};
+}
+
+std::array<Rational, 2> image(const View& view, const std::array<Rational, 3>& p) { return PaperImage(view)(p); }
 
 }  // namespace hsr

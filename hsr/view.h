@@ -50,8 +50,22 @@ View named_view(const std::string& name, const Point3& target = {}, bool y_up = 
 /// The centre of the bounding box of all points that a face or a wire uses: the default target.
 Point3 centre(const Mesh& mesh);
 
-/// The image of a point on the paper, in units of the frame: exact.
-/// @pre not the eye's own plane parallel to the paper (points beyond the near plane never are)
+/// The images of points on the paper, in units of the frame. Exact: yes.
+class PaperImage {
+ public:
+  explicit PaperImage(const View& view);
+  /// @pre not the eye's own plane parallel to the paper (points beyond the near plane never are)
+  std::array<Rational, 2> operator()(const std::array<Rational, 3>& p) const;
+
+ private:
+  bool is_parallel_;
+  std::array<Rational, 3> base_;                 // an eye, or the frame's origin
+  std::array<std::array<Rational, 3>, 2> rows_;  // x and y rise along these, from the base
+  std::array<Rational, 2> at_base_;
+  std::array<Rational, 3> depth_;  // perspective: along this, to 1 on the paper
+};
+
+/// The image of one point.
 std::array<Rational, 2> image(const View& view, const std::array<Rational, 3>& p);
 
 }  // namespace hsr

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "geometry/error.h"
+#include "geometry/rounded_sum.h"
 #include "hsr/check/error_against_time.h"
 #include "hsr/check/fragment_check.h"
 #include "hsr/check/z_buffer_check.h"
@@ -88,20 +89,25 @@ void describe(Report& report, const Model& model, const Mesh& mesh, const Visibl
 /// The visible area of each face and each object that has one, in squares of the view's frame.
 Report::Json areas_json(const Model& model, const Mesh& mesh, const View& view, const VisibleFragments& fragments, bool exact) {
   const std::vector<Rational> of_fragment = visible_areas(mesh, view, fragments);
-  std::map<std::uint32_t, Rational> of_face, of_object;
-  Rational all;
+  using Areas = std::vector<const Rational*>;
+  std::map<std::uint32_t, Areas> of_face, of_object;
+  Areas all;
   for (std::size_t k = 0; k < of_fragment.size(); ++k) {
     const std::uint32_t face = mesh.face_of[fragments.fragments[k].facet].value;
-    of_face[face] = of_face[face] + of_fragment[k];
-    all = all + of_fragment[k];
+    of_face[face].push_back(&of_fragment[k]);
+    all.push_back(&of_fragment[k]);
     if (model.face_object.empty() || model.face_object[face] == 0xffffffffU) continue;
-    Rational& object = of_object[model.face_object[face]];
-    object = object + of_fragment[k];
+    of_object[model.face_object[face]].push_back(&of_fragment[k]);
   }
-  const auto number = [&](const Rational& x) { return exact ? Report::Json(x.to_string()) : Report::Json(x.to_double()); };
+  const auto number = [&](const Areas& areas) -> Report::Json {
+    if (!exact) return rounded_sum(areas);
+    Rational sum;
+    for (const Rational* x : areas) sum = sum + *x;
+    return sum.to_string();
+  };
   Report::Json faces = Report::Json::array(), objects = Report::Json::array();
-  for (const auto& [face, area] : of_face) faces.push_back({face, number(area)});
-  for (const auto& [object, area] : of_object) objects.push_back({model.objects[object], number(area)});
+  for (const auto& [face, areas] : of_face) faces.push_back({face, number(areas)});
+  for (const auto& [object, areas] : of_object) objects.push_back({model.objects[object], number(areas)});
   return {{"fragments", fragments.fragments.size()},
           {"rings", fragments.rings()},
           {"visible_area", number(all)},

@@ -29,40 +29,6 @@ ErrorBounded bounded(const Rational& x) {
   return {d, std::isfinite(d) ? 2 * ErrorBounded::u * std::fabs(d) + 0x1p-1074 : HUGE_VAL};
 }
 
-BigArithmetic::Number whole(const mpz_t z) {
-  if (mpz_sgn(z) == 0) return 0;
-  BigArithmetic::Number magnitude;
-  magnitude.init_from_mpz_t(z);  // which leaves out the sign
-  return mpz_sgn(z) < 0 ? -magnitude : magnitude;
-}
-
-WholePoint whole_of(const RationalVector& p) {
-  // Over the least common denominator: three planes that meet give all coordinates the same one, or a part of it.
-  Rational weight = 1.0, scaled;
-  for (const Rational& x : p) mpz_lcm(mpq_numref(weight.get()), mpq_numref(weight.get()), mpq_denref(x.get()));
-  WholePoint h;
-  for (std::size_t k = 0; k < 3; ++k) {
-    mpq_mul(scaled.get(), p[k].get(), weight.get());
-    h[k] = whole(mpq_numref(scaled.get()));
-  }
-  h[3] = whole(mpq_numref(weight.get()));
-  return h;
-}
-
-WholePoint whole_of(const Point3& p, double weight) { return {p.x, p.y, p.z, weight}; }
-
-/// Of four points that are not at infinity, -orientation(a, b, c, d); of one that is, the limit. By minors of two rows each
-/// (Laplace): 30 products.
-Sign determinant(const WholePoint& a, const WholePoint& b, const WholePoint& c, const WholePoint& d) {
-  const auto minor = [](const WholePoint& p, const WholePoint& q, std::size_t i, std::size_t k) {
-    return p[i] * q[k] - p[k] * q[i];
-  };
-  const auto sum = minor(a, b, 0, 1) * minor(c, d, 2, 3) - minor(a, b, 0, 2) * minor(c, d, 1, 3) +
-                   minor(a, b, 0, 3) * minor(c, d, 1, 2) + minor(a, b, 1, 2) * minor(c, d, 0, 3) -
-                   minor(a, b, 1, 3) * minor(c, d, 0, 2) + minor(a, b, 2, 3) * minor(c, d, 0, 1);
-  return sign_of(static_cast<int>(CGAL::sign(sum)));
-}
-
 using Near = polynomials::Vector<ErrorBounded>;
 
 Near minus(const std::array<ErrorBounded, 3>& a, const std::array<ErrorBounded, 3>& b) {
@@ -134,21 +100,21 @@ std::uint32_t PaintedPoints::add_rational(const RationalVector& p) {
     points_.emplace_back();
     exact_.push_back(static_cast<std::uint32_t>(rationals_.size()));
     rationals_.push_back(p);
-    wholes_.push_back(whole_of(p));
+    wholes_.push_back(WholePoint::of(p));
     near_.push_back({bounded(p[0]), bounded(p[1]), bounded(p[2])});
   }
   return at->second;
 }
 
 WholePoint PaintedPoints::whole(std::uint32_t number) const {
-  return is_double(number) ? whole_of(points_[number], 1) : wholes_[exact_[number]];
+  return is_double(number) ? WholePoint::of(rational(points_[number])) : wholes_[exact_[number]];
 }
 
 PaintedSides::PaintedSides(const PaintedPoints& points, const ImageRows& rows, const View& view)
     : points_(points),
       rows_(rows),
       view_(view),
-      whole_eye_(whole_of(view.viewpoint.at, rows.parallel ? 0 : 1)),
+      whole_eye_(rows.parallel ? WholePoint::of_direction(rows.eye) : WholePoint::of(rows.eye)),
       predicates_(with_view(points.certificate(), view), of_direction(view)) {}
 
 Sign PaintedSides::turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) {
@@ -162,7 +128,7 @@ Sign PaintedSides::turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) {
                                            : determinant(minus(c, eye), minus(d, eye), minus(at, eye));
   if (near.is_certain()) return sign_of(near.value);
   const WholePoint from = points_.whole(a), to = points_.whole(b), whole = points_.whole(p);
-  return rows_.parallel ? -determinant(from, to, whole_eye_, whole) : -determinant(whole_eye_, from, to, whole);
+  return rows_.parallel ? orientation(from, to, whole_eye_, whole) : orientation(whole_eye_, from, to, whole);
 }
 
 Sign PaintedSides::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p) {
@@ -172,7 +138,7 @@ Sign PaintedSides::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::
   const auto& o = points_.near(a);
   const ErrorBounded near = determinant(minus(points_.near(b), o), minus(points_.near(c), o), minus(points_.near(p), o));
   if (near.is_certain()) return sign_of(near.value);
-  return -determinant(points_.whole(a), points_.whole(b), points_.whole(c), points_.whole(p));
+  return orientation(points_.whole(a), points_.whole(b), points_.whole(c), points_.whole(p));
 }
 
 Sign PaintedSides::near(std::uint32_t p) {

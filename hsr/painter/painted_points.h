@@ -6,17 +6,14 @@
 #include <unordered_map>
 #include <vector>
 
-#include "geometry/arithmetics.h"
 #include "geometry/error_bounded.h"
 #include "geometry/predicates.h"
 #include "geometry/rational_vector.h"
+#include "geometry/whole_point.h"
 #include "hsr/painter/image_rows.h"
 #include "hsr/painter/verify.h"
 
 namespace hsr {
-
-/// Homogeneous coordinates: the point is (h[0], h[1], h[2]) / h[3], and h[3] > 0; or a direction, and h[3] = 0.
-using WholePoint = std::array<BigArithmetic::Number, 4>;
 
 /// The distinct corners of painted polygons, by numbers: the same point, the same number. Doubles stay doubles.
 class PaintedPoints {
@@ -38,7 +35,6 @@ class PaintedPoints {
   }
   /// In doubles with proven bounds.
   const std::array<ErrorBounded, 3>& near(std::uint32_t number) const { return near_[number]; }
-  /// Exactly, without a division.
   WholePoint whole(std::uint32_t number) const;
   /// Of all that are doubles.
   const Certificate& certificate() const { return certificate_; }

@@ -30,13 +30,14 @@ std::array<Rational, 3> point_of(const Mesh& mesh, const View& view, TriangleId 
 
 std::vector<Rational> visible_areas(const Mesh& mesh, const View& view, const VisibleFragments& fragments) {
   std::vector<Rational> areas(fragments.fragments.size());
+  const PaperImage image(view);
   tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t k) {
     const Fragment& f = fragments.fragments[k];
     Rational twice;
     for (std::uint32_t ring = f.first_ring; ring < f.end_ring; ++ring) {
       std::vector<std::array<Rational, 2>> at;
       for (const MapCorner& c : fragments.ring(ring)) {
-        at.push_back(image(view, point_of(mesh, view, f.facet, c.at)));
+        at.push_back(image(point_of(mesh, view, f.facet, c.at)));
       }
       for (std::size_t i = 0; i < at.size(); ++i) {
         const auto &p = at[i], &q = at[(i + 1) % at.size()];
