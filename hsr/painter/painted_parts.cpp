@@ -1,9 +1,7 @@
 #include "hsr/painter/painted_parts.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "geometry/enclosure.h"
 #include "geometry/error.h"
 #include "geometry/mesh.h"
 
@@ -109,6 +107,7 @@ PaintedParts::PaintedParts(const std::vector<PaintedPolygon>& polygons, const Vi
     first_part_.push_back(static_cast<std::uint32_t>(parts_.size()));
     if (first_part_[i] < first_part_[i + 1]) ++polygons_with_area_;
   }
+  points_.place(rows_);
 }
 
 void PaintedParts::add(PaintedSides& sides, std::uint32_t polygon) {
@@ -187,34 +186,13 @@ void PaintedParts::add_convex(PaintedSides& sides, std::uint32_t polygon, std::v
 }
 
 std::vector<ImageBox> PaintedParts::boxes() const {
-  std::array<std::array<Enclosure, 3>, 3> rows;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < 3; ++i) rows[k][i] = enclose(k < 2 ? rows_.across[k][i] : rows_.away[i]);
-  std::array<double, 3> eye = {};
-  if (!rows_.parallel)
-    for (std::size_t i = 0; i < 3; ++i) eye[i] = rows_.eye[i].to_double();  // exact: it was given as doubles
-  const auto from_eye = [&](std::uint32_t c) {
-    std::array<Enclosure, 3> d;
-    for (std::size_t i = 0; i < 3; ++i)
-      d[i] = points_.is_double(c) ? Enclosure::difference(points_.point(c)[static_cast<int>(i)], eye[i])
-                                  : enclose(points_.exact(c)[i]) - Enclosure(eye[i]);
-    return d;
-  };
   std::vector<ImageBox> boxes;
   boxes.reserve(parts_.size());
   for (const PaintedPart& part : parts_) {
     ImageBox box = ImageBox::nothing();
     for (const std::uint32_t c : corners_of(part)) {
-      const auto d = from_eye(c);
-      std::array<double, 3> middle = {}, error = {};
-      const auto along = [&](std::size_t k) { return d[0] * rows[k][0] + d[1] * rows[k][1] + d[2] * rows[k][2]; };
-      for (std::size_t k = 0; k < 2; ++k) {
-        const Enclosure x = rows_.parallel ? along(k) : along(k) / along(2);
-        // To doubles: a relative 2^-53 of each, or what underflows.
-        middle[k] = static_cast<double>(x.middle);
-        error[k] = static_cast<double>(x.error) * 1.01 + std::fabs(middle[k]) * 0x1p-50 + 0x1p-1070;
-      }
-      box.add(middle, error);
+      const NearPlace& at = points_.place_of(c);
+      box.add({at.x, at.y, 0}, {at.error, at.error, 0});
     }
     boxes.push_back(box);
   }

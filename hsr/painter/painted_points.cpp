@@ -2,10 +2,12 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
 
+#include "geometry/enclosure.h"
 #include "geometry/polynomials.h"
 
 namespace hsr {
@@ -110,6 +112,37 @@ WholePoint PaintedPoints::whole(std::uint32_t number) const {
   return is_double(number) ? WholePoint::of(rational(points_[number])) : wholes_[exact_[number]];
 }
 
+void PaintedPoints::place(const ImageRows& rows) {
+  std::array<std::array<Enclosure, 3>, 3> along;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i) along[k][i] = enclose(k < 2 ? rows.across[k][i] : rows.away[i]);
+  std::array<double, 3> eye = {};
+  if (!rows.parallel)
+    for (std::size_t i = 0; i < 3; ++i) eye[i] = rows.eye[i].to_double();  // exact: it was given as doubles
+  places_.resize(points_.size());
+  tbb::parallel_for(std::size_t{0}, places_.size(), [&](std::size_t number) {
+    const auto c = static_cast<std::uint32_t>(number);
+    std::array<Enclosure, 3> d;
+    for (std::size_t i = 0; i < 3; ++i)
+      d[i] = is_double(c) ? Enclosure::difference(points_[c][static_cast<int>(i)], eye[i])
+                          : enclose(rationals_[exact_[c]][i]) - Enclosure(eye[i]);
+    const auto dot = [&](std::size_t k) { return d[0] * along[k][0] + d[1] * along[k][1] + d[2] * along[k][2]; };
+    std::array<Enclosure, 2> at = {dot(0), dot(1)};
+    if (!rows.parallel) {
+      const Enclosure depth = dot(2);
+      if (!depth.is_positive()) return;
+      at = {at[0] / depth, at[1] / depth};
+    }
+    // To doubles: a relative 2^-53 of each, or what underflows.
+    const auto error = [](const Enclosure& x) {
+      return static_cast<double>(x.error) * 1.01 + std::fabs(static_cast<double>(x.middle)) * 0x1p-50 + 0x1p-1070;
+    };
+    const NearPlace place = {static_cast<double>(at[0].middle), static_cast<double>(at[1].middle),
+                             std::max(error(at[0]), error(at[1]))};
+    if (std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.error)) places_[number] = place;
+  });
+}
+
 PaintedSides::PaintedSides(const PaintedPoints& points, const ImageRows& rows, const View& view)
     : points_(points),
       rows_(rows),
@@ -119,6 +152,24 @@ PaintedSides::PaintedSides(const PaintedPoints& points, const ImageRows& rows, c
 
 Sign PaintedSides::turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) {
   if (p == a || p == b) return Sign::zero;
+  if (points_.are_placed())
+    if (const Sign s = certain_turn(a, b, p); s != Sign::zero) return s;
+  return exact_turn(a, b, p);
+}
+
+/// Zero: doubles cannot tell. With d = b - a and r = p - a as computed, their entries off by E = e_a + e_b and F = e_a + e_p
+/// and one rounding u of their own, |det - exact| <= E |r|_1 + F |d|_1 + 2 E F + 4.1 u |d|_1 |r|_1 + what underflows.
+Sign PaintedSides::certain_turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) const {
+  const NearPlace &from = points_.place_of(a), &to = points_.place_of(b), &at = points_.place_of(p);
+  const double dx = to.x - from.x, dy = to.y - from.y, rx = at.x - from.x, ry = at.y - from.y;
+  const double d = std::fabs(dx) + std::fabs(dy), r = std::fabs(rx) + std::fabs(ry);
+  const double e = from.error + to.error, f = from.error + at.error;
+  const double det = dx * ry - dy * rx;
+  const double bound = ((e + 4.2 * ErrorBounded::u * d) * r + f * d + 2 * e * f) * 1.01 + 0x1p-1000;
+  return det > bound ? Sign::positive : det < -bound ? Sign::negative : Sign::zero;
+}
+
+Sign PaintedSides::exact_turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) {
   if (points_.is_double(a) && points_.is_double(b) && points_.is_double(p))
     return predicates_.side(Plane::of_sight(view_.viewpoint, points_.point(a), points_.point(b)), points_.point(p));
   const Point3& e = view_.viewpoint.at;

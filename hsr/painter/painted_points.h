@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -14,6 +15,11 @@
 #include "hsr/painter/verify.h"
 
 namespace hsr {
+
+/// Where a corner is seen, in coordinates of ImageRows: both within `error`; infinite: not known, or not before the eye.
+struct NearPlace {
+  double x = 0, y = 0, error = HUGE_VAL;
+};
 
 /// The distinct corners of painted polygons, by numbers: the same point, the same number. Doubles stay doubles.
 class PaintedPoints {
@@ -36,6 +42,11 @@ class PaintedPoints {
   /// In doubles with proven bounds.
   const std::array<ErrorBounded, 3>& near(std::uint32_t number) const { return near_[number]; }
   WholePoint whole(std::uint32_t number) const;
+  /// Once all points are there: where they are seen. Cost: O(n), parallel.
+  void place(const ImageRows& rows);
+  bool are_placed() const { return places_.size() == points_.size(); }
+  /// @pre are_placed
+  const NearPlace& place_of(std::uint32_t number) const { return places_[number]; }
   /// Of all that are doubles.
   const Certificate& certificate() const { return certificate_; }
 
@@ -53,6 +64,7 @@ class PaintedPoints {
   std::vector<RationalVector> rationals_;
   std::vector<WholePoint> wholes_;                 // of rationals_
   std::vector<std::array<ErrorBounded, 3>> near_;  // by number
+  std::vector<NearPlace> places_;                  // by number
   std::unordered_map<Point3, std::uint32_t, Hash> doubles_seen_;
   std::map<RationalVector, std::uint32_t> rationals_seen_;
   Certificate certificate_;
@@ -72,6 +84,9 @@ class PaintedSides {
   Sign near(std::uint32_t p);
 
  private:
+  Sign certain_turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) const;
+  Sign exact_turn(std::uint32_t a, std::uint32_t b, std::uint32_t p);
+
   const PaintedPoints& points_;
   const ImageRows& rows_;
   const View& view_;

@@ -163,6 +163,25 @@ TEST_CASE("neighbours in a mesh have no relation, and points need be no doubles"
   CHECK(verify({third, square(0, 0, 1, std::nextafter(1.0 / 3, 1.0))}, from_above).is_correct());
 }
 
+TEST_CASE("corners that no double tells apart", "[painter][verify]") {
+  const Rational third = Rational::from_string("1/3"), least = Rational(1.0) / Rational(1e300) / Rational(1e300);
+  const auto at = [](const Rational& x, const Rational& z) {  // from x to x + 1
+    PaintedPolygon p;
+    const Rational end = x + Rational(1.0);
+    for (const auto& [u, v] : {std::pair(x, 0.0), std::pair(end, 0.0), std::pair(end, 1.0), std::pair(x, 1.0)})
+      p.corners.push_back({u, v, z});
+    return p;
+  };
+  for (const View& view : {from_above, scenes::from_eye({0, 0, 10}, {0, 0, 0})}) {
+    CHECK(verify({at(third, third), at(third, third + least)}, view).is_correct());
+    CHECK(verify({at(third, third + least), at(third, third)}, view).wrong == 1);
+    // Beside each other in one plane: abutting, and overlapping by next to nothing.
+    CHECK(verify({at(third, third), at(third + Rational(1.0), third)}, view).overlapping == 0);
+    CHECK(verify({at(third, third), at(third + Rational(1.0) - least, third)}, view).overlapping == 1);
+    CHECK(verify({at(third, third), at(third + Rational(1.0) + least, third)}, view).overlapping == 0);
+  }
+}
+
 TEST_CASE("the pairs of an order and of its reverse are the same", "[painter][verify]") {
   std::vector<PaintedPolygon> all;
   for (int i = 0; i < 12; ++i)
