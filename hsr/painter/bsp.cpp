@@ -80,29 +80,33 @@ class EyeSide {
   Predicates exact_;
 };
 
-/// Visits the nodes' pieces from far to near.
+/// Visits the pieces of nodes from far to near, those of one node as a range.
 template <class Nodes, class Visit>
 void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
   if (nodes.empty()) return;
-  // A node waits twice: to be entered, and for its own pieces.
+  // What comes later: the pieces of a node on the way down, then what is before its plane.
   struct Step {
-    std::uint32_t node;
-    bool is_entered;
+    std::uint32_t first_piece, end_piece, near;
   };
-  std::vector<Step> waiting = {{0, false}};
-  while (!waiting.empty()) {
-    const Step step = waiting.back();
-    waiting.pop_back();
-    const auto& node = nodes[step.node];
-    if (step.is_entered || node.is_leaf()) {
-      visit(node);
-      continue;
+  std::vector<Step> waiting;
+  std::uint32_t at = 0;
+  while (true) {
+    const auto& node = nodes[at];
+    if (node.is_leaf()) {
+      visit(node.first_piece, node.end_piece);
+      at = 0;
+    } else {
+      const bool is_before = side_of(node.plane, node.filter) == Sign::positive;
+      waiting.push_back({node.first_piece, node.end_piece, is_before ? node.before : node.behind});
+      at = is_before ? node.behind : node.before;
     }
-    const bool is_before = side_of(node.plane, node.filter) == Sign::positive;
-    const std::uint32_t near = is_before ? node.before : node.behind, far = is_before ? node.behind : node.before;
-    if (near != 0) waiting.push_back({near, false});
-    if (node.first_piece < node.end_piece) waiting.push_back({step.node, true});
-    if (far != 0) waiting.push_back({far, false});
+    while (at == 0) {
+      if (waiting.empty()) return;
+      const Step step = waiting.back();
+      waiting.pop_back();
+      visit(step.first_piece, step.end_piece);
+      at = step.near;
+    }
   }
 }
 
@@ -112,9 +116,9 @@ void BspTree::walk(const View& view, std::vector<std::uint32_t>& far_to_near) co
   far_to_near.clear();
   if (nodes_.empty()) return;
   far_to_near.reserve(pieces_.size());
-  walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](const Node& node) {
+  walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](std::uint32_t first, std::uint32_t end) {
     // Of coplanar pieces the higher facet comes first.
-    for (std::uint32_t k = node.end_piece; k-- > node.first_piece;) far_to_near.push_back(k);
+    for (std::uint32_t k = end; k-- > first;) far_to_near.push_back(k);
   });
 }
 
@@ -198,8 +202,8 @@ PaintersOrder BspTree::order(const View& view) const {
   const Sight sight(*mesh_, view, Arithmetic::staged);
   PieceWriter writer(sight, order);
   std::vector<PieceCorner> ring;
-  walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](const Node& node) {
-    for (std::uint32_t k = node.end_piece; k-- > node.first_piece;) {
+  walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t k = end; k-- > first;) {
       const OrderedPiece& p = pieces_[k];
       ring.clear();
       for (std::uint32_t c = p.first_corner; c < p.end_corner; ++c) ring.push_back(corner(corners_[c]));
