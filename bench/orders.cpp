@@ -7,6 +7,7 @@
 #include <cstring>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,10 +46,13 @@ struct Runs {
   Measured last;
 };
 
-void run_once(const std::function<Measured()>& work, const Request& request, Runs& runs) {
+/// @param alone what holds the other threads back until then
+void run_once(const std::function<Measured()>& work, const Request& request, std::optional<tbb::global_control>& alone,
+              Runs& runs) {
   if (!runs.trouble.empty()) return;
   const Ended ended = run_apart(
       [&] {
+        alone.reset();
         const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                           static_cast<std::size_t>(request.threads));
         reset_peak_memory();
@@ -74,6 +78,8 @@ struct Method {
 };
 
 void measure(const std::string& name, const Request& request) {
+  // No other threads before a process of its own begins: it would wait for those that it was not given.
+  std::optional<tbb::global_control> alone(std::in_place, tbb::global_control::max_allowed_parallelism, 1);
   const Model model = scene(name);
   const Mesh mesh = make_mesh(model.points, model.polygons);
   const View view = view_of(request.view, mesh);
@@ -110,7 +116,7 @@ void measure(const std::string& name, const Request& request) {
   double spent = 0;
   for (int k = 0; k < request.repeat && (k == 0 || spent < request.limits.seconds); ++k)
     spent += elapsed([&] {
-               for (std::size_t m = 0; m < methods.size(); ++m) run_once(methods[m].work, request, runs[m]);
+               for (std::size_t m = 0; m < methods.size(); ++m) run_once(methods[m].work, request, alone, runs[m]);
              }).clock;
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const Runs& r = runs[m];

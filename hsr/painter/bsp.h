@@ -13,7 +13,7 @@ namespace hsr {
 
 struct BspOptions {
   std::uint64_t seed = 1;       ///< of the planes that are tried; the same seed gives the same tree
-  std::size_t most_pieces = 0;  ///< beyond it the scene is refused; 0: 100 000, or 64 a face
+  std::size_t most_pieces = 0;  ///< beyond it the scene is refused; 0: a million, or 64 a face
 };
 
 /// A tree of planes that orders the faces of a scene from any viewpoint: built once, walked for each.

@@ -548,7 +548,7 @@ BspTree::BspTree(const Mesh& mesh, const BspOptions& options) : mesh_(&mesh) {
   BspBuilder builder(*this, shared, options.seed);
   builder.add_facets();
   shared.pieces = builder.parts();
-  shared.most = options.most_pieces > 0 ? options.most_pieces : std::max<std::size_t>(100'000, builder.parts() * 64);
+  shared.most = options.most_pieces > 0 ? options.most_pieces : std::max<std::size_t>(1'000'000, builder.parts() * 64);
   builder.build();
   prepare_planes();
 }

@@ -1,6 +1,7 @@
 #include "hsr/painter/depth_sort.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <string>
 
@@ -24,6 +25,29 @@ struct Neighbour {
   bool before, piercing;
 };
 
+/// Around the image of a piece, for certain.
+struct NearBox {
+  double low_x = 1, high_x = 0, low_y = 1, high_y = 0;
+
+  static NearBox of(const std::vector<NearCorner>& corners) {
+    NearBox box = {HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
+    const auto add = [](const ErrorBounded& x, double& low, double& high) {
+      // A corner whose place is not known may be anywhere; the rest pays for rounding.
+      const double reach = x.error < HUGE_VAL ? (x.error + 2 * ErrorBounded::u * std::fabs(x.value)) * 1.01 : HUGE_VAL;
+      low = reach < HUGE_VAL ? std::min(low, x.value - reach) : -HUGE_VAL;
+      high = reach < HUGE_VAL ? std::max(high, x.value + reach) : HUGE_VAL;
+    };
+    for (const NearCorner& c : corners) {
+      add(c.x, box.low_x, box.high_x);
+      add(c.y, box.low_y, box.high_y);
+    }
+    return box;
+  }
+  bool is_known() const { return low_x <= high_x; }
+  /// Not only at a border.
+  bool overlaps(const NearBox& o) const { return high_x > o.low_x && o.high_x > low_x && high_y > o.low_y && o.high_y > low_y; }
+};
+
 class Sorter {
  public:
   Sorter(const Mesh& mesh, const View& view, const DepthSortOptions& options)
@@ -45,6 +69,7 @@ class Sorter {
   bool split(std::uint32_t piece, const MapHalfPlane& line);
   void relate(std::uint32_t part, const Neighbour& of_whole);
   const PieceOfFacet& shaped(std::uint32_t piece);
+  bool may_overlap(std::uint32_t p, std::uint32_t q);
   void count_pieces(std::size_t more);
   template <class F>
   void for_each_neighbour(std::uint32_t piece, const F& visit) const;
@@ -59,7 +84,9 @@ class Sorter {
   Clusters clusters_;
   std::vector<std::uint32_t> cluster_of_;  // by piece
   std::vector<PieceOfFacet> pieces_;       // first those of the faces, whose shapes are made where they are needed
+  std::vector<NearBox> boxes_;             // of pieces that have their shape
   std::vector<std::uint8_t> is_cut_;       // its parts stand for it
+  std::size_t cuts_ = 0;
   // The relations that were found first, by piece; those of parts of pieces.
   std::vector<std::uint32_t> first_neighbour_;
   std::vector<Neighbour> neighbours_;
@@ -112,7 +139,7 @@ void Sorter::order_whole(const std::vector<std::uint32_t>& order) {
 }
 
 void Sorter::begin_cutting(const OverlapGraph& found) {
-  most_ = options_.most_pieces > 0 ? options_.most_pieces : std::max<std::size_t>(100'000, faces_.size() * 64);
+  most_ = options_.most_pieces > 0 ? options_.most_pieces : std::max<std::size_t>(250'000, faces_.size() * 64);
   pieces_.resize(faces_.size());
   for (std::size_t i = 0; i < pieces_.size(); ++i) pieces_[i].facet = faces_.facet[i];
   is_cut_.assign(pieces_.size(), 0);
@@ -157,13 +184,25 @@ void Sorter::for_each_neighbour(std::uint32_t piece, const F& visit) const {
 const PieceOfFacet& Sorter::shaped(std::uint32_t p) {
   PieceOfFacet& piece = pieces_[p];
   if (piece.shape.points.empty()) piece.shape = faces_.shape(sight_, p);
-  if (piece.near.empty()) piece.near = overlaps_.near_corners(piece);
+  if (piece.near.empty()) {
+    piece.near = overlaps_.near_corners(piece);
+    if (boxes_.size() < pieces_.size()) boxes_.resize(pieces_.size());
+    boxes_[p] = NearBox::of(piece.near);
+  }
   return piece;
+}
+
+/// Whether the images may have more than a border in common.
+bool Sorter::may_overlap(std::uint32_t p, std::uint32_t q) {
+  for (const std::uint32_t piece : {p, q})
+    if (piece >= boxes_.size() || !boxes_[piece].is_known()) shaped(piece);
+  return boxes_[p].overlaps(boxes_[q]);
 }
 
 /// What lies before or behind the whole lies so with its parts, where it overlaps them.
 void Sorter::relate(std::uint32_t part, const Neighbour& of_whole) {
   const std::uint32_t other = of_whole.piece;
+  if (!may_overlap(part, other)) return;
   Neighbour now = of_whole;
   if (of_whole.piercing) {
     const Overlap how = overlaps_.relation(shaped(part), shaped(other));
@@ -179,7 +218,7 @@ void Sorter::relate(std::uint32_t part, const Neighbour& of_whole) {
 }
 
 void Sorter::count_pieces(std::size_t more) {
-  if (pieces_.size() + more > most_)
+  if (pieces_.size() - cuts_ + more > most_)
     throw InputError("depth sort: this scene takes more than " + std::to_string(most_) + " pieces, expected fewer");
 }
 
@@ -188,7 +227,8 @@ bool Sorter::split(std::uint32_t piece, const MapHalfPlane& line) {
   PieceOfFacet inside = shaped(piece);
   auto outside = cut(overlaps_.map(), inside.shape, line);
   if (!outside || inside.shape.points.empty()) return false;
-  count_pieces(2);
+  count_pieces(1);
+  ++cuts_;
   const auto first = static_cast<std::uint32_t>(pieces_.size());
   pieces_.push_back(std::move(inside));
   pieces_.push_back({pieces_[piece].facet, std::move(*outside), {}});
@@ -206,6 +246,7 @@ bool Sorter::split(std::uint32_t piece, const MapHalfPlane& line) {
     relate(first, n);
     relate(first + 1, n);
   }
+  if (piece < more_neighbours_.size()) std::vector<Neighbour>().swap(more_neighbours_[piece]);
   return true;
 }
 
@@ -338,7 +379,7 @@ void Sorter::order_by_planes(const std::vector<std::uint32_t>& component) {
     block_of_[p] = static_cast<std::uint32_t>(blocks_.size());
   }
   blocks_.push_back(ordered_by_planes(overlaps_.map(), std::move(pieces),
-                                      most_ - std::min(most_, pieces_.size()) + component.size(),
+                                      most_ - std::min(most_, pieces_.size() - cuts_) + component.size(),
                                       result_.counts.cuts_in_cycles));
 }
 

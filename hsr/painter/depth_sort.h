@@ -39,7 +39,7 @@ struct DepthSort {
 struct DepthSortOptions {
   Arithmetic arithmetic = Arithmetic::staged;
   bool classic = false;         ///< cut every pair that the planes of the two do not separate, as the paper does
-  std::size_t most_pieces = 0;  ///< beyond it the scene is refused; 0: 100 000, or 64 a face
+  std::size_t most_pieces = 0;  ///< beyond it the scene is refused; 0: 250 000, or 64 a face
   std::function<void(double done)> progress;
 };
 
