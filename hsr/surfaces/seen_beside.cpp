@@ -32,7 +32,7 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
     error += image.error;
   }
   // The tree visits what reaches nearer than the farthest of what is seen so far.
-  query.farthest = -std::numeric_limits<float>::infinity();
+  query.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends[0], ends[1], error) : -std::numeric_limits<float>::infinity();
   const auto look_at = [&](const ImageFace& face) {
     const ImageFace::Overlap overlap = face.overlap(ends[0], ends[1], error);
     if (overlap.is_none) return;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "hsr/lines/hidden_tiles.h"
 #include "hsr/map/map_sight.h"
 #include "hsr/map/triangle_sides.h"
 #include "hsr/occluders.h"
@@ -39,7 +40,9 @@ struct SeenPart {
 /// segments), here of faces over a line.
 class SeenBeside {
  public:
-  SeenBeside(MapSight& map, const Occluders& occluders) : map_(map), sight_(map.sight()), occluders_(occluders) {}
+  /// @param tiles none: nothing is known to be hidden
+  SeenBeside(MapSight& map, const Occluders& occluders, const HiddenTiles* tiles)
+      : map_(map), sight_(map.sight()), occluders_(occluders), tiles_(tiles) {}
 
   /// @param side positive, to the left of the line; the answer holds until the next call
   std::span<const SeenPart> find(const MapStretch& stretch, Sign side);
@@ -81,6 +84,7 @@ class SeenBeside {
   MapSight& map_;
   const Sight& sight_;
   const Occluders& occluders_;
+  const HiddenTiles* tiles_;
   const MapStretch* stretch_ = nullptr;
   Sign side_ = Sign::positive;
   std::vector<Part> parts_, next_;

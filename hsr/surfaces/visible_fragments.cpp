@@ -35,17 +35,17 @@ struct FacetSide {
 /// Collects the sides along the lines of the map. One object per block of lines.
 class SideFinder {
  public:
-  /// @param place of each triangle among the prepared ones
+  /// @param place of each triangle among the prepared ones @param tiles none: nothing is known to be hidden
   SideFinder(const Sight& sight, const Occluders& occluders, const Intersections& intersections,
-             const std::vector<std::uint32_t>& place)
+             const std::vector<std::uint32_t>& place, const HiddenTiles* tiles)
       : sight_(sight),
         mesh_(sight.mesh()),
         occluders_(occluders),
         intersections_(intersections),
         place_(place),
         map_(sight),
-        left_(map_, occluders),
-        right_(map_, occluders) {}
+        left_(map_, occluders, tiles),
+        right_(map_, occluders, tiles) {}
 
   void add_edge(const VisibleLines& lines, const Line& line);
   void add_intersection(const Intersection& crossing);
@@ -217,7 +217,7 @@ class FragmentFinder {
   VisibleFragments fragments();
 
  private:
-  void leave_out_hidden(const std::vector<ImageBox>& boxes, std::vector<std::uint8_t>& left_out) const;
+  void leave_out_hidden(std::vector<std::uint8_t>& left_out);
   void find_lines();
   void find_sides();
   template <class F>
@@ -226,6 +226,7 @@ class FragmentFinder {
   const FragmentOptions& options_;
   Sight sight_;
   const Mesh& mesh_;
+  std::optional<HiddenTiles> tiles_;  // none: nothing is known to be hidden
   std::optional<Occluders> occluders_;
   Intersections intersections_;
   VisibleLines lines_;
@@ -237,12 +238,15 @@ class FragmentFinder {
 };
 
 /// What is certainly hidden hides nothing that what hides it does not.
-void FragmentFinder::leave_out_hidden(const std::vector<ImageBox>& boxes, std::vector<std::uint8_t>& left_out) const {
+void FragmentFinder::leave_out_hidden(std::vector<std::uint8_t>& left_out) {
   if (options_.stages == When::never || options_.arithmetic != Arithmetic::staged) return;
   const Bodies bodies(sight_);
   if (bodies.count() > 0) for_each(left_out.size(), [&](std::size_t i) { left_out[i] |= bodies.far_sides()[i]; });
-  const HiddenTiles tiles(sight_, boxes, options_.stages == When::always);
-  if (!tiles.is_empty()) tiles.mark_hidden(boxes, left_out);
+  tiles_.emplace(sight_, options_.stages == When::always);
+  if (tiles_->is_empty())
+    tiles_.reset();
+  else
+    tiles_->mark_hidden(left_out);
 }
 
 /// A face that is seen edge-on has no area in the image: it is left out, and its edges with it.
@@ -253,23 +257,32 @@ void FragmentFinder::find_lines() {
     boxes[i] = sight_.box(TriangleId(i));
     left_out[i] = sight_.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
   });
-  leave_out_hidden(boxes, left_out);
+  leave_out_hidden(left_out);
   occluders_.emplace(sight_, boxes, left_out);
   intersections_ = find_intersections(sight_, *occluders_);
   auto edges = collected<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e) {
       const auto triangles = mesh_.triangles_at(EdgeId(e));
-      if (std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return left_out[t.value] == 0; }))
+      if (std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return left_out[t.value] == 0; }) &&
+          !(tiles_ && tiles_->hides(mesh_.edges[EdgeId(e)])))
         part.emplace_back(e);
     }
   });
-  const RequestedEdges requested(sight_, std::move(edges));
+  RequestedEdges requested(sight_, std::move(edges));
   LineOptions line_options;
   line_options.arithmetic = options_.arithmetic;
   const Layers layers(sight_, left_out);
   const bool appel_pays = options_.arithmetic == Arithmetic::staged && layers.edges().size() <= occluders_->triangles.size();
   // Of a mesh few lines are looked along, as most edges have a face on each side: records would not pay.
-  if (!appel_pays) occluders_->prepare(sight_);
+  if (!appel_pays) {
+    occluders_->prepare(sight_);
+    // What lies behind the tiles along an edge hides nothing of it that what covers them does not.
+    if (tiles_)
+      for_each(requested.edges.size(), [&](std::size_t i) {
+        requested.boxes[i].farthest =
+            std::max(requested.boxes[i].farthest, tiles_->hidden_from(mesh_.edges[requested.edges[i]]));
+      });
+  }
   lines_ = appel_pays ? appel(sight_, requested, layers, *occluders_, line_options)
                       : roberts(sight_, requested, *occluders_, line_options);
 }
@@ -292,7 +305,7 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
   std::vector<DecisionCounts> counts(parts.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      SideFinder finder(sight_, *occluders_, intersections_, place_);
+      SideFinder finder(sight_, *occluders_, intersections_, place_, tiles_ ? &*tiles_ : nullptr);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t i = part * block; i < end; ++i) visit(finder, order[i]);
       parts[part] = finder.take();
