@@ -17,6 +17,13 @@ double size(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), 
 
 }  // namespace
 
+NearPoint MapStretch::at(double t, double t_error) const {
+  const Point3 d = {b.p.x - a.p.x, b.p.y - a.p.y, b.p.z - a.p.z};
+  const double length = size(d), reach = 1 + std::fabs(t);
+  return {{a.p.x + t * d.x, a.p.y + t * d.y, a.p.z + t * d.z},
+          (length * (t_error + 4 * u * reach) + (a.error + b.error) * reach + 4 * u * size(a.p)) * 1.01};
+}
+
 std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side) {
   stretch_ = &stretch;
   side_ = side;
@@ -60,14 +67,6 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
   result_.clear();
   for (const Part& part : parts_) result_.push_back({part.from.p, part.to.p, part.seen, part.to.t, part.to.error});
   return result_;
-}
-
-NearPoint SeenBeside::point(const Place& place) const {
-  const NearPoint &a = stretch_->a, &b = stretch_->b;
-  const Point3 d = {b.p.x - a.p.x, b.p.y - a.p.y, b.p.z - a.p.z};
-  const double t = place.t, length = size(d), reach = 1 + std::fabs(t);
-  return {{a.p.x + t * d.x, a.p.y + t * d.y, a.p.z + t * d.z},
-          (length * (place.error + 4 * u * reach) + (a.error + b.error) * reach + 4 * u * size(a.p)) * 1.01};
 }
 
 float SeenBeside::farthest(Part& part) const {

@@ -22,6 +22,9 @@ struct MapStretch {
   VertexId at_a = {}, at_b = {};  ///< the vertices that are a and b, if they are
   /// Faces that are likely to be seen beside it: looked at first, so that what lies behind them need not be.
   std::array<const ImageFace*, 2> first = {};
+
+  /// The place at t, in space.
+  NearPoint at(double t, double error) const;
 };
 
 /// A part of a line of the map, and the triangle that is seen just beside it; none: nothing is.
@@ -77,7 +80,7 @@ class SeenBeside {
   Sign nearer(TriangleId s, const Linear& of_s, const Part& part, const Place& place);
   Sign nearer_beside(TriangleId s, TriangleId t);
   void add(const Place& from, const Place& to, TriangleId t, const Linear& nearness);
-  NearPoint point(const Place& place) const;
+  NearPoint point(const Place& place) const { return stretch_->at(place.t, place.error); }
   float farthest(Part& part) const;
   float farthest_of(const Part& part) const;
 

@@ -29,7 +29,7 @@ using Range = tbb::blocked_range<std::size_t>;
 /// A side of the fragments of a facet.
 struct FacetSide {
   TriangleId facet;
-  MapSide side;
+  PlacedSide side;
 };
 
 /// Collects the sides along the lines of the map. One object per block of lines.
@@ -61,7 +61,8 @@ class SideFinder {
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
   ErrorBounded parameter_at(const Edge& edge, const Cut& cut) const;
   void add(const MapStretch& stretch, TriangleId left, TriangleId right);
-  void add_different(const MapLine& line, std::span<const SeenPart> left, std::span<const SeenPart> right);
+  void add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right);
+  MapPlace place(const MapStretch& stretch, const MapPoint& p, double t, double error) const;
 
   const Sight& sight_;
   const Mesh& mesh_;
@@ -129,13 +130,11 @@ void SideFinder::add_edge(const VisibleLines& lines, const Line& line) {
     if (line.hidden(k)) continue;
     stretch.from = point_at(edge, beside, cuts[k]);
     stretch.to = point_at(edge, beside, cuts[k + 1]);
-    if (!left.is_valid() || !right.is_valid()) {
-      const ErrorBounded from = parameter_at(edge, cuts[k]), to = parameter_at(edge, cuts[k + 1]);
-      stretch.from_t = from.value;
-      stretch.from_error = from.error;
-      stretch.to_t = to.value;
-      stretch.to_error = to.error;
-    }
+    const ErrorBounded from = parameter_at(edge, cuts[k]), to = parameter_at(edge, cuts[k + 1]);
+    stretch.from_t = from.value;
+    stretch.from_error = from.error;
+    stretch.to_t = to.value;
+    stretch.to_error = to.error;
     add(stretch, left, right);
   }
 }
@@ -185,25 +184,42 @@ void SideFinder::add(const MapStretch& stretch, TriangleId left, TriangleId righ
       whole_right{stretch.from, stretch.to, right, stretch.to_t, stretch.to_error};
   const std::span<const SeenPart> l = left.is_valid() ? std::span(&whole_left, 1) : left_.find(stretch, Sign::positive);
   const std::span<const SeenPart> r = right.is_valid() ? std::span(&whole_right, 1) : right_.find(stretch, Sign::negative);
-  add_different(stretch.line, l, r);
+  add_different(stretch, l, r);
+}
+
+/// Where a point of the stretch is seen.
+MapPlace SideFinder::place(const MapStretch& stretch, const MapPoint& p, double t, double error) const {
+  constexpr MapPlace unknown = {0, 0, HUGE_VAL, HUGE_VAL};
+  if (!(sight_.image_error() < HUGE_VAL)) return unknown;
+  if (p.is_vertex) {
+    const ImagePoint& at = sight_.image(p.vertex);
+    return {at.x, at.y, sight_.image_error(), sight_.image_error()};
+  }
+  const NearPoint at = stretch.at(t, error);
+  const NearImage image = sight_.image(at.p, 3 * at.error);
+  return image.error < HUGE_VAL ? MapPlace{image.at.x, image.at.y, image.error, image.error} : unknown;
 }
 
 /// Where what is seen to the left and to the right differs, both end.
-void SideFinder::add_different(const MapLine& line, std::span<const SeenPart> left, std::span<const SeenPart> right) {
+void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right) {
   const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh_, t) : t; };
   std::size_t i = 0, j = 0;
   MapPoint from = left.front().from;
+  MapPlace from_place = place(stretch, from, stretch.from_t, stretch.from_error);
   while (i < left.size() && j < right.size()) {
     const double gap = left[i].to_t - right[j].to_t;
     const bool is_certain = std::fabs(gap) > (left[i].to_error + right[j].to_error) * 1.01;
-    const Sign first = is_certain ? sign_of(gap) : map_.order(line, left[i].to, right[j].to);
-    const MapPoint to = first == Sign::positive ? right[j].to : left[i].to;
+    const Sign first = is_certain ? sign_of(gap) : map_.order(stretch.line, left[i].to, right[j].to);
+    const SeenPart& ends = first == Sign::positive ? right[j] : left[i];
+    const MapPoint& to = ends.to;
+    const MapPlace to_place = place(stretch, to, ends.to_t, ends.to_error);
     const TriangleId l = facet(left[i].seen), r = facet(right[j].seen);
     if (l != r) {
-      if (l.is_valid()) sides_.push_back({l, {line, false, from, to}});
-      if (r.is_valid()) sides_.push_back({r, {line, true, to, from}});
+      if (l.is_valid()) sides_.push_back({l, {{stretch.line, false, from, to}, from_place, to_place}});
+      if (r.is_valid()) sides_.push_back({r, {{stretch.line, true, to, from}, to_place, from_place}});
     }
     from = to;
+    from_place = to_place;
     if (first != Sign::positive) ++i;
     if (first != Sign::negative) ++j;
   }
@@ -232,7 +248,7 @@ class FragmentFinder {
   VisibleLines lines_;
   std::vector<std::uint32_t> place_;           // of each triangle along the tree of the occluders
   std::vector<std::vector<FacetSide>> found_;  // of each block of lines
-  std::vector<MapSide> sides_;                 // by facet
+  std::vector<PlacedSide> sides_;              // by facet
   std::vector<std::size_t> first_side_;        // by TriangleId, one more
   DecisionCounts decisions_;
 };
@@ -352,14 +368,17 @@ VisibleFragments FragmentFinder::fragments() {
   find_sides();
   struct Worker {
     MapSight at;
+    RingLinker linker;
+    explicit Worker(const Sight& sight) : at(sight), linker(at) {}
     MapSight& map() { return at; }
   };
   VisibleFragments all = fragments_in_blocks(
-      mesh_, options_, [&] { return Worker{MapSight(sight_)}; },
+      mesh_, options_, [&] { return Worker(sight_); },
       [&](Worker& worker, TriangleId facet, FragmentParts& parts) {
         const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
         if (begin == end) return;
-        parts.add(facet, link_rings(worker.at, std::span(sides_).subspan(begin, end - begin)));
+        // Images turn as O says, which is not as they are seen.
+        parts.add(facet, worker.linker.link(std::span(sides_).subspan(begin, end - begin), true));
       });
   all.decisions += decisions_;
   all.decisions += lines_.decisions;
