@@ -92,6 +92,8 @@ class Sight {
     add_to(box, p, error);
     return box;
   }
+  /// What the nearness of such a point is: parallel, this; perspective, the negative of this, the depth.
+  ErrorBounded depth(const Point3& p, double error) const;
 
  private:
   void choose_rows(const View& view);

@@ -38,6 +38,7 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
     ends[k] = image.at;
     error += image.error;
   }
+  depth_ = {sight_.depth(stretch.a.p, 3 * stretch.a.error), sight_.depth(stretch.b.p, 3 * stretch.b.error)};
   // The tree visits what reaches nearer than the farthest of what is seen so far.
   query.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends[0], ends[1], error) : -std::numeric_limits<float>::infinity();
   const auto look_at = [&](const ImageFace& face) {
@@ -76,28 +77,18 @@ float SeenBeside::farthest(Part& part) const {
 
 float SeenBeside::farthest_of(const Part& part) const {
   if (!part.seen.is_valid()) return -std::numeric_limits<float>::infinity();
-  float lowest = std::numeric_limits<float>::infinity();
+  double lowest = HUGE_VAL;
   for (const Place& end : {part.from, part.to}) {
-    const NearPoint p = point(end);
-    const ErrorBounded n = at(part.nearness, end);
-    const Point3& e = sight_.eye().at;
+    const ErrorBounded depth = at(depth_, end), n = at(part.nearness, end);
     // The hit is p + n D, or e + (p - e) / (1 + n).
-    Point3 hit;
-    double error = HUGE_VAL;
-    if (sight_.is_perspective()) {
-      const ErrorBounded r = quotient({1, 0}, ErrorBounded{1, 0} + n);
-      const Point3 d = {p.p.x - e.x, p.p.y - e.y, p.p.z - e.z};
-      hit = {e.x + r.value * d.x, e.y + r.value * d.y, e.z + r.value * d.z};
-      error = (size(d) + p.error) * (r.error + 4 * u * std::fabs(r.value)) + std::fabs(r.value) * p.error + 4 * u * size(e);
-    } else {
-      hit = {p.p.x + n.value * e.x, p.p.y + n.value * e.y, p.p.z + n.value * e.z};
-      error = p.error + size(e) * (n.error + 4 * u * std::fabs(n.value)) + 4 * u * size(p.p);
-    }
-    error *= 3.03;  // in the sum of the coordinates
-    if (!(error < HUGE_VAL)) return sight_.box(part.seen).farthest;
-    lowest = std::min(lowest, sight_.box(hit, error).farthest);
+    const Point3& e = sight_.eye().at;
+    const ErrorBounded hit =
+        sight_.is_perspective() ? -quotient(depth, ErrorBounded{1, 0} + n)
+                                : depth + n * ErrorBounded{std::max({std::fabs(e.x), std::fabs(e.y), std::fabs(e.z)}), 0};
+    if (!(hit.error < HUGE_VAL)) return sight_.box(part.seen).farthest;
+    lowest = std::min(lowest, hit.value - hit.error);
   }
-  return std::max(lowest, sight_.box(part.seen).farthest);
+  return static_cast<float>(lowest - std::fabs(lowest) * 0x1p-22 - 0x1p-120);
 }
 
 ErrorBounded SeenBeside::at(const Linear& f, const Place& place) const {

@@ -89,6 +89,7 @@ class SeenBeside {
   const Occluders& occluders_;
   const HiddenTiles* tiles_;
   const MapStretch* stretch_ = nullptr;
+  Linear depth_;  // of the stretch, as Sight has it
   Sign side_ = Sign::positive;
   std::vector<Part> parts_, next_;
   std::vector<SeenPart> result_;

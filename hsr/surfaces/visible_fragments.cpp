@@ -43,6 +43,7 @@ class SideFinder {
         occluders_(occluders),
         intersections_(intersections),
         place_(place),
+        tiles_(tiles),
         map_(sight),
         left_(map_, occluders, tiles),
         right_(map_, occluders, tiles) {}
@@ -60,6 +61,7 @@ class SideFinder {
   TriangleId only_triangle(EdgeId e, Sign side) const;
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
   ErrorBounded parameter_at(const Edge& edge, const Cut& cut) const;
+  bool is_hidden(const MapStretch& stretch) const;
   void add(const MapStretch& stretch, TriangleId left, TriangleId right);
   void add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right);
   MapPlace place(const MapStretch& stretch, const MapPoint& p, double t, double error) const;
@@ -69,6 +71,7 @@ class SideFinder {
   const Occluders& occluders_;
   const Intersections& intersections_;
   const std::vector<std::uint32_t>& place_;
+  const HiddenTiles* tiles_;
   MapSight map_;
   SeenBeside left_, right_;
   std::vector<FacetSide> sides_;
@@ -148,9 +151,19 @@ void SideFinder::add_intersection(const Intersection& crossing) {
   MapPoint from = point(crossing.from), to = point(crossing.to);
   if (map_.order(line, from, to) == Sign::positive) std::swap(from, to);  // along its image, not in space
   MapStretch stretch{line, from, to, map_.point(from, crossing.s), map_.point(to, crossing.s)};
+  if (is_hidden(stretch)) return;
   if (!occluders_.faces.empty())
     stretch.first = {&occluders_.faces[place_[crossing.s.value]], &occluders_.faces[place_[crossing.t.value]]};
   add(stretch, {}, {});
+}
+
+/// Whether all of a stretch, from a to b, is certainly hidden.
+bool SideFinder::is_hidden(const MapStretch& stretch) const {
+  if (tiles_ == nullptr) return false;
+  const NearPoint &a = stretch.a, &b = stretch.b;
+  const NearImage p = sight_.image(a.p, 3 * a.error), q = sight_.image(b.p, 3 * b.error);
+  return tiles_->hides(p.at, sight_.box(a.p, 3 * a.error).nearest, q.at, sight_.box(b.p, 3 * b.error).nearest,
+                       std::max(p.error, q.error));
 }
 
 /// The part of a triangle in the near plane, where it has been cut; or its side there, which may be a diagonal of its face.
