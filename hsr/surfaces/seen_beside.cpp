@@ -42,10 +42,11 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
   // The tree visits what reaches nearer than the farthest of what is seen so far.
   query.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends[0], ends[1], error) : -std::numeric_limits<float>::infinity();
   const auto look_at = [&](const ImageFace& face) {
-    const ImageFace::Overlap overlap = face.overlap(ends[0], ends[1], error);
-    if (overlap.is_none) return;
+    if (face.is_beside(ends[0], ends[1], error)) return;
     const Linear of_t = nearness(face);
     if (certainly_behind(of_t)) return;
+    const ImageFace::Overlap overlap = face.overlap(ends[0], ends[1], error);
+    if (overlap.is_none) return;
     const std::size_t before = parts_.size();
     const TriangleId first = parts_.front().seen;
     insert(face.triangle, of_t, overlap.is_within);
