@@ -173,9 +173,16 @@ bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, P
 
 /// @param is_within bit k: the part is known to be on the inner side of side k
 bool SeenBeside::clip(TriangleId t, unsigned is_within, Place& from, Place& to) {
+  std::array<MapHalfPlane, 3> sides;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sides[k] = side_of_triangle(sight_, t, k);
+    if (sides[k].line != stretch_->line) continue;
+    if (sides[k].inner != side_) return false;
+    is_within |= 1U << k;
+  }
   for (std::size_t k = 0; k < 3; ++k) {
     if ((is_within >> k & 1U) != 0) continue;
-    const MapHalfPlane h = side_of_triangle(sight_, t, k);
+    const MapHalfPlane& h = sides[k];
     const VertexId v(h.line.u), w(h.line.v);
     const auto is_end = [&](VertexId x) { return x.is_valid() && (x == v || x == w); };
     const PlaneFilter filter = sight_.filter(sight_.sight_plane(v, w));

@@ -148,10 +148,13 @@ void SideFinder::add_intersection(const Intersection& crossing) {
     const bool is_near = cut.kind == Cut::Kind::near;
     return MapPoint::crossing(line, is_near ? MapLine::near(crossing.s) : MapLine::edge(VertexId(cut.u), VertexId(cut.v)));
   };
-  MapPoint from = point(crossing.from), to = point(crossing.to);
-  if (map_.order(line, from, to) == Sign::positive) std::swap(from, to);  // along its image, not in space
+  const MapPoint from = point(crossing.from), to = point(crossing.to);
   MapStretch stretch{line, from, to, map_.point(from, crossing.s), map_.point(to, crossing.s)};
   if (is_hidden(stretch)) return;
+  if (map_.order(line, from, to) == Sign::positive) {  // along its image, not in space
+    std::swap(stretch.from, stretch.to);
+    std::swap(stretch.a, stretch.b);
+  }
   if (!occluders_.faces.empty())
     stretch.first = {&occluders_.faces[place_[crossing.s.value]], &occluders_.faces[place_[crossing.t.value]]};
   add(stretch, {}, {});
@@ -247,6 +250,7 @@ class FragmentFinder {
 
  private:
   void leave_out_hidden(std::vector<std::uint8_t>& left_out);
+  bool has_many_borders(const std::vector<std::uint8_t>& left_out) const;
   void find_lines();
   void find_sides();
   template <class F>
@@ -278,6 +282,23 @@ void FragmentFinder::leave_out_hidden(std::vector<std::uint8_t>& left_out) {
     tiles_->mark_hidden(left_out);
 }
 
+/// Whether more edges than there are faces occlude for certain, as they are borders: Layers would find no fewer.
+bool FragmentFinder::has_many_borders(const std::vector<std::uint8_t>& left_out) const {
+  const auto is_counted = [&](TriangleId t) {
+    const FaceId f = mesh_.face_of[t];
+    if (left_out[t.value] != 0) return false;
+    for (std::uint32_t k = mesh_.first_triangle[f]; k < mesh_.first_triangle[FaceId(f.value + 1U)]; ++k)
+      if (sight_.reaches_before_near(TriangleId(k))) return false;
+    return true;
+  };
+  std::size_t borders = 0;
+  for (std::size_t e = 0; e < mesh_.edges.size() && borders <= occluders_->triangles.size(); ++e) {
+    const auto triangles = mesh_.triangles_at(EdgeId(e));
+    if (triangles.size() == 1 && is_counted(triangles[0])) ++borders;
+  }
+  return borders > occluders_->triangles.size();
+}
+
 /// A face that is seen edge-on has no area in the image: it is left out, and its edges with it.
 void FragmentFinder::find_lines() {
   std::vector<ImageBox> boxes(mesh_.triangles.size());
@@ -300,8 +321,9 @@ void FragmentFinder::find_lines() {
   RequestedEdges requested(sight_, std::move(edges));
   LineOptions line_options;
   line_options.arithmetic = options_.arithmetic;
-  const Layers layers(sight_, left_out);
-  const bool appel_pays = options_.arithmetic == Arithmetic::staged && layers.edges().size() <= occluders_->triangles.size();
+  std::optional<Layers> layers;
+  if (options_.arithmetic == Arithmetic::staged && !has_many_borders(left_out)) layers.emplace(sight_, left_out);
+  const bool appel_pays = layers && layers->edges().size() <= occluders_->triangles.size();
   // Of a mesh few lines are looked along, as most edges have a face on each side: records would not pay.
   if (!appel_pays) {
     occluders_->prepare(sight_);
@@ -312,7 +334,7 @@ void FragmentFinder::find_lines() {
             std::max(requested.boxes[i].farthest, tiles_->hidden_from(mesh_.edges[requested.edges[i]]));
       });
   }
-  lines_ = appel_pays ? appel(sight_, requested, layers, *occluders_, line_options)
+  lines_ = appel_pays ? appel(sight_, requested, *layers, *occluders_, line_options)
                       : roberts(sight_, requested, *occluders_, line_options);
 }
 
