@@ -58,7 +58,9 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
   };
   for (const ImageFace* face : stretch.first)
     if (face != nullptr) look_at(*face);
-  occluders_.tree.visit(query, [&](std::uint32_t i) {
+  // The images of visible stretches are closed: what is nearer and ends at one hides it.
+  if (!stretch.is_visible) query.nearest = std::numeric_limits<float>::infinity();
+  occluders_.tree.visit_touching(query, [&](std::uint32_t i) {
     ImageFace own;
     const bool is_prepared = !occluders_.faces.empty();
     if (!is_prepared) own = ImageFace(sight_, occluders_.triangles[i]);

@@ -20,6 +20,8 @@ struct MapStretch {
   NearPoint a, b;
   double from_t = 0, from_error = 0, to_t = 1, to_error = 0;
   VertexId at_a = {}, at_b = {};  ///< the vertices that are a and b, if they are
+  /// It is of an edge, and visible: no face that is wholly nearer is beside it.
+  bool is_visible = false;
   /// Faces that are likely to be seen beside it: looked at first, so that what lies behind them need not be.
   std::array<const ImageFace*, 2> first = {};
 

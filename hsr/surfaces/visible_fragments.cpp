@@ -129,6 +129,7 @@ void SideFinder::add_edge(const VisibleLines& lines, const Line& line) {
   stretch.b.p = sight_.point(edge.b);
   stretch.at_a = edge.a;
   stretch.at_b = edge.b;
+  stretch.is_visible = true;
   for (std::uint32_t k = 0; k < line.intervals(); ++k) {
     if (line.hidden(k)) continue;
     stretch.from = point_at(edge, beside, cuts[k]);
