@@ -54,6 +54,15 @@ struct ImageFace {
     return first != 0 && side(1) == first && side(2) == first;
   }
 
+  /// O of the side from corner k to the next for p, times facing, in the image. @param error of each coordinate of these points
+  ErrorBounded at_side(unsigned k, const ImagePoint& p, double error) const {
+    const unsigned next = k == 2 ? 0 : k + 1;
+    const double dx = facing * (x[next] - x[k]), dy = facing * (y[next] - y[k]), length = std::fabs(dx) + std::fabs(dy);
+    const double px = p.x - x[k], py = p.y - y[k];
+    return {dx * py - dy * px, 9.1 * error * error + 0x1p-1000 + 2.2 * error * length +
+                                   (2.2 * error + 4.2 * ErrorBounded::u * length) * (std::fabs(px) + std::fabs(py))};
+  }
+
   /// What the image tells for certain of the triangle and a segment.
   struct Overlap {
     bool is_none = false;    ///< both ends lie strictly beyond one of its sides
@@ -62,23 +71,14 @@ struct ImageFace {
   };
   /// Of the segment from p to q. @param error of each coordinate of these points
   Overlap overlap(const ImagePoint& p, const ImagePoint& q, double error) const {
-    const double least = 9.1 * error * error + 0x1p-1000, per_length = 2.2 * error;
     Overlap overlap;
     for (unsigned k = 0; k < 3; ++k) {
-      const unsigned next = k == 2 ? 0 : k + 1;
-      const double dx = facing * (x[next] - x[k]), dy = facing * (y[next] - y[k]), length = std::fabs(dx) + std::fabs(dy);
-      const double side_least = least + per_length * length, slope = per_length + 4.2 * ErrorBounded::u * length;
-      const double px = x[k] - p.x, py = y[k] - p.y, qx = q.x - x[k], qy = q.y - y[k];
-      const double at_p = dy * px - dx * py, at_q = dx * qy - dy * qx;
-      const double bound_p = side_least + slope * (std::fabs(px) + std::fabs(py));
-      const double bound_q = side_least + slope * (std::fabs(qx) + std::fabs(qy));
-      if (at_p < -bound_p && at_q < -bound_q) {
+      const ErrorBounded at_p = overlap.at_p[k] = at_side(k, p, error), at_q = overlap.at_q[k] = at_side(k, q, error);
+      if (at_p.value < -at_p.error && at_q.value < -at_q.error) {
         overlap.is_none = true;
         return overlap;
       }
-      overlap.at_p[k] = {at_p, bound_p};
-      overlap.at_q[k] = {at_q, bound_q};
-      overlap.is_within |= (unsigned{at_p > bound_p} & unsigned{at_q > bound_q}) << k;
+      overlap.is_within |= (unsigned{at_p.value > at_p.error} & unsigned{at_q.value > at_q.error}) << k;
     }
     return overlap;
   }

@@ -39,6 +39,14 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
     error += image.error;
   }
   depth_ = {sight_.depth(stretch.a.p, 3 * stretch.a.error), sight_.depth(stretch.b.p, 3 * stretch.b.error)};
+  if (!sight_.is_perspective()) {
+    const auto image = [&](VertexId v, const NearPoint& p) {
+      const bool is_known = v.is_valid() && sight_.image_error() < HUGE_VAL;
+      return is_known ? NearImage{sight_.image(v), 0} : sight_.image(p.p, 3 * p.error);
+    };
+    at_a_ = image(stretch.at_a, stretch.a);
+    at_b_ = image(stretch.at_b, stretch.b);
+  }
   // The tree visits what reaches nearer than the farthest of what is seen so far.
   query.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends[0], ends[1], error) : -std::numeric_limits<float>::infinity();
   const auto look_at = [&](const ImageFace& face) {
@@ -49,7 +57,7 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
     if (overlap.is_none) return;
     const std::size_t before = parts_.size();
     const TriangleId first = parts_.front().seen;
-    insert(face.triangle, of_t, overlap.is_within);
+    insert(face, of_t, overlap.is_within);
     if (parts_.size() == before && parts_.front().seen == first) return;
     float lowest = std::numeric_limits<float>::infinity();
     for (Part& part : parts_)
@@ -173,8 +181,24 @@ bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, P
   return true;
 }
 
+/// O of a side of the face, its vertices in the order of the line's name. Parallel, images are linear along the stretch, and
+/// their determinants as good as those in space.
+SeenBeside::Linear SeenBeside::along_side(const ImageFace& face, unsigned k, const MapHalfPlane& h) const {
+  const VertexId v(h.line.u), w(h.line.v);
+  const auto is_end = [&](VertexId x) { return x.is_valid() && (x == v || x == w); };
+  const bool zero_at_a = is_end(stretch_->at_a), zero_at_b = is_end(stretch_->at_b);
+  if (sight_.is_perspective()) return along(sight_.filter(sight_.sight_plane(v, w)), zero_at_a, zero_at_b);
+  const bool is_reversed = (face.facing < 0) == (face.corners[k] == v);
+  const auto value = [&](const NearImage& p) {
+    const ErrorBounded x = face.at_side(k, p.at, sight_.image_error() + p.error);
+    return is_reversed ? -x : x;
+  };
+  return {zero_at_a ? ErrorBounded{} : value(at_a_), zero_at_b ? ErrorBounded{} : value(at_b_)};
+}
+
 /// @param is_within bit k: the part is known to be on the inner side of side k
-bool SeenBeside::clip(TriangleId t, unsigned is_within, Place& from, Place& to) {
+bool SeenBeside::clip(const ImageFace& face, unsigned is_within, Place& from, Place& to) {
+  const TriangleId t = face.triangle;
   std::array<MapHalfPlane, 3> sides;
   for (std::size_t k = 0; k < 3; ++k) {
     sides[k] = side_of_triangle(sight_, t, k);
@@ -185,10 +209,7 @@ bool SeenBeside::clip(TriangleId t, unsigned is_within, Place& from, Place& to) 
   for (std::size_t k = 0; k < 3; ++k) {
     if ((is_within >> k & 1U) != 0) continue;
     const MapHalfPlane& h = sides[k];
-    const VertexId v(h.line.u), w(h.line.v);
-    const auto is_end = [&](VertexId x) { return x.is_valid() && (x == v || x == w); };
-    const PlaneFilter filter = sight_.filter(sight_.sight_plane(v, w));
-    if (!clip(h, along(filter, is_end(stretch_->at_a), is_end(stretch_->at_b)), from, to)) return false;
+    if (!clip(h, along_side(face, static_cast<unsigned>(k), h), from, to)) return false;
   }
   if (!sight_.reaches_before_near(t)) return true;
   const PlaneFilter filter = sight_.filter(sight_.near_line(sight_.face_plane(t)));
@@ -226,9 +247,10 @@ Sign SeenBeside::nearer_beside(TriangleId s, TriangleId t) {
   throw InvariantError("SeenBeside: two triangles on one line");
 }
 
-void SeenBeside::insert(TriangleId t, const Linear& of_t, unsigned is_within) {
+void SeenBeside::insert(const ImageFace& face, const Linear& of_t, unsigned is_within) {
+  const TriangleId t = face.triangle;
   Place from = parts_.front().from, to = parts_.back().to;
-  if (!clip(t, is_within, from, to)) return;
+  if (!clip(face, is_within, from, to)) return;
   next_.clear();
   const Mesh& mesh = map_.mesh();
   for (const Part& part : parts_) {

@@ -69,9 +69,10 @@ class SeenBeside {
   };
   static constexpr float unknown = std::numeric_limits<float>::infinity();
 
-  void insert(TriangleId t, const Linear& of_t, unsigned is_within);
+  void insert(const ImageFace& face, const Linear& of_t, unsigned is_within);
   bool certainly_behind(const Linear& of_t) const;
-  bool clip(TriangleId t, unsigned is_within, Place& from, Place& to);
+  bool clip(const ImageFace& face, unsigned is_within, Place& from, Place& to);
+  Linear along_side(const ImageFace& face, unsigned k, const MapHalfPlane& h) const;
   bool clip(const MapHalfPlane& h, const Linear& value, Place& from, Place& to);
   Linear along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const;
   Linear nearness(const ImageFace& face) const;
@@ -91,7 +92,8 @@ class SeenBeside {
   const Occluders& occluders_;
   const HiddenTiles* tiles_;
   const MapStretch* stretch_ = nullptr;
-  Linear depth_;  // of the stretch, as Sight has it
+  Linear depth_;               // of the stretch, as Sight has it
+  NearImage at_a_, at_b_ = {};  // where a and b of the stretch are seen; parallel
   Sign side_ = Sign::positive;
   std::vector<Part> parts_, next_;
   std::vector<SeenPart> result_;
