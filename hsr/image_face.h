@@ -41,7 +41,8 @@ struct ImageFace {
 
   bool has(VertexId v) const { return v == corners[0] || v == corners[1] || v == corners[2]; }
 
-  /// Whether the triangle certainly lies on one side of the line through p and q. @param error of each coordinate of these points
+  /// Whether the triangle certainly lies on one side of the line through p and q. @param error of each coordinate of these
+  /// points
   bool is_beside(const ImagePoint& p, const ImagePoint& q, double error) const {
     const double sx = q.x - p.x, sy = q.y - p.y, size = std::fabs(sx) + std::fabs(sy), per_length = 2.2 * error;
     const double least = 9.1 * error * error + 0x1p-1000 + per_length * size, slope = per_length + 4.2 * ErrorBounded::u * size;

@@ -192,7 +192,8 @@ HiddenTiles::PlaneNearness HiddenTiles::plane_nearness(TriangleId t, const Recta
   for (std::size_t k = 0; k < 3; ++k)
     most = std::max(most, std::fabs(middle[k] - (n.value + n.dx * x[k] + n.dy * y[k])) + (high[k] - low[k]));
   // Images are off by their error, and tiles that reach beyond the triangle's by less than a tile.
-  const double width = around.high[0] - around.low[0] + axes_[0].width, height = around.high[1] - around.low[1] + axes_[1].width;
+  const double width = around.high[0] - around.low[0] + axes_[0].width,
+               height = around.high[1] - around.low[1] + axes_[1].width;
   const auto reach = [&](std::size_t k, double size) {
     return size + std::fabs(around.low[k]) + std::fabs(around.high[k]) + std::fabs(axes_[k].first) +
            axes_[k].tiles * axes_[k].width;
@@ -207,7 +208,7 @@ HiddenTiles::PlaneNearness HiddenTiles::plane_nearness(TriangleId t, const Recta
   return n;
 }
 
-/// At most eight tiles to a triangle, over the middle of the image: in perspective a few triangles may lie far out.
+/// At most 24 tiles to a triangle, over the middle of the image: in perspective a few triangles may lie far out.
 void HiddenTiles::choose_grid(bool always) {
   const Mesh& mesh = sight_.mesh();
   std::array<std::vector<double>, 2> low, high;
@@ -237,7 +238,7 @@ void HiddenTiles::choose_grid(bool always) {
   const double n = static_cast<double>(mesh.triangles.size());
   const double layers = n / static_cast<double>(low[0].size()) * area / (extent[0] * extent[1]);
   if (!always && layers < 3) return;  // little to hide
-  // So many that to cover them, as often as there are layers, takes some 64 steps for each triangle.
+  // So many that to cover them, as often as there are layers, takes some 192 steps for each triangle, four at a time.
   const double tiles = std::clamp(std::min(24 * n, 192 * n / layers), 1024.0, 0x1p23);
   const double columns = std::clamp(std::sqrt(tiles * extent[0] / extent[1]), 1.0, std::min(tiles, 0x1p20));
   axes_[0].tiles = static_cast<std::int32_t>(columns);
@@ -271,8 +272,7 @@ void HiddenTiles::for_each_cover(std::size_t begin, std::size_t end, const F& vi
     // Inside a planar face the mesh has no edges: its triangles are paired here, as long as they are few.
     if (mesh.faces[f] != FaceUse::planar || last - first > 8) continue;
     for (std::uint32_t t = first; t < last; ++t)
-      for (std::uint32_t s = t + 1; s < last; ++s)
-        visit(TriangleId(t), TriangleId(s));
+      for (std::uint32_t s = t + 1; s < last; ++s) visit(TriangleId(t), TriangleId(s));
   }
 }
 

@@ -38,7 +38,8 @@ class HiddenTiles {
   /// Whether the triangle, or the edge, is certainly hidden.
   bool hides(TriangleId t) const;
   bool hides(const Edge& e) const;
-  /// The same of a segment from p to q of the image. @param error of each coordinate @param nearness_of_p at most, as boxes have it
+  /// The same of a segment from p to q of the image. @param error of each coordinate @param nearness_of_p at most, as boxes
+  /// have it
   bool hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q, double error) const;
   /// What is less near than this is hidden all along the edge, and just beside it; -infinity where nothing is known to be.
   float hidden_from(const Edge& e) const;

@@ -240,7 +240,8 @@ void Shadows::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<
       return;
   }
   if (sight_.reaches_before_near(triangle) &&
-      !clip(cut_of(Cut::Kind::near_line, triangle.value), sight_.near_line(sight_.face_plane(triangle)), false, false, -facing, false))
+      !clip(cut_of(Cut::Kind::near_line, triangle.value), sight_.near_line(sight_.face_plane(triangle)), false, false, -facing,
+            false))
     return;
   if (order(from_, to_) == Sign::negative) shadows.push_back({from_, to_, sight_.mesh().face_of[triangle]});
 }

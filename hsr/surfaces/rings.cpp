@@ -83,14 +83,14 @@ class RingLinker::Linker {
   std::vector<std::uint32_t> order_, number_;
   std::vector<MapPoint> points_;
   std::vector<MapPlace> places_;
-  std::vector<std::uint32_t> by_x_;     // points, by the lower bound of x
-  double widest_ = 0;                   // of the bounds of x
-  std::vector<Piece> ends_, pieces_;    // of whole sides; of cut ones
-  std::vector<std::uint32_t> inside_;   // points of a side
+  std::vector<std::uint32_t> by_x_;                                                 // points, by the lower bound of x
+  double widest_ = 0;                                                               // of the bounds of x
+  std::vector<Piece> ends_, pieces_;                                                // of whole sides; of cut ones
+  std::vector<std::uint32_t> inside_;                                               // points of a side
   std::vector<std::uint32_t> arriving_, leaving_, first_arriving_, first_leaving_;  // pieces by point
-  std::vector<std::uint32_t> next_;          // by piece
-  std::vector<std::uint8_t> is_done_;        // by piece
-  std::vector<std::uint32_t> walk_, way_;    // pieces
+  std::vector<std::uint32_t> next_;                                                 // by piece
+  std::vector<std::uint8_t> is_done_;                                               // by piece
+  std::vector<std::uint32_t> walk_, way_;                                           // pieces
   std::vector<std::uint32_t> place_on_way_;  // of each point on the way of split(), the piece that leaves it
   std::vector<std::uint32_t> corners_;       // pieces, loop after loop
   std::vector<Loop> loops_;

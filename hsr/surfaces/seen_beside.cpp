@@ -93,9 +93,9 @@ float SeenBeside::farthest_of(const Part& part) const {
     const ErrorBounded depth = at(depth_, end), n = at(part.nearness, end);
     // The hit is p + n D, or e + (p - e) / (1 + n).
     const Point3& e = sight_.eye().at;
-    const ErrorBounded hit =
-        sight_.is_perspective() ? -quotient(depth, ErrorBounded{1, 0} + n)
-                                : depth + n * ErrorBounded{std::max({std::fabs(e.x), std::fabs(e.y), std::fabs(e.z)}), 0};
+    const ErrorBounded hit = sight_.is_perspective()
+                                 ? -quotient(depth, ErrorBounded{1, 0} + n)
+                                 : depth + n * ErrorBounded{std::max({std::fabs(e.x), std::fabs(e.y), std::fabs(e.z)}), 0};
     if (!(hit.error < HUGE_VAL)) return sight_.box(part.seen).farthest;
     lowest = std::min(lowest, hit.value - hit.error);
   }

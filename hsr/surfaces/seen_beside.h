@@ -92,7 +92,7 @@ class SeenBeside {
   const Occluders& occluders_;
   const HiddenTiles* tiles_;
   const MapStretch* stretch_ = nullptr;
-  Linear depth_;               // of the stretch, as Sight has it
+  Linear depth_;                // of the stretch, as Sight has it
   NearImage at_a_, at_b_ = {};  // where a and b of the stretch are seen; parallel
   Sign side_ = Sign::positive;
   std::vector<Part> parts_, next_;
