@@ -41,42 +41,45 @@ struct ImageFace {
 
   bool has(VertexId v) const { return v == corners[0] || v == corners[1] || v == corners[2]; }
 
+  /// Whether the triangle certainly lies on one side of the line through p and q. @param error of each coordinate of these
+  /// points
+  bool is_beside(const ImagePoint& p, const ImagePoint& q, double error) const {
+    const double sx = q.x - p.x, sy = q.y - p.y, size = std::fabs(sx) + std::fabs(sy), per_length = 2.2 * error;
+    const double least = 9.1 * error * error + 0x1p-1000 + per_length * size, slope = per_length + 4.2 * ErrorBounded::u * size;
+    const auto side = [&](std::size_t k) {
+      const double px = x[k] - p.x, py = y[k] - p.y;
+      const double det = sx * py - sy * px, bound = least + slope * (std::fabs(px) + std::fabs(py));
+      return det > bound ? 1 : det < -bound ? -1 : 0;
+    };
+    const int first = side(0);
+    return first != 0 && side(1) == first && side(2) == first;
+  }
+
+  /// O of the side from corner k to the next for p, times facing, in the image. @param error of each coordinate of these points
+  ErrorBounded at_side(unsigned k, const ImagePoint& p, double error) const {
+    const unsigned next = k == 2 ? 0 : k + 1;
+    const double dx = facing * (x[next] - x[k]), dy = facing * (y[next] - y[k]), length = std::fabs(dx) + std::fabs(dy);
+    const double px = p.x - x[k], py = p.y - y[k];
+    return {dx * py - dy * px, 9.1 * error * error + 0x1p-1000 + 2.2 * error * length +
+                                   (2.2 * error + 4.2 * ErrorBounded::u * length) * (std::fabs(px) + std::fabs(py))};
+  }
+
   /// What the image tells for certain of the triangle and a segment.
   struct Overlap {
-    bool is_none = false;    ///< they have no point in common
+    bool is_none = false;    ///< both ends lie strictly beyond one of its sides
     unsigned is_within = 0;  ///< bit k: both ends are strictly on the inner side of the triangle's side k
     std::array<ErrorBounded, 3> at_p = {}, at_q = {};  ///< O of side k for the ends, times facing, in the image
   };
-  /// The triangle lies strictly on one side of pq, or both p and q beyond one of its sides, or neither is certain.
-  /// @param error of each coordinate of all of these points
+  /// Of the segment from p to q. @param error of each coordinate of these points
   Overlap overlap(const ImagePoint& p, const ImagePoint& q, double error) const {
-    const double least = 9.1 * error * error + 0x1p-1000, per_length = 2.2 * error;
-    const double sx = q.x - p.x, sy = q.y - p.y, size = std::fabs(sx) + std::fabs(sy);
-    const double line_least = least + per_length * size, line_slope = per_length + 4.2 * ErrorBounded::u * size;
-    bool left = true, right = true;
     Overlap overlap;
-    std::array<double, 3> px, py;
-    for (std::size_t k = 0; k < 3; ++k) {
-      px[k] = x[k] - p.x;
-      py[k] = y[k] - p.y;
-      const double det = sx * py[k] - sy * px[k], bound = line_least + line_slope * (std::fabs(px[k]) + std::fabs(py[k]));
-      left &= det > bound;
-      right &= det < -bound;
-    }
-    overlap.is_none = left || right;
-    if (overlap.is_none) return overlap;
     for (unsigned k = 0; k < 3; ++k) {
-      const unsigned next = k == 2 ? 0 : k + 1;
-      const double dx = facing * (x[next] - x[k]), dy = facing * (y[next] - y[k]), length = std::fabs(dx) + std::fabs(dy);
-      const double side_least = least + per_length * length, slope = per_length + 4.2 * ErrorBounded::u * length;
-      const double qx = q.x - x[k], qy = q.y - y[k];
-      const double at_p = dy * px[k] - dx * py[k], at_q = dx * qy - dy * qx;
-      const double bound_p = side_least + slope * (std::fabs(px[k]) + std::fabs(py[k]));
-      const double bound_q = side_least + slope * (std::fabs(qx) + std::fabs(qy));
-      if (at_p < -bound_p && at_q < -bound_q) overlap.is_none = true;
-      overlap.at_p[k] = {at_p, bound_p};
-      overlap.at_q[k] = {at_q, bound_q};
-      overlap.is_within |= (unsigned{at_p > bound_p} & unsigned{at_q > bound_q}) << k;
+      const ErrorBounded at_p = overlap.at_p[k] = at_side(k, p, error), at_q = overlap.at_q[k] = at_side(k, q, error);
+      if (at_p.value < -at_p.error && at_q.value < -at_q.error) {
+        overlap.is_none = true;
+        return overlap;
+      }
+      overlap.is_within |= (unsigned{at_p.value > at_p.error} & unsigned{at_q.value > at_q.error}) << k;
     }
     return overlap;
   }

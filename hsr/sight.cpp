@@ -264,6 +264,14 @@ void Sight::add_to(ImageBox& box, const Point3& p, double error) const {
   box.add({x, y, -m}, {spread(x), spread(y), e});
 }
 
+/// The bounds of add_to().
+ErrorBounded Sight::depth(const Point3& p, double error) const {
+  if (!is_perspective())
+    return {dot(depth_, p) - middle_[2], (5 * u * (size(p) + std::fabs(middle_[2])) + error) * 1.01 + 0x1p-1000};
+  const Point3 v = minus(p, eye_.at);
+  return {dot(depth_, v), 6 * u * size(v) + error * 1.01 + 0x1p-1000};
+}
+
 /// Adds the point where ab crosses the near plane: a + t (b - a), t = near(a) / (near(a) - near(b)).
 void Sight::add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const {
   const Point3 &p = points_[a], &q = points_[b];

@@ -83,6 +83,7 @@ class Sight {
 
   /// Conservative boxes of what is beyond the near plane, in an image of its own (not the paper's); of nothing,
   /// ImageBox::nothing().
+  const ImageBox& box(VertexId v) const { return vertex_boxes_[v]; }
   ImageBox box(VertexId a, VertexId b) const;
   ImageBox box(TriangleId t) const;
   /// Of a point that is within `error` of p, in the sum of its coordinates, wherever the near plane is; p is already scaled.
@@ -91,6 +92,8 @@ class Sight {
     add_to(box, p, error);
     return box;
   }
+  /// What the nearness of such a point is: parallel, this; perspective, the negative of this, the depth.
+  ErrorBounded depth(const Point3& p, double error) const;
 
  private:
   void choose_rows(const View& view);

@@ -1,18 +1,15 @@
 #include "hsr/image/occlusion_culling.h"
 
 #include "hsr/lines/hidden_tiles.h"
-#include "hsr/parallel.h"
 #include "hsr/sight.h"
 
 namespace hsr {
 
 Culled occlusion_culled(const Mesh& mesh, const View& view) {
   const Sight sight(mesh, view, Arithmetic::staged);
-  std::vector<ImageBox> boxes(mesh.triangles.size());
-  for_each(boxes.size(), [&](std::size_t k) { boxes[k] = sight.box(TriangleId(k)); });
-  const HiddenTiles tiles(sight, boxes, true);
-  std::vector<std::uint8_t> hidden(boxes.size(), 0);
-  if (!tiles.is_empty()) tiles.mark_hidden(boxes, hidden);
+  const HiddenTiles tiles(sight, true);
+  std::vector<std::uint8_t> hidden(mesh.triangles.size(), 0);
+  if (!tiles.is_empty()) tiles.mark_hidden(hidden);
   Culled result;
   result.tests = tiles.is_empty() ? 0 : hidden.size();
   for (std::size_t k = 0; k < hidden.size(); ++k)

@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,13 +17,7 @@ namespace {
 using Range = tbb::blocked_range<std::size_t>;
 constexpr float nowhere = -std::numeric_limits<float>::infinity();
 constexpr double u = ErrorBounded::u;
-
-void raise(float& place, float value) {
-  std::atomic_ref<float> shared(place);
-  float now = shared.load(std::memory_order_relaxed);
-  while (now < value && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
-  }
-}
+constexpr std::size_t coarse = 1;  // the level of hidden_from
 
 std::optional<Edge> common_side(const std::array<VertexId, 3>& t, const std::array<VertexId, 3>& s) {
   std::array<VertexId, 2> common;
@@ -40,11 +33,18 @@ std::optional<Edge> common_side(const std::array<VertexId, 3>& t, const std::arr
 
 bool is_convertible(double x) { return std::fabs(x) < 0x1p30; }
 
+/// A float that is not above x, one that is not below; unknown: one that says nothing.
+float below(double x) {
+  const auto f = static_cast<float>(x - std::fabs(x) * 0x1p-22 - 0x1p-120);
+  return f == f ? f : nowhere;
+}
+float above(double x) { return -below(-x); }
+
 }  // namespace
 
 /// Estimated first, then settled by the borders themselves: no rounding of the quotient matters.
 std::int32_t HiddenTiles::Axis::last_border_up_to(double x) const {
-  const double estimate = (x - first) / width;
+  const double estimate = (x - first) * per_width;
   if (!is_convertible(estimate)) return x < first ? -1 : tiles;
   std::int32_t i = std::clamp(static_cast<std::int32_t>(estimate), -1, tiles);
   while (i >= 0 && border(i) > x) --i;
@@ -53,13 +53,28 @@ std::int32_t HiddenTiles::Axis::last_border_up_to(double x) const {
 }
 
 std::int32_t HiddenTiles::Axis::first_border_from(double x) const {
-  const double estimate = (x - first) / width;
+  const double estimate = (x - first) * per_width;
   if (!is_convertible(estimate)) return x > first ? tiles + 1 : 0;
   std::int32_t i = std::clamp(static_cast<std::int32_t>(estimate), 0, tiles + 1);
   while (i <= tiles && border(i) < x) ++i;
   while (i > 0 && border(i - 1) >= x) --i;
   return i;
 }
+
+/// The nearness of a triangle's plane as a function of the image, at(p) = value + dx (x - p.x) + dy (y - p.y), which over the
+/// triangle is off by at most `error`.
+///
+/// Two affine functions differ over a triangle by at most what they differ by at its corners. So the gradient may be any: only
+/// what comes out at the corners counts, and the roundings of where it is taken.
+struct HiddenTiles::PlaneNearness {
+  ImagePoint p = {0, 0};
+  double value = 0, dx = 0, dy = 0, error = HUGE_VAL;
+  double farthest = -HUGE_VAL, nearest = HUGE_VAL;  // of the corners
+
+  /// Bounds of it over what the triangle has between these values, where it is affine.
+  double at_least(double low) const { return low - error > farthest ? low - error : farthest; }
+  double at_most(double high) const { return high + error < nearest ? high + error : nearest; }
+};
 
 /// What lies to the left of some lines, each through two images.
 class HiddenTiles::Region {
@@ -71,43 +86,45 @@ class HiddenTiles::Region {
     // A line along an axis needs comparisons only.
     const double margin = dx == 0 || dy == 0 ? 2.2 * error * (length + reach) + 10 * error * error
                                              : 2.2 * error * (length + reach) + 10 * error * error + 16 * u * length * reach;
-    lines_[count_++] = {p.x, p.y, dx, dy, margin};
+    if (dy == 0) {
+      const double shift = margin / dx, slack = margin == 0 ? 0 : 4 * u * (std::fabs(p.y) + std::fabs(shift));
+      if (dx > 0) low_ = std::max(low_, p.y + shift + slack);
+      if (!(dx > 0)) high_ = dx < 0 ? std::min(high_, p.y + shift - slack) : -HUGE_VAL;
+      return;
+    }
+    lines_[count_++] = {p.x, p.y, dx / dy, margin / dy, dx == 0 && margin == 0 ? 0 : 8 * u, dy > 0, dx / dy > 0};
   }
 
   /// Of a row of tiles from y = low to y = high, between which x lies what is certainly inside.
   void narrow(double low, double high, double& from, double& to) const {
+    if (!(low >= low_ && high <= high_)) to = -HUGE_VAL;
     for (std::size_t k = 0; k < count_; ++k) {
       const Line& l = lines_[k];
-      if (l.dy == 0) {
-        const double shift = l.margin / l.dx, slack = l.margin == 0 ? 0 : 4 * u * (std::fabs(l.py) + std::fabs(shift));
-        const bool inside = l.dx > 0 ? low >= l.py + shift + slack : l.dx < 0 && high <= l.py + shift - slack;
-        if (!inside) to = -HUGE_VAL;
-        continue;
-      }
       // dx (y - py) - dy (x - px) >= margin, at the corner of a tile where it is least.
-      const double shift = (l.dx == 0 ? -l.margin : l.dx * ((l.dx > 0 ? low : high) - l.py) - l.margin) / l.dy;
-      const double slack = l.dx == 0 && l.margin == 0 ? 0 : 4 * u * (std::fabs(l.px) + std::fabs(shift));
-      if (l.dy > 0)
-        to = std::min(to, l.px + shift - slack);
+      const double along = l.slope * ((l.rises == l.bounds_right ? low : high) - l.py);
+      const double slack = l.roundings * (std::fabs(l.px) + std::fabs(along) + std::fabs(l.shift));
+      if (l.bounds_right)
+        to = std::min(to, l.px + along - l.shift - slack);
       else
-        from = std::max(from, l.px + shift + slack);
+        from = std::max(from, l.px + along - l.shift + slack);
     }
   }
 
  private:
   struct Line {
-    double px, py, dx, dy, margin;
+    double px, py, slope, shift, roundings;
+    bool bounds_right, rises;
   };
   std::array<Line, 4> lines_;
   std::size_t count_ = 0;
+  double low_ = -HUGE_VAL, high_ = HUGE_VAL;
 };
 
-HiddenTiles::HiddenTiles(const Sight& sight, std::span<const ImageBox> boxes, bool always) : sight_(sight) {
+HiddenTiles::HiddenTiles(const Sight& sight, bool always) : sight_(sight) {
   if (!(sight.image_error() < HUGE_VAL)) return;  // another arithmetic is asked for, or doubles do not reach
   choose_grid(always);
   if (levels_.empty()) return;
-  cover_triangles(boxes);
-  cover_pairs(boxes);
+  cover_all();
   build_levels();
 }
 
@@ -118,7 +135,22 @@ HiddenTiles::Rectangle HiddenTiles::rectangle(std::span<const VertexId> vertices
     r.low = {std::min(r.low[0], p.x), std::min(r.low[1], p.y)};
     r.high = {std::max(r.high[0], p.x), std::max(r.high[1], p.y)};
   }
-  const double error = sight_.image_error();
+  return grown(r, sight_.image_error());
+}
+
+/// Around a triangle, and another one if there is.
+HiddenTiles::Rectangle HiddenTiles::rectangle(TriangleId t, TriangleId s) const {
+  Rectangle r = rectangle(sight_.mesh().triangles[t]);
+  if (!s.is_valid()) return r;
+  const Rectangle other = rectangle(sight_.mesh().triangles[s]);
+  for (std::size_t k = 0; k < 2; ++k) {
+    r.low[k] = std::min(r.low[k], other.low[k]);
+    r.high[k] = std::max(r.high[k], other.high[k]);
+  }
+  return r;
+}
+
+HiddenTiles::Rectangle HiddenTiles::grown(Rectangle r, double error) const {
   if (error == 0) return r;
   for (std::size_t k = 0; k < 2; ++k) {
     r.low[k] -= error * 1.01 + 2 * u * std::fabs(r.low[k]);
@@ -127,7 +159,56 @@ HiddenTiles::Rectangle HiddenTiles::rectangle(std::span<const VertexId> vertices
   return r;
 }
 
-/// At most eight tiles to a triangle, over the middle of the image: in perspective a few triangles may lie far out.
+/// Off by a rounding, and -infinity where it is not known.
+double HiddenTiles::affine(float nearness) const {
+  if (!sight_.is_perspective()) return nearness;
+  return nearness < 0 ? -1 / static_cast<double>(nearness) : HUGE_VAL;
+}
+
+HiddenTiles::PlaneNearness HiddenTiles::plane_nearness(TriangleId t, const Rectangle& around) const {
+  const auto& c = sight_.mesh().triangles[t];
+  std::array<double, 3> low, high, middle, x, y;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ImageBox& box = sight_.box(c[k]);
+    low[k] = affine(box.farthest);
+    high[k] = affine(box.nearest);
+    if (sight_.is_perspective()) {  // reciprocals, which are positive
+      low[k] *= 1 - 4 * u;
+      high[k] *= 1 + 4 * u;
+    }
+    middle[k] = (low[k] + high[k]) / 2;
+    x[k] = sight_.image(c[k]).x - sight_.image(c[0]).x;
+    y[k] = sight_.image(c[k]).y - sight_.image(c[0]).y;
+  }
+  PlaneNearness n;
+  n.p = sight_.image(c[0]);
+  n.value = middle[0];
+  n.farthest = std::min({low[0], low[1], low[2]});
+  n.nearest = std::max({high[0], high[1], high[2]});
+  const double det = x[1] * y[2] - x[2] * y[1], b = middle[1] - middle[0], d = middle[2] - middle[0];
+  n.dx = (b * y[2] - d * y[1]) / det;
+  n.dy = (x[1] * d - x[2] * b) / det;
+  double most = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    most = std::max(most, std::fabs(middle[k] - (n.value + n.dx * x[k] + n.dy * y[k])) + (high[k] - low[k]));
+  // Images are off by their error, and tiles that reach beyond the triangle's by less than a tile.
+  const double width = around.high[0] - around.low[0] + axes_[0].width,
+               height = around.high[1] - around.low[1] + axes_[1].width;
+  const auto reach = [&](std::size_t k, double size) {
+    return size + std::fabs(around.low[k]) + std::fabs(around.high[k]) + std::fabs(axes_[k].first) +
+           axes_[k].tiles * axes_[k].width;
+  };
+  const double reach_x = reach(0, width), reach_y = reach(1, height);
+  const double error = 2 * sight_.image_error();
+  n.error = (most + std::fabs(n.dx) * (error + 16 * u * reach_x) + std::fabs(n.dy) * (error + 16 * u * reach_y) +
+             16 * u * std::fabs(n.value)) *
+                1.01 +
+            0x1p-120;
+  if (!(n.error < HUGE_VAL)) n = {n.p, 0, 0, 0, HUGE_VAL, n.farthest, n.nearest};
+  return n;
+}
+
+/// At most 24 tiles to a triangle, over the middle of the image: in perspective a few triangles may lie far out.
 void HiddenTiles::choose_grid(bool always) {
   const Mesh& mesh = sight_.mesh();
   std::array<std::vector<double>, 2> low, high;
@@ -157,13 +238,15 @@ void HiddenTiles::choose_grid(bool always) {
   const double n = static_cast<double>(mesh.triangles.size());
   const double layers = n / static_cast<double>(low[0].size()) * area / (extent[0] * extent[1]);
   if (!always && layers < 3) return;  // little to hide
-  // So many that to cover them, as often as there are layers, takes some 64 steps for each triangle.
-  const double tiles = std::clamp(std::min(8 * n, 64 * n / layers), 1024.0, 0x1p23);
+  // So many that to cover them, as often as there are layers, takes some 192 steps for each triangle, four at a time.
+  const double tiles = std::clamp(std::min(24 * n, 192 * n / layers), 1024.0, 0x1p23);
   const double columns = std::clamp(std::sqrt(tiles * extent[0] / extent[1]), 1.0, std::min(tiles, 0x1p20));
   axes_[0].tiles = static_cast<std::int32_t>(columns);
   axes_[1].tiles = static_cast<std::int32_t>(std::max(1.0, tiles / columns));
   for (std::size_t k = 0; k < 2; ++k) {
     axes_[k].width = extent[k] / axes_[k].tiles;
+    axes_[k].per_width = 1 / axes_[k].width;
+    axes_[k].slack = 8 * u * (std::fabs(axes_[k].first) + extent[k]) * axes_[k].per_width;
     // Borders ascend, each a tile apart but for rounding.
     if (!(axes_[k].width > 64 * u * (std::fabs(axes_[k].first) + extent[k]))) return;
   }
@@ -172,38 +255,88 @@ void HiddenTiles::choose_grid(bool always) {
   levels_.push_back(std::move(level));
 }
 
-void HiddenTiles::cover_triangles(std::span<const ImageBox> boxes) {
+/// Calls visit(t, s) for what may cover tiles: triangles, s being none, and two that may share a side. Those of the edges and
+/// faces begin to end of the mesh, the faces counted on after the edges.
+template <class F>
+void HiddenTiles::for_each_cover(std::size_t begin, std::size_t end, const F& visit) const {
   const Mesh& mesh = sight_.mesh();
-  tbb::parallel_for(Range(0, mesh.triangles.size(), 1024), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const TriangleId t(i);
-      if (sight_.facing(t) == Sign::zero || sight_.reaches_before_near(t)) continue;
-      const auto& c = mesh.triangles[t];
-      const Rectangle around = rectangle(c);
-      const double reach = around.high[0] - around.low[0] + around.high[1] - around.low[1];
-      // The images turn as O says: with a positive sign the inside lies to the left.
-      const bool left = sight_.facing(t) == Sign::positive;
-      Region region;
-      for (std::size_t k = 0; k < 3; ++k)
-        region.add(sight_.image(c[left ? k : (k + 1) % 3]), sight_.image(c[left ? (k + 1) % 3 : k]), sight_.image_error(),
-                   reach);
-      cover(region, around, boxes[i].farthest);
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i < mesh.edges.size()) {
+      const auto triangles = mesh.triangles_at(EdgeId(i));
+      if (triangles.size() == 2) visit(triangles[0], triangles[1]);
+      continue;
+    }
+    const FaceId f(i - mesh.edges.size());
+    const std::uint32_t first = mesh.first_triangle[f], last = mesh.first_triangle[FaceId(f.value + 1)];
+    for (std::uint32_t t = first; t < last; ++t) visit(TriangleId(t), TriangleId());
+    // Inside a planar face the mesh has no edges: its triangles are paired here, as long as they are few.
+    if (mesh.faces[f] != FaceUse::planar || last - first > 8) continue;
+    for (std::uint32_t t = first; t < last; ++t)
+      for (std::uint32_t s = t + 1; s < last; ++s) visit(TriangleId(t), TriangleId(s));
+  }
+}
+
+/// Band by band of rows, so that no two threads are at one tile and the tiles stay in the cache.
+void HiddenTiles::cover_all() {
+  struct Cover {
+    TriangleId t, s;
+  };
+  const Mesh& mesh = sight_.mesh();
+  const std::int32_t rows = axes_[1].tiles, rows_of_band = std::max(16, (rows + 63) / 64);
+  const auto bands = static_cast<std::size_t>((rows + rows_of_band - 1) / rows_of_band);
+  constexpr std::size_t block = 4096;
+  const std::size_t n = mesh.edges.size() + mesh.faces.size();
+  std::vector<std::vector<std::vector<Cover>>> covers((n + block - 1) / block);  // of each block, of each band
+  tbb::parallel_for(Range(0, covers.size(), 1), [&](const Range& range) {
+    for (std::size_t part = range.begin(); part < range.end(); ++part) {
+      covers[part].resize(bands);
+      for_each_cover(part * block, std::min(n, (part + 1) * block), [&](TriangleId t, TriangleId s) {
+        for (const TriangleId x : {t, s})
+          if (x.is_valid() && (sight_.facing(x) == Sign::zero || sight_.reaches_before_near(x))) return;
+        if (s.is_valid() && !common_side(mesh.triangles[t], mesh.triangles[s])) return;
+        const Rectangle around = rectangle(t, s);
+        const std::int32_t first = axes_[1].first_border_from(around.low[1]), end = axes_[1].last_border_up_to(around.high[1]);
+        for (std::int32_t band = first / rows_of_band; band * rows_of_band < end; ++band)
+          covers[part][static_cast<std::size_t>(band)].push_back({t, s});
+      });
+    }
+  });
+  tbb::parallel_for(Range(0, bands, 1), [&](const Range& range) {
+    for (std::size_t band = range.begin(); band < range.end(); ++band) {
+      const std::int32_t first = static_cast<std::int32_t>(band) * rows_of_band, end = std::min(rows, first + rows_of_band);
+      for (const auto& part : covers)
+        for (const Cover& c : part[band])
+          if (c.s.is_valid())
+            cover_by_pair(c.t, c.s, {first, end - 1});
+          else
+            cover_by_triangle(c.t, {first, end - 1});
     }
   });
 }
 
+void HiddenTiles::cover_by_triangle(TriangleId t, const Tiles& rows) {
+  const auto& c = sight_.mesh().triangles[t];
+  const Rectangle around = rectangle(c);
+  const double reach = around.high[0] - around.low[0] + around.high[1] - around.low[1];
+  // The images turn as O says: with a positive sign the inside lies to the left.
+  const bool left = sight_.facing(t) == Sign::positive;
+  Region region;
+  for (std::size_t k = 0; k < 3; ++k)
+    region.add(sight_.image(c[left ? k : (k + 1) % 3]), sight_.image(c[left ? (k + 1) % 3 : k]), sight_.image_error(), reach);
+  cover(region, around, rows, std::array{plane_nearness(t, around)});
+}
+
 /// Two triangles on opposite sides of their common edge hide together what lies within their four other sides: to one side of
 /// the edge it lies within the one, to the other within the other.
-void HiddenTiles::cover_pair(TriangleId t, TriangleId s, const Edge& edge, std::span<const ImageBox> boxes) {
+void HiddenTiles::cover_by_pair(TriangleId t, TriangleId s, const Tiles& rows) {
   const Mesh& mesh = sight_.mesh();
-  const std::array<VertexId, 4> corners = {edge.a, edge.b, mesh.apex(t, edge), mesh.apex(s, edge)};
-  const Rectangle around = rectangle(corners);
+  const Edge edge = *common_side(mesh.triangles[t], mesh.triangles[s]);
+  const Rectangle around = rectangle(t, s);
   const double reach = around.high[0] - around.low[0] + around.high[1] - around.low[1];
   Region region;
   std::array<bool, 2> is_left = {false, false};
   for (const std::size_t k : {0U, 1U}) {
     const TriangleId x = k == 0 ? t : s;
-    if (sight_.facing(x) == Sign::zero || sight_.reaches_before_near(x)) return;
     const auto& c = mesh.triangles[x];
     const bool left = sight_.facing(x) == Sign::positive;
     for (std::size_t m = 0; m < 3; ++m) {
@@ -214,41 +347,41 @@ void HiddenTiles::cover_pair(TriangleId t, TriangleId s, const Edge& edge, std::
         region.add(sight_.image(from), sight_.image(to), sight_.image_error(), reach);
     }
   }
-  if (is_left[0] != is_left[1]) cover(region, around, std::min(boxes[t.value].farthest, boxes[s.value].farthest));
+  // In each of them the tile's part of the triangle is no farther than the plane is in the tile.
+  if (is_left[0] != is_left[1]) cover(region, around, rows, std::array{plane_nearness(t, around), plane_nearness(s, around)});
 }
 
-void HiddenTiles::cover_pairs(std::span<const ImageBox> boxes) {
-  const Mesh& mesh = sight_.mesh();
-  tbb::parallel_for(Range(0, mesh.edges.size(), 1024), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const auto triangles = mesh.triangles_at(EdgeId(i));
-      if (triangles.size() == 2) cover_pair(triangles[0], triangles[1], mesh.edges[EdgeId(i)], boxes);
-    }
-  });
-  // Inside a planar face the mesh has no edges: its triangles are paired here, as long as they are few.
-  tbb::parallel_for(Range(0, mesh.faces.size(), 1024), [&](const Range& range) {
-    for (std::size_t f = range.begin(); f < range.end(); ++f) {
-      const std::uint32_t first = mesh.first_triangle[FaceId(f)], end = mesh.first_triangle[FaceId(f + 1)];
-      if (mesh.faces[FaceId(f)] != FaceUse::planar || end - first > 8) continue;
-      for (std::uint32_t t = first; t < end; ++t)
-        for (std::uint32_t s = t + 1; s < end; ++s)
-          if (const auto edge = common_side(mesh.triangles[TriangleId(t)], mesh.triangles[TriangleId(s)]))
-            cover_pair(TriangleId(t), TriangleId(s), *edge, boxes);
-    }
-  });
-}
-
-void HiddenTiles::cover(const Region& region, const Rectangle& around, float nearness) {
+template <std::size_t n>
+void HiddenTiles::cover(const Region& region, const Rectangle& around, const Tiles& rows,
+                        const std::array<PlaneNearness, n>& planes) {
   Level& level = levels_.front();
-  const std::int32_t first_row = axes_[1].first_border_from(around.low[1]),
-                     end_row = axes_[1].last_border_up_to(around.high[1]);
+  const std::int32_t first_row = std::max(rows.first, axes_[1].first_border_from(around.low[1])),
+                     end_row = std::min(rows.last + 1, axes_[1].last_border_up_to(around.high[1]));
   for (std::int32_t j = first_row; j < end_row; ++j) {
     double from = around.low[0], to = around.high[0];
-    region.narrow(axes_[1].border(j), axes_[1].border(j + 1), from, to);
+    const double low = axes_[1].border(j), high = axes_[1].border(j + 1);
+    region.narrow(low, high, from, to);
     if (!(to - from >= axes_[0].width / 2)) continue;
-    const std::int32_t begin = axes_[0].first_border_from(from), end = axes_[0].last_border_up_to(to);
-    float* row = level.nearness.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(level.columns);
-    for (std::int32_t i = begin; i < end; ++i) raise(row[i], nearness);
+    const std::int32_t begin = axes_[0].first_border_from(from), count = axes_[0].last_border_up_to(to) - begin;
+    // Each plane at the corner of the tile where it is farthest; in floats, whose roundings are subtracted first.
+    std::array<float, n> base, step, farthest;
+    for (std::size_t k = 0; k < n; ++k) {
+      const PlaneNearness& p = planes[k];
+      const double x = axes_[0].border(p.dx > 0 ? begin : begin + 1), y = p.dy > 0 ? low : high;
+      const double value = p.value + p.dx * (x - p.p.x) + p.dy * (y - p.p.y) - p.error, each = p.dx * axes_[0].width;
+      base[k] = below(value - 0x1p-20 * (std::fabs(value) + std::fabs(each) * count));
+      step[k] = static_cast<float>(each);
+      farthest[k] = below(p.farthest);
+    }
+    float* row = level.nearness.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(level.columns) + begin;
+    for (std::int32_t i = 0; i < count; ++i) {
+      float least = -nowhere;
+      for (std::size_t k = 0; k < n; ++k) {
+        const float value = base[k] + static_cast<float>(i) * step[k], bound = value > farthest[k] ? value : farthest[k];
+        least = bound < least ? bound : least;
+      }
+      row[i] = row[i] > least ? row[i] : least;
+    }
   }
 }
 
@@ -268,47 +401,200 @@ void HiddenTiles::build_levels() {
   }
 }
 
-bool HiddenTiles::hides(std::span<const VertexId> vertices, float nearest) const {
-  if (levels_.empty()) return false;
-  const Rectangle r = rectangle(vertices);
-  std::array<std::int32_t, 4> range;  // of columns, of rows: first and last
+/// The tiles that a rectangle touches, but where it only touches a border, those on one side of it: each will do. False: it
+/// reaches beyond the grid.
+bool HiddenTiles::is_inside(const Rectangle& r, std::array<Tiles, 2>& range) const {
   for (std::size_t k = 0; k < 2; ++k) {
     const std::int32_t low = axes_[k].last_border_up_to(r.low[k]), high = axes_[k].first_border_from(r.high[k]);
-    if (low < 0 || high > axes_[k].tiles) return false;  // it reaches beyond the grid
-    // Between borders low and high; a point on a border lies in the tiles on both sides, and one of them will do.
-    range[2 * k] = std::min(low, axes_[k].tiles - 1);
-    range[2 * k + 1] = std::max(range[2 * k], high - 1);
+    if (low < 0 || high > axes_[k].tiles) return false;
+    range[k].first = std::min(low, axes_[k].tiles - 1);
+    range[k].last = std::max(range[k].first, high - 1);
   }
+  return true;
+}
+
+/// Those of `within` that have something between two values.
+HiddenTiles::Tiles HiddenTiles::between(std::size_t k, double low, double high, const Tiles& within) const {
+  const Axis& axis = axes_[k];
+  if (sight_.image_error() == 0) {
+    const std::int32_t first = std::clamp(axis.last_border_up_to(low), within.first, within.last);
+    return {first, std::clamp(axis.first_border_from(high) - 1, first, within.last)};
+  }
+  // One more on a side, now and then, does no harm where nothing lies on a border exactly.
+  const double first = within.first, last = within.last;
+  const auto tile = [&](double x) { return static_cast<std::int32_t>(x > first ? x < last ? x : last : first); };
+  return {tile((low - axis.first) * axis.per_width - axis.slack), tile((high - axis.first) * axis.per_width + axis.slack)};
+}
+
+bool HiddenTiles::hides(const std::array<Tiles, 2>& range, float nearest) const {
   // Start where it meets at most two tiles in each direction.
   std::size_t top = 0;
-  while (top + 1 < levels_.size() && ((range[1] >> top) - (range[0] >> top) > 1 || (range[3] >> top) - (range[2] >> top) > 1))
-    ++top;
-  for (std::int32_t j = range[2] >> top; j <= range[3] >> top; ++j)
-    for (std::int32_t i = range[0] >> top; i <= range[1] >> top; ++i)
+  const auto spans_more_than_two = [&](const Tiles& r) { return (r.last >> top) - (r.first >> top) > 1; };
+  while (top + 1 < levels_.size() && (spans_more_than_two(range[0]) || spans_more_than_two(range[1]))) ++top;
+  for (std::int32_t j = range[1].first >> top; j <= range[1].last >> top; ++j)
+    for (std::int32_t i = range[0].first >> top; i <= range[0].last >> top; ++i)
       if (!hides(top, i, j, range, nearest)) return false;
   return true;
 }
 
-bool HiddenTiles::hides(std::size_t k, std::int32_t i, std::int32_t j, const std::array<std::int32_t, 4>& range,
-                        float nearest) const {
-  const Level& level = levels_[k];
-  if (level.nearness[static_cast<std::size_t>(j) * static_cast<std::size_t>(level.columns) + static_cast<std::size_t>(i)] >
-      nearest)
-    return true;
+bool HiddenTiles::hides(std::size_t k, std::int32_t i, std::int32_t j, const std::array<Tiles, 2>& range, float nearest) const {
+  if (levels_[k].at(i, j) > nearest) return true;
   if (k == 0) return false;
-  for (std::int32_t y = std::max(2 * j, range[2] >> (k - 1)); y <= std::min(2 * j + 1, range[3] >> (k - 1)); ++y)
-    for (std::int32_t x = std::max(2 * i, range[0] >> (k - 1)); x <= std::min(2 * i + 1, range[1] >> (k - 1)); ++x)
+  for (std::int32_t y = std::max(2 * j, range[1].first >> (k - 1)); y <= std::min(2 * j + 1, range[1].last >> (k - 1)); ++y)
+    for (std::int32_t x = std::max(2 * i, range[0].first >> (k - 1)); x <= std::min(2 * i + 1, range[0].last >> (k - 1)); ++x)
       if (!hides(k - 1, x, y, range, nearest)) return false;
   return true;
 }
 
-void HiddenTiles::mark_hidden(std::span<const ImageBox> boxes, std::vector<std::uint8_t>& hidden) const {
+/// Whether a look at one tile tells that something is not hidden: where it is in the middle. @param nearness affine
+bool HiddenTiles::is_before(const ImagePoint& p, double nearness) const {
+  const auto at = [&](std::size_t k, double x) {
+    const double i = (x - axes_[k].first) * axes_[k].per_width;
+    return i >= 0 && i < axes_[k].tiles ? static_cast<std::int32_t>(i) : -1;
+  };
+  const std::int32_t i = at(0, p.x), j = at(1, p.y);
+  return i < 0 || j < 0 || !(levels_[0].at(i, j) > nearness);
+}
+
+bool HiddenTiles::hides(TriangleId t) const {
+  if (levels_.empty() || sight_.reaches_before_near(t)) return false;
+  const auto& c = sight_.mesh().triangles[t];
+  const ImagePoint &a = sight_.image(c[0]), &b = sight_.image(c[1]), &d = sight_.image(c[2]);
+  const auto farthest = [&](VertexId v) { return affine(sight_.box(v).farthest); };
+  if (is_before({(a.x + b.x + d.x) / 3, (a.y + b.y + d.y) / 3}, (farthest(c[0]) + farthest(c[1]) + farthest(c[2])) / 3))
+    return false;
+  const Rectangle around = rectangle(c);
+  std::array<Tiles, 2> range;
+  if (!is_inside(around, range)) return false;
+  const PlaneNearness n = plane_nearness(t, around);
+  if (hides(range, above(n.nearest))) return true;
+  // Row by row, what of the triangle lies in each tile: it is widest along its sides.
+  const double error = 2 * sight_.image_error();
+  struct Side {
+    ImagePoint p;
+    double left, right, low, high, slope, slack;
+  };
+  std::array<Side, 3> sides;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ImagePoint &p = sight_.image(c[k]), &q = sight_.image(c[(k + 1) % 3]);
+    const double slope = (q.x - p.x) / (q.y - p.y);
+    sides[k] = {p,
+                std::min(p.x, q.x) - error,
+                std::max(p.x, q.x) + error,
+                std::min(p.y, q.y) - error,
+                std::max(p.y, q.y) + error,
+                slope,
+                error * (2 + 2 * std::fabs(slope)) +
+                    16 * u *
+                        (std::fabs(p.x) + std::fabs(q.x) +
+                         std::fabs(slope) * (std::fabs(p.y) + std::fabs(around.low[1]) + std::fabs(around.high[1])))};
+  }
+  for (std::int32_t j = range[1].first; j <= range[1].last; ++j) {
+    const double low = std::max(axes_[1].border(j), around.low[1]), high = std::min(axes_[1].border(j + 1), around.high[1]);
+    double from = around.high[0], to = around.low[0];
+    for (const Side& side : sides) {
+      if (side.low > high || side.high < low) continue;
+      const double at_low = side.p.x + side.slope * (low - side.p.y), at_high = side.p.x + side.slope * (high - side.p.y);
+      const double left = std::min(at_low, at_high) - side.slack, right = std::max(at_low, at_high) + side.slack;
+      // Not where the slope is no number.
+      from = std::min(from, left > side.left ? left : side.left);
+      to = std::max(to, right < side.right ? right : side.right);
+    }
+    const Tiles row = between(0, from, to, range[0]);
+    const double y = axes_[1].border(n.dy > 0 ? j + 1 : j), at_row = n.value + n.dy * (y - n.p.y) - n.dx * n.p.x;
+    for (std::int32_t i = row.first; i <= row.last; ++i) {
+      const double x = axes_[0].border(n.dx > 0 ? i + 1 : i);
+      if (!(levels_[0].at(i, j) > above(n.at_most(at_row + n.dx * x)))) return false;
+    }
+  }
+  return true;
+}
+
+/// Walks along pq on one level, column by column, or row by row where it is steep: bound(low, high) for the shares of the way
+/// from p to q between which pq is in that column, and then visit(nearness, bound) for its tiles along pq. Stops where that
+/// returns false. False: it did, or pq reaches beyond the grid.
+template <class B, class F>
+bool HiddenTiles::walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const B& bound,
+                             const F& visit) const {
+  const Rectangle around = grown({{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}}, error);
+  std::array<Tiles, 2> range;
+  if (!is_inside(around, range)) return false;
+  const std::size_t main = range[0].last - range[0].first >= range[1].last - range[1].first ? 0 : 1, other = 1 - main;
+  const std::array<double, 2> a = {p.x, p.y}, d = {q.x - p.x, q.y - p.y};
+  const double per_length = 1 / d[main], slope = d[other] * per_length, length = std::fabs(d[main]);
+  const double slack = error * (2.1 + 2.1 * std::fabs(slope)) +
+                       16 * u * (std::fabs(a[other]) + std::fabs(d[other]) + std::fabs(slope * a[main]));
+  // Where the ends are off by the error, a share of the way is by a little more than three times that.
+  const double share_slack = length > 8 * error ? (4 * error + 16 * u * (std::fabs(a[main]) + length)) / length
+                                                : std::numeric_limits<double>::infinity();
+  const std::array<std::size_t, 2> stride = {1, static_cast<std::size_t>(levels_[level].columns)};
+  const std::int32_t tiles = axes_[main].tiles;
+  for (std::int32_t k = range[main].first >> level; k <= range[main].last >> level; ++k) {
+    const double low = std::max(axes_[main].border(k << level), around.low[main]) - a[main],
+                 high = std::min(axes_[main].border(std::min((k + 1) << level, tiles)), around.high[main]) - a[main];
+    const double at_low = slope * low, at_high = slope * high;
+    const double least = a[other] + std::min(at_low, at_high) - slack, most = a[other] + std::max(at_low, at_high) + slack;
+    // Not where the slope is no number.
+    const Tiles across = between(other, least > around.low[other] ? least : around.low[other],
+                                 most < around.high[other] ? most : around.high[other], range[other]);
+    const double low_share = low * per_length, high_share = high * per_length;
+    const auto b = bound(std::min(low_share, high_share) - share_slack, std::max(low_share, high_share) + share_slack);
+    const float* tile = levels_[level].nearness.data() + static_cast<std::size_t>(k) * stride[main];
+    for (std::int32_t m = across.first >> level; m <= across.last >> level; ++m)
+      if (!visit(tile[static_cast<std::size_t>(m) * stride[other]], b)) return false;
+  }
+  return true;
+}
+
+bool HiddenTiles::hides(const Edge& e) const {
+  if (levels_.empty() || sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return false;
+  return hides(sight_.image(e.a), sight_.box(e.a).nearest, sight_.image(e.b), sight_.box(e.b).nearest, sight_.image_error());
+}
+
+bool HiddenTiles::hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q,
+                        double error) const {
+  // Between the ends nearness changes evenly.
+  const double a = affine(nearness_of_p), b = affine(nearness_of_q), nearest = std::max(a, b);
+  if (levels_.empty() || is_before({(p.x + q.x) / 2, (p.y + q.y) / 2}, (a + b) / 2)) return false;
+  const double slack = 16 * u * (std::fabs(a) + std::fabs(b));
+  return walk_along(
+      0, p, q, error,
+      [&](double low, double high) {
+        const double most = std::max(a + low * (b - a), a + high * (b - a));
+        return above((most < nearest ? most : nearest) + slack);
+      },
+      [](float tile, float most) { return tile > most; });
+}
+
+float HiddenTiles::hidden_from(const Edge& e) const {
+  if (levels_.empty() || sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return nowhere;
+  return hidden_from(sight_.image(e.a), sight_.image(e.b), sight_.image_error());
+}
+
+float HiddenTiles::hidden_from(const ImagePoint& p, const ImagePoint& q, double error) const {
+  if (levels_.empty()) return nowhere;
+  float least = -nowhere;
+  // Beside a segment on a border are the tiles on both sides of it.
+  // Larger tiles say nearly as much, and there are fewer.
+  const bool is_known = walk_along(
+      std::min<std::size_t>(coarse, levels_.size() - 1), p, q, error + 0x1p-20 * (axes_[0].width + axes_[1].width),
+      [](double /*low*/, double /*high*/) { return nowhere; },
+      [&](float tile, float none) {
+        least = std::min(least, tile);
+        return least > none;
+      });
+  if (!is_known) return nowhere;
+  if (!sight_.is_perspective()) return least;
+  return least > 0 ? below(-1 / static_cast<double>(least)) : nowhere;
+}
+
+void HiddenTiles::mark_hidden(std::vector<std::uint8_t>& hidden) const {
   const Mesh& mesh = sight_.mesh();
   hidden.resize(mesh.triangles.size(), 0);
   for_each(mesh.faces.size(), [&](std::size_t f) {
     const std::uint32_t first = mesh.first_triangle[FaceId(f)], end = mesh.first_triangle[FaceId(f + 1)];
     for (std::uint32_t t = first; t < end; ++t)
-      if (sight_.reaches_before_near(TriangleId(t)) || !hides(mesh.triangles[TriangleId(t)], boxes[t].nearest)) return;
+      if (!hides(TriangleId(t))) return;
     std::fill(hidden.begin() + first, hidden.begin() + end, std::uint8_t{1});
   });
 }

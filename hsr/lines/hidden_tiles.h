@@ -15,29 +15,39 @@ namespace hsr {
 /// provably hidden, before anything exact is asked.
 ///
 /// A tile is covered by a triangle, or by two that share an edge and lie on opposite sides of it, where it lies certainly
-/// within all their other sides. What lies beyond the farthest point of those triangles is then hidden in all of the closed
-/// tile. Every bound is rounded toward "not hidden". Where the images are exact (axis-parallel views), so are sides that run
-/// along an axis: in an elevation what ends exactly where the face before it ends is hidden, too.
+/// within all their other sides. What lies beyond the farthest point of those triangles within the tile is then hidden in all
+/// of the closed tile. Every bound is rounded toward "not hidden". Where the images are exact (axis-parallel views), so are
+/// sides that run along an axis: in an elevation what ends exactly where the face before it ends is hidden, too.
+///
+/// Depths are kept as numbers that are affine over the image of a plane: parallel, the nearness of boxes; perspective, the
+/// reciprocal of the depth.
 ///
 ///   (1) what `hides` says yes to is hidden at every point
 ///   (2) the same for any number of threads
 ///
-/// Cost: O(n + tiles covered), parallel; a query O(log tiles) mostly.
+/// Cost: O(n + tiles covered), parallel; a query O(tiles touched), less where all of them hide alike.
 /// Source: Greene, Kass & Miller 1993, "Hierarchical z-buffer visibility"; here with bounds instead of samples.
 class HiddenTiles {
  public:
-  /// @param boxes of the triangles @param always even if there is little to hide
-  HiddenTiles(const Sight& sight, std::span<const ImageBox> boxes, bool always);
+  /// @param always even if there is little to hide
+  HiddenTiles(const Sight& sight, bool always);
 
   /// No tile hides anything.
   bool is_empty() const { return levels_.empty(); }
 
-  /// Whether the convex hull of these vertices is certainly hidden. @pre they lie beyond the near plane
-  /// @param nearest not less than the nearness of any of them, as boxes have it
-  bool hides(std::span<const VertexId> vertices, float nearest) const;
+  /// Whether the triangle, or the edge, is certainly hidden.
+  bool hides(TriangleId t) const;
+  bool hides(const Edge& e) const;
+  /// The same of a segment from p to q of the image. @param error of each coordinate @param nearness_of_p at most, as boxes
+  /// have it
+  bool hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q, double error) const;
+  /// What is less near than this is hidden all along the edge, and just beside it; -infinity where nothing is known to be.
+  float hidden_from(const Edge& e) const;
+  /// The same for the segment from p to q of the image. @param error of each coordinate
+  float hidden_from(const ImagePoint& p, const ImagePoint& q, double error) const;
   /// Marks, by triangle, the faces that are certainly hidden. Whole faces: where the triangles of a planar face meet, the mesh
   /// has no edge.
-  void mark_hidden(std::span<const ImageBox> boxes, std::vector<std::uint8_t>& hidden) const;
+  void mark_hidden(std::vector<std::uint8_t>& hidden) const;
 
  private:
   struct Rectangle {
@@ -45,7 +55,8 @@ class HiddenTiles {
   };
   /// The tiles along one coordinate: tile i reaches from border(i) to border(i + 1).
   struct Axis {
-    double first = 0, width = 1;
+    double first = 0, width = 1, per_width = 1;
+    double slack = 0;  // of a place reckoned in tiles
     std::int32_t tiles = 0;
 
     double border(std::int32_t i) const { return first + i * width; }
@@ -54,18 +65,40 @@ class HiddenTiles {
   };
   struct Level {
     std::int32_t columns = 0, rows = 0;
-    std::vector<float> nearness;  // what is less near is hidden; -infinity: nothing is
+    std::vector<float> nearness;  // affine; what is less near is hidden; -infinity: nothing is
+    float at(std::int32_t i, std::int32_t j) const {
+      return nearness[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i)];
+    }
+  };
+  /// Columns or rows of tiles.
+  struct Tiles {
+    std::int32_t first, last;
   };
   class Region;
+  struct PlaneNearness;
 
+  double affine(float nearness) const;
   Rectangle rectangle(std::span<const VertexId> vertices) const;
+  Rectangle rectangle(TriangleId t, TriangleId s) const;
+  Rectangle grown(Rectangle r, double error) const;
+  PlaneNearness plane_nearness(TriangleId t, const Rectangle& around) const;
   void choose_grid(bool always);
-  void cover(const Region& region, const Rectangle& around, float nearness);
-  void cover_triangles(std::span<const ImageBox> boxes);
-  void cover_pair(TriangleId t, TriangleId s, const Edge& edge, std::span<const ImageBox> boxes);
-  void cover_pairs(std::span<const ImageBox> boxes);
+  template <class F>
+  void for_each_cover(std::size_t begin, std::size_t end, const F& visit) const;
+  void cover_all();
+  void cover_by_triangle(TriangleId t, const Tiles& rows);
+  void cover_by_pair(TriangleId t, TriangleId s, const Tiles& rows);
+  template <std::size_t n>
+  void cover(const Region& region, const Rectangle& around, const Tiles& rows, const std::array<PlaneNearness, n>& planes);
   void build_levels();
-  bool hides(std::size_t level, std::int32_t i, std::int32_t j, const std::array<std::int32_t, 4>& range, float nearest) const;
+  bool is_inside(const Rectangle& r, std::array<Tiles, 2>& range) const;
+  Tiles between(std::size_t axis, double low, double high, const Tiles& within) const;
+  bool is_before(const ImagePoint& p, double nearness) const;
+  template <class B, class F>
+  bool walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const B& bound,
+                  const F& visit) const;
+  bool hides(const std::array<Tiles, 2>& range, float nearest) const;
+  bool hides(std::size_t level, std::int32_t i, std::int32_t j, const std::array<Tiles, 2>& range, float nearest) const;
 
   const Sight& sight_;
   std::array<Axis, 2> axes_;

@@ -171,18 +171,17 @@ void Plan::leave_out_far_sides() {
 void Plan::leave_out_hidden() {
   if (!wants(LineStage::hidden_tiles, "hidden tiles")) return;
   const Mesh& mesh = sight_.mesh();
-  const HiddenTiles tiles(sight_, boxes_, options_.when(LineStage::hidden_tiles) == When::always);
+  const HiddenTiles tiles(sight_, options_.when(LineStage::hidden_tiles) == When::always);
   if (tiles.is_empty()) {
     say("hidden tiles", "no face is large and near enough to hide much");
     return;
   }
   const std::size_t faces_before = count(left_out_), edges_before = count(requested_->hidden);
-  tiles.mark_hidden(boxes_, left_out_);
+  tiles.mark_hidden(left_out_);
   requested_->hidden.resize(requested_->edges.size(), 0);
   for_each(requested_->edges.size(), [&](std::size_t i) {
     const Edge& e = mesh.edges[requested_->edges[i]];
-    if (sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return;
-    if (!tiles.hides(std::array{e.a, e.b}, requested_->boxes[i].nearest)) return;
+    if (!tiles.hides(e)) return;
     Predicates exact = sight_.predicates();
     if (!ImageLine(sight_, e.a, e.b).is_point(exact)) requested_->hidden[i] = 1;
   });

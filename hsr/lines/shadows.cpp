@@ -81,9 +81,7 @@ bool Shadows::start(EdgeId id) {
   const Edge& edge = sight_.mesh().edges[id];
   a_ = {edge.a, sight_.point(edge.a), 0, {}};
   b_ = {edge.b, sight_.point(edge.b), 0, {}};
-  const Plane sight_plane = sight_.sight_plane(edge.a, edge.b);
-  edge_sight_ = sight_.filter(sight_plane);
-
+  edge_sight_.reset();
   first_ = start_bound;
   last_ = end_bound;
   const Sign near_a = sight_.beyond_near(edge.a), near_b = sight_.beyond_near(edge.b);
@@ -150,12 +148,13 @@ bool Shadows::within(const std::array<HalfSpace, 3>& half_spaces, Bound& from, B
 
 /// True only if the corners that are not ends of the edge lie certainly on one side of its view plane: then the triangle's cone
 /// meets that plane in no more than a line of sight through an end.
-bool Shadows::misses(const std::array<VertexId, 3>& corners) const {
+bool Shadows::misses(const std::array<VertexId, 3>& corners) {
   if (!is_edge()) return false;
+  if (!edge_sight_) edge_sight_ = sight_.filter(sight_.sight_plane(a_.vertex, b_.vertex));
   bool positive = false, negative = false;
   for (const VertexId c : corners) {
     if (is_end(c)) continue;
-    const ErrorBounded x = edge_sight_(sight_.point(c));
+    const ErrorBounded x = (*edge_sight_)(sight_.point(c));
     if (!x.is_certain()) return false;
     (x.value > 0 ? positive : negative) = true;
   }
@@ -190,11 +189,13 @@ void Shadows::cast(const ImageFace& face, std::vector<Shadow>& shadows) {
     cast(face.triangle, {}, shadows);
     return;
   }
-  const ImageFace::Overlap overlap = face.overlap(sight_.image(a_.vertex), sight_.image(b_.vertex), sight_.image_error());
-  if (overlap.is_none) return;
+  const ImagePoint &p = sight_.image(a_.vertex), &q = sight_.image(b_.vertex);
+  if (face.is_beside(p, q, sight_.image_error())) return;
   const ErrorBounded at_a = face.plane(a_.p), at_b = face.plane(b_.p);
   const bool before_a = face.facing * at_a.value < -at_a.error, before_b = face.facing * at_b.value < -at_b.error;
   if (before_a && before_b) return;
+  const ImageFace::Overlap overlap = face.overlap(p, q, sight_.image_error());
+  if (overlap.is_none) return;
   const bool is_behind = face.facing * at_a.value > at_a.error && face.facing * at_b.value > at_b.error;
   cast(face.triangle, {false, is_behind, &overlap}, shadows);
 }
@@ -212,8 +213,9 @@ void Shadows::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<
     return;
   }
   begin();
-  const Plane plane = sight_.face_plane(triangle);
-  if (!prefilter.is_behind && !clip(cut_of(Cut::Kind::face, triangle.value), plane, a_on, b_on, facing, true)) return;
+  if (!prefilter.is_behind &&
+      !clip(cut_of(Cut::Kind::face, triangle.value), sight_.face_plane(triangle), a_on, b_on, facing, true))
+    return;
   for (std::size_t k = 0; k < 3; ++k) {
     if (prefilter.image != nullptr && (prefilter.image->is_within >> k & 1U) != 0) continue;
     const VertexId u = c[k], v = c[(k + 1) % 3];
@@ -238,7 +240,8 @@ void Shadows::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<
       return;
   }
   if (sight_.reaches_before_near(triangle) &&
-      !clip(cut_of(Cut::Kind::near_line, triangle.value), sight_.near_line(plane), false, false, -facing, false))
+      !clip(cut_of(Cut::Kind::near_line, triangle.value), sight_.near_line(sight_.face_plane(triangle)), false, false, -facing,
+            false))
     return;
   if (order(from_, to_) == Sign::negative) shadows.push_back({from_, to_, sight_.mesh().face_of[triangle]});
 }

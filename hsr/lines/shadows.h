@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "hsr/contacts/half_space.h"
@@ -89,7 +90,7 @@ class Shadows {
   bool is_one(TriangleId facet) const { return facet == s_ || facet == t_; }
   bool is_end(VertexId v) const { return v == a_.vertex || v == b_.vertex; }
   bool is_corner(VertexId v, const std::array<VertexId, 3>& c) const { return v == c[0] || v == c[1] || v == c[2]; }
-  bool misses(const std::array<VertexId, 3>& corners) const;
+  bool misses(const std::array<VertexId, 3>& corners);
 
   void begin() { from_ = first_, to_ = last_; }
   bool clip(const Cut& cut, const Plane& plane, bool a_on, bool b_on, Sign wanted, bool open);
@@ -102,7 +103,7 @@ class Shadows {
   End a_, b_;
   TriangleId s_, t_;  // the facets that pierce each other
   Plane s_plane_, t_plane_;
-  PlaneFilter edge_sight_;
+  std::optional<PlaneFilter> edge_sight_;  // of the edge's view plane, once it was asked for
   Bound first_, last_, from_, to_;
 };
 

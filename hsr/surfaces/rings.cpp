@@ -5,7 +5,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
 
 namespace hsr {
@@ -21,68 +20,106 @@ struct Piece {
   std::uint32_t from, to;
 };
 
+/// A closed way: pieces of it in corners_ from `begin` to `end`.
 struct Loop {
-  std::vector<std::uint32_t> pieces;
+  std::uint32_t begin, end;
   bool is_outer = false;
 };
 
-/// The loops of one closed walk along the border of a connected region.
-struct Walk {
-  std::vector<Loop> loops;
+/// Loops that follow one another.
+struct LoopRange {
+  std::size_t begin, end;
 };
 
-class Linker {
- public:
-  Linker(MapSight& map, std::span<const MapSide> sides) : map_(map), sides_(sides) {}
+}  // namespace
 
-  Rings rings() {
-    find_points();
+class RingLinker::Linker {
+ public:
+  explicit Linker(MapSight& map) : map_(map) {}
+
+  const Rings& link(std::span<const PlacedSide> sides, bool mirrored) {
+    clear();
+    mirrored_ = mirrored;
+    find_points(sides);
     cut_sides();
     cancel();
-    link();
+    link_pieces();
     walk();
     place_holes();
-    return result();
+    make_result();
+    return rings_;
   }
 
  private:
-  void find_points();
+  void clear();
+  void find_points(std::span<const PlacedSide> sides);
   void cut_sides();
   void cancel();
-  void link();
-  void link_at(std::vector<std::uint32_t>& in, std::vector<std::uint32_t>& out);
+  void link_pieces();
+  void link_at(std::span<const std::uint32_t> in, std::span<const std::uint32_t> out);
   void walk();
   void split(const std::vector<std::uint32_t>& pieces);
   void place_holes();
-  Rings result() const;
+  void make_result();
+  std::span<const std::uint32_t> pieces_of(const Loop& loop) const {
+    return {corners_.data() + loop.begin, corners_.data() + loop.end};
+  }
 
   bool may_be_one(const MapPlace& p, const MapPlace& q) const {
     return std::fabs(p.x - q.x) <= p.error_x + q.error_x && std::fabs(p.y - q.y) <= p.error_y + q.error_y;
   }
   bool certainly_turn(std::uint32_t p, std::uint32_t q, std::uint32_t r) const;
   Sign turn(const Piece& p, bool back_p, const Piece& q, bool back_q);
-  void drop_straight(std::vector<std::uint32_t>& pieces);
-  bool turns_left(const std::vector<std::uint32_t>& pieces);
+  void add_corners(std::span<const std::uint32_t> way);
+  bool turns_left(std::span<const std::uint32_t> pieces);
   bool contains(const Loop& outer, const Loop& hole);
   std::array<Rational, 2> exact(std::uint32_t point) const { return map_.exact_place(points_[point]); }
-  Rational exact_area(const Loop& loop) const;
+  Rational exact_area(std::span<const std::uint32_t> pieces) const;
 
   MapSight& map_;
-  std::span<const MapSide> sides_;
+  bool mirrored_ = false;
+  std::vector<const MapPoint*> end_points_;  // of both ends of each side
+  std::vector<MapPlace> end_places_;
+  std::vector<std::uint32_t> order_, number_;
   std::vector<MapPoint> points_;
   std::vector<MapPlace> places_;
-  std::vector<std::uint32_t> by_x_;          // points, by the lower bound of x
-  double widest_ = 0;                        // of the bounds of x
-  std::vector<Piece> ends_, pieces_;         // of whole sides; of cut ones
-  std::vector<std::uint32_t> next_;          // by piece
+  std::vector<std::uint32_t> by_x_;                                                 // points, by the lower bound of x
+  double widest_ = 0;                                                               // of the bounds of x
+  std::vector<Piece> ends_, pieces_;                                                // of whole sides; of cut ones
+  std::vector<std::uint32_t> inside_;                                               // points of a side
+  std::vector<std::uint32_t> arriving_, leaving_, first_arriving_, first_leaving_;  // pieces by point
+  std::vector<std::uint32_t> next_;                                                 // by piece
+  std::vector<std::uint8_t> is_done_;                                               // by piece
+  std::vector<std::uint32_t> walk_, way_;                                           // pieces
   std::vector<std::uint32_t> place_on_way_;  // of each point on the way of split(), the piece that leaves it
-  std::vector<Walk> walks_;
-  std::vector<std::vector<Loop>> regions_;
-  std::vector<std::size_t> holes_of_walk_;
+  std::vector<std::uint32_t> corners_;       // pieces, loop after loop
+  std::vector<Loop> loops_;
+  std::vector<LoopRange> walks_, regions_, holes_;
+  std::vector<std::size_t> region_of_hole_;
+  Rings rings_;
 };
 
+void RingLinker::Linker::clear() {
+  end_points_.clear();
+  end_places_.clear();
+  points_.clear();
+  places_.clear();
+  ends_.clear();
+  pieces_.clear();
+  corners_.clear();
+  loops_.clear();
+  walks_.clear();
+  regions_.clear();
+  holes_.clear();
+  region_of_hole_.clear();
+  widest_ = 0;
+  rings_.corners.clear();
+  rings_.first_corner.assign(1, 0);
+  rings_.first_ring.assign(1, 0);
+}
+
 /// Whether three points certainly lie on no line: the bound of ImageLine, E the largest error of the three.
-bool Linker::certainly_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+bool RingLinker::Linker::certainly_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
   const MapPlace &p = places_[i], &q = places_[j], &r = places_[k];
   const double error = std::max({p.error_x, p.error_y, q.error_x, q.error_y, r.error_x, r.error_y});
   const double dx = q.x - p.x, dy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
@@ -91,64 +128,70 @@ bool Linker::certainly_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) c
 }
 
 /// Gives each point of the image one number.
-void Linker::find_points() {
-  std::vector<MapPoint> all;
-  all.reserve(2 * sides_.size());
-  for (const MapSide& s : sides_) {
-    all.push_back(s.from);
-    all.push_back(s.to);
+void RingLinker::Linker::find_points(std::span<const PlacedSide> sides) {
+  for (const PlacedSide& s : sides) {
+    end_points_.push_back(&s.side.from);
+    end_points_.push_back(&s.side.to);
+    end_places_.push_back(s.from);
+    end_places_.push_back(s.to);
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  std::vector<MapPlace> places;
-  places.reserve(all.size());
-  for (const MapPoint& p : all) places.push_back(map_.place(p));
-  std::vector<std::uint32_t> order(all.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    const double x = places[i].x - places[i].error_x, y = places[j].x - places[j].error_x;
-    return x != y ? x < y : i < j;
-  });
-  DisjointSets same(all.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const MapPlace& p = places[order[i]];
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const MapPlace& q = places[order[j]];
-      if (q.x - q.error_x > p.x + p.error_x) break;
-      if (may_be_one(p, q) && same.find(order[i]) != same.find(order[j]) && map_.equal(all[order[i]], all[order[j]]))
-        same.join(order[i], order[j]);
-    }
-  }
-  // The lowest symbol stands for the point.
-  std::vector<std::uint32_t> number(all.size(), none);
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
-    const auto root = static_cast<std::uint32_t>(same.find(i));
-    if (number[root] == none) {
-      number[root] = static_cast<std::uint32_t>(points_.size());
-      points_.push_back(all[i]);
-      places_.push_back(places[i]);
-    }
-    number[i] = number[root];
-  }
-  const auto number_of = [&](const MapPoint& p) {
-    return number[static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), p) - all.begin())];
+  const std::size_t n = end_points_.size();
+  const auto sort_by_x = [](std::vector<std::uint32_t>& order, const std::vector<MapPlace>& places) {
+    order.resize(places.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      const double x = places[i].x - places[i].error_x, y = places[j].x - places[j].error_x;
+      return x != y ? x < y : i < j;
+    });
   };
-  for (const MapSide& s : sides_) {
-    const Piece piece{s.line, s.reversed, number_of(s.from), number_of(s.to)};
+  sort_by_x(order_, end_places_);
+  // The lowest symbol stands for the point.
+  number_.resize(n);
+  std::iota(number_.begin(), number_.end(), 0U);
+  const auto root = [&](std::uint32_t i) {
+    while (number_[i] != i) i = number_[i] = number_[number_[i]];
+    return i;
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const MapPlace& p = end_places_[order_[i]];
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const MapPlace& q = end_places_[order_[j]];
+      if (q.x - q.error_x > p.x + p.error_x) break;
+      if (!may_be_one(p, q)) continue;
+      const std::uint32_t a = root(order_[i]), b = root(order_[j]);
+      if (a == b || !map_.equal(*end_points_[order_[i]], *end_points_[order_[j]])) continue;
+      if (*end_points_[b] < *end_points_[a])
+        number_[a] = b;
+      else
+        number_[b] = a;
+    }
+  }
+  order_.clear();
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (number_[i] == i) order_.push_back(i);
+  std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) { return *end_points_[i] < *end_points_[j]; });
+  // From here on by point: each root is named by the complement of its point.
+  for (std::uint32_t i = 0; i < n; ++i) number_[i] = root(i);
+  for (const std::uint32_t i : order_) {
+    number_[i] = ~static_cast<std::uint32_t>(points_.size());
+    points_.push_back(*end_points_[i]);
+    places_.push_back(end_places_[i]);
+  }
+  const auto number_of = [&](std::size_t end) {
+    const std::uint32_t i = number_[end];
+    return ~(i < n ? number_[i] : i);
+  };
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const Piece piece{sides[k].side.line, sides[k].side.reversed, number_of(2 * k), number_of(2 * k + 1)};
     if (piece.from != piece.to) ends_.push_back(piece);
   }
-  by_x_.resize(points_.size());
-  std::iota(by_x_.begin(), by_x_.end(), 0U);
-  std::sort(by_x_.begin(), by_x_.end(), [&](std::uint32_t i, std::uint32_t j) {
-    const double x = places_[i].x - places_[i].error_x, y = places_[j].x - places_[j].error_x;
-    return x != y ? x < y : i < j;
-  });
+  sort_by_x(by_x_, places_);
   for (const MapPlace& p : places_) widest_ = std::max(widest_, 2 * p.error_x);
 }
 
 /// Cuts each side at the points inside it.
-void Linker::cut_sides() {
-  std::vector<std::uint32_t> inside;
+void RingLinker::Linker::cut_sides() {
+  std::vector<std::uint32_t>& inside = inside_;
   for (const Piece& side : ends_) {
     const MapPlace &p = places_[side.from], &q = places_[side.to];
     const double low = std::min(p.x - p.error_x, q.x - q.error_x), high = std::max(p.x + p.error_x, q.x + q.error_x);
@@ -183,12 +226,12 @@ void Linker::cut_sides() {
 }
 
 /// Pieces both ways between two points cancel; of several one way one is left.
-void Linker::cancel() {
+void RingLinker::Linker::cancel() {
   const auto key = [](const Piece& p) { return std::pair(std::min(p.from, p.to), std::max(p.from, p.to)); };
   std::sort(pieces_.begin(), pieces_.end(), [&](const Piece& p, const Piece& q) {
     return std::tuple(key(p), p.from, p.line, p.reversed) < std::tuple(key(q), q.from, q.line, q.reversed);
   });
-  std::vector<Piece> kept;
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < pieces_.size();) {
     std::size_t end = i;
     int ways = 0;
@@ -198,23 +241,23 @@ void Linker::cancel() {
       ways += up ? 1 : -1;
       if (up) other = end + 1;
     }
-    if (ways > 0) kept.push_back(pieces_[i]);
-    if (ways < 0) kept.push_back(pieces_[other]);
+    if (ways != 0) pieces_[kept++] = pieces_[ways > 0 ? i : other];
     i = end;
   }
-  pieces_ = std::move(kept);
+  pieces_.resize(kept);
 }
 
 /// How the ray along q turns against the ray along p; both may run backwards.
-Sign Linker::turn(const Piece& p, bool back_p, const Piece& q, bool back_q) {
+Sign RingLinker::Linker::turn(const Piece& p, bool back_p, const Piece& q, bool back_q) {
   const Sign s = map_.turn(p.line, q.line);
   return (p.reversed != back_p) == (q.reversed != back_q) ? s : -s;
 }
 
 /// At a point of several pieces each that arrives goes on with the one that bounds the same part of the inside: the next one
 /// clockwise from where it came from.
-void Linker::link_at(std::vector<std::uint32_t>& in, std::vector<std::uint32_t>& out) {
+void RingLinker::Linker::link_at(std::span<const std::uint32_t> in, std::span<const std::uint32_t> out) {
   if (in.size() != out.size()) throw InvariantError("link_rings: the sides do not close");
+  if (in.empty()) return;
   if (in.size() == 1) {
     next_[in[0]] = out[0];
     return;
@@ -256,79 +299,75 @@ void Linker::link_at(std::vector<std::uint32_t>& in, std::vector<std::uint32_t>&
   }
 }
 
-void Linker::link() {
+void RingLinker::Linker::link_pieces() {
   next_.assign(pieces_.size(), none);
-  std::vector<std::uint32_t> in(pieces_.size()), out(pieces_.size());
-  std::iota(in.begin(), in.end(), 0U);
-  std::iota(out.begin(), out.end(), 0U);
-  std::sort(in.begin(), in.end(), [&](auto i, auto j) { return std::pair(pieces_[i].to, i) < std::pair(pieces_[j].to, j); });
-  std::sort(out.begin(), out.end(),
-            [&](auto i, auto j) { return std::pair(pieces_[i].from, i) < std::pair(pieces_[j].from, j); });
-  std::vector<std::uint32_t> arriving, leaving;
-  std::size_t i = 0, j = 0;
-  while (i < in.size() || j < out.size()) {
-    const std::uint32_t point =
-        std::min(i < in.size() ? pieces_[in[i]].to : none, j < out.size() ? pieces_[out[j]].from : none);
-    arriving.clear();
-    leaving.clear();
-    for (; i < in.size() && pieces_[in[i]].to == point; ++i) arriving.push_back(in[i]);
-    for (; j < out.size() && pieces_[out[j]].from == point; ++j) leaving.push_back(out[j]);
-    link_at(arriving, leaving);
-  }
+  // Counting sorts by point.
+  const auto sort = [&](std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& sorted, std::uint32_t Piece::*point) {
+    first.assign(points_.size() + 2, 0);
+    for (const Piece& p : pieces_) ++first[p.*point + 2];
+    for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
+    sorted.resize(pieces_.size());
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) sorted[first[pieces_[i].*point + 1]++] = i;
+  };
+  sort(first_arriving_, arriving_, &Piece::to);
+  sort(first_leaving_, leaving_, &Piece::from);
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    link_at({arriving_.data() + first_arriving_[p], arriving_.data() + first_arriving_[p + 1]},
+            {leaving_.data() + first_leaving_[p], leaving_.data() + first_leaving_[p + 1]});
 }
 
-void Linker::walk() {
-  std::vector<bool> is_done(pieces_.size(), false);
+void RingLinker::Linker::walk() {
+  is_done_.assign(pieces_.size(), 0);
   place_on_way_.assign(points_.size(), none);
-  std::vector<std::uint32_t> pieces;
   for (std::uint32_t first = 0; first < pieces_.size(); ++first) {
-    if (is_done[first]) continue;
-    pieces.clear();
-    for (std::uint32_t i = first; !is_done[i]; i = next_[i]) {
-      is_done[i] = true;
-      pieces.push_back(i);
+    if (is_done_[first] != 0) continue;
+    walk_.clear();
+    for (std::uint32_t i = first; is_done_[i] == 0; i = next_[i]) {
+      is_done_[i] = 1;
+      walk_.push_back(i);
     }
-    split(pieces);
+    split(walk_);
   }
 }
 
 /// Where the walk comes back to a point, what lies between is a loop of its own.
-void Linker::split(const std::vector<std::uint32_t>& pieces) {
-  Walk walk;
-  std::vector<std::uint32_t> way;
+void RingLinker::Linker::split(const std::vector<std::uint32_t>& pieces) {
+  const std::size_t first_loop = loops_.size();
+  std::vector<std::uint32_t>& way = way_;
+  way.clear();
   for (const std::uint32_t i : pieces) {
     place_on_way_[pieces_[i].from] = static_cast<std::uint32_t>(way.size());
     way.push_back(i);
     const std::uint32_t begin = place_on_way_[pieces_[i].to];
     if (begin == none) continue;
-    Loop loop{{way.begin() + begin, way.end()}};
-    for (const std::uint32_t k : loop.pieces) place_on_way_[pieces_[k].from] = none;
+    for (std::size_t k = begin; k < way.size(); ++k) place_on_way_[pieces_[way[k]].from] = none;
+    Loop loop{static_cast<std::uint32_t>(corners_.size()), 0};
+    add_corners(std::span(way).subspan(begin));
+    loop.end = static_cast<std::uint32_t>(corners_.size());
+    loop.is_outer = turns_left(pieces_of(loop));
+    loops_.push_back(loop);
     way.resize(begin);
-    drop_straight(loop.pieces);
-    loop.is_outer = turns_left(loop.pieces);
-    walk.loops.push_back(std::move(loop));
   }
   if (!way.empty()) throw InvariantError("link_rings: a walk that does not close");
-  walks_.push_back(std::move(walk));
+  walks_.push_back({first_loop, loops_.size()});
 }
 
-/// Leaves of each straight run the first piece, which then stands for the run.
-void Linker::drop_straight(std::vector<std::uint32_t>& pieces) {
-  std::vector<std::uint32_t> corners;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const Piece &before = pieces_[pieces[(k + pieces.size() - 1) % pieces.size()]], &here = pieces_[pieces[k]];
+/// Of each straight run the first piece, which then stands for the run.
+void RingLinker::Linker::add_corners(std::span<const std::uint32_t> way) {
+  const std::size_t first = corners_.size();
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    const Piece &before = pieces_[way[k == 0 ? way.size() - 1 : k - 1]], &here = pieces_[way[k]];
     if (before.line == here.line) continue;
     if (!certainly_turn(before.from, here.from, here.to) && map_.turn(before.line, here.line) == Sign::zero) continue;
-    corners.push_back(pieces[k]);
+    corners_.push_back(way[k]);
   }
-  if (corners.size() < 3) throw InvariantError("link_rings: a ring without area");
-  pieces = std::move(corners);
+  if (corners_.size() < first + 3) throw InvariantError("link_rings: a ring without area");
 }
 
-Rational Linker::exact_area(const Loop& loop) const {
+Rational RingLinker::Linker::exact_area(std::span<const std::uint32_t> pieces) const {
   Rational twice;
   std::vector<std::array<Rational, 2>> at;
-  for (const std::uint32_t i : loop.pieces) at.push_back(exact(pieces_[i].from));
+  for (const std::uint32_t i : pieces) at.push_back(exact(pieces_[i].from));
   for (std::size_t k = 0; k < at.size(); ++k) {
     const auto &p = at[k], &q = at[(k + 1) % at.size()];
     twice = twice + (p[0] * q[1] - p[1] * q[0]);
@@ -336,7 +375,7 @@ Rational Linker::exact_area(const Loop& loop) const {
   return map_.mirrored() ? -twice : twice;
 }
 
-bool Linker::turns_left(const std::vector<std::uint32_t>& pieces) {
+bool RingLinker::Linker::turns_left(std::span<const std::uint32_t> pieces) {
   const MapPlace& o = places_[pieces_[pieces[0]].from];
   ErrorBounded twice;
   const auto relative = [&](std::uint32_t i) {
@@ -348,19 +387,20 @@ bool Linker::turns_left(const std::vector<std::uint32_t>& pieces) {
     const auto p = relative(pieces[k]), q = relative(pieces[k + 1]);
     twice = twice + (p[0] * q[1] - p[1] * q[0]);
   }
-  const Sign s = twice.is_certain() ? sign_of(map_.mirrored() ? -twice.value : twice.value) : exact_area({pieces}).sign();
+  const Sign s = twice.is_certain() ? sign_of(mirrored_ ? -twice.value : twice.value) : exact_area(pieces).sign();
   if (s == Sign::zero) throw InvariantError("link_rings: a ring without area");
   return s == Sign::positive;
 }
 
 /// Whether the middle of a side of the hole lies inside: it is on no other ring.
-bool Linker::contains(const Loop& outer, const Loop& hole) {
-  const Piece& side = pieces_[hole.pieces[0]];
+bool RingLinker::Linker::contains(const Loop& outer, const Loop& hole) {
+  const Piece& side = pieces_[pieces_of(hole)[0]];
+  const std::span<const std::uint32_t> border = pieces_of(outer);
   const auto p = exact(side.from), q = exact(side.to);
   const Rational half = 0.5, x = half * (p[0] + q[0]), y = half * (p[1] + q[1]);
   bool inside = false;
-  for (std::size_t k = 0; k < outer.pieces.size(); ++k) {
-    const auto a = exact(pieces_[outer.pieces[k]].from), b = exact(pieces_[outer.pieces[(k + 1) % outer.pieces.size()]].from);
+  for (std::size_t k = 0; k < border.size(); ++k) {
+    const auto a = exact(pieces_[border[k]].from), b = exact(pieces_[border[(k + 1) % border.size()]].from);
     if ((a[1] > y) == (b[1] > y)) continue;
     const Rational at = a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]);
     if (at > x) inside = !inside;
@@ -368,14 +408,29 @@ bool Linker::contains(const Loop& outer, const Loop& hole) {
   return inside;
 }
 
-void Linker::place_holes() {
+void RingLinker::Linker::place_holes() {
+  for (const LoopRange& walk : walks_) {
+    const auto begin = loops_.begin() + static_cast<std::ptrdiff_t>(walk.begin),
+               end = loops_.begin() + static_cast<std::ptrdiff_t>(walk.end);
+    const auto outer = std::find_if(begin, end, [](const Loop& l) { return l.is_outer; });
+    if (outer == end) {
+      // The holes of one walk touch one another: one region has them all. The first is placed, the others follow.
+      holes_.push_back(walk);
+      continue;
+    }
+    std::iter_swap(begin, outer);
+    if (std::count_if(begin, end, [](const Loop& l) { return l.is_outer; }) != 1)
+      throw InvariantError("link_rings: a region with two outer rings");
+    regions_.push_back(walk);
+  }
+  if (holes_.empty()) return;
   struct Box {
     double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;
   };
   // Outward: around the loop for certain; inward (-1): no larger than around it.
   const auto box = [&](const Loop& loop, double outward) {
     Box b;
-    for (const std::uint32_t i : loop.pieces) {
+    for (const std::uint32_t i : pieces_of(loop)) {
       const MapPlace& p = places_[pieces_[i].from];
       b.low_x = std::min(b.low_x, p.x - outward * p.error_x);
       b.high_x = std::max(b.high_x, p.x + outward * p.error_x);
@@ -384,57 +439,55 @@ void Linker::place_holes() {
     }
     return b;
   };
-  std::vector<Loop> holes;
+  const auto outer_of = [&](std::size_t region) -> const Loop& { return loops_[regions_[region].begin]; };
   std::vector<Box> boxes;
-  for (Walk& walk : walks_) {
-    const auto outer = std::find_if(walk.loops.begin(), walk.loops.end(), [](const Loop& l) { return l.is_outer; });
-    if (outer == walk.loops.end()) {
-      std::move(walk.loops.begin(), walk.loops.end(), std::back_inserter(holes));
-      // The holes of one walk touch one another: one region has them all. The first is placed, the others follow.
-      holes_of_walk_.push_back(walk.loops.size());
-      continue;
-    }
-    std::iter_swap(walk.loops.begin(), outer);
-    if (std::count_if(walk.loops.begin(), walk.loops.end(), [](const Loop& l) { return l.is_outer; }) != 1)
-      throw InvariantError("link_rings: a region with two outer rings");
-    boxes.push_back(box(walk.loops[0], 1));
-    regions_.push_back(std::move(walk.loops));
-  }
-  std::size_t first = 0;
-  for (const std::size_t count : holes_of_walk_) {
-    const Box b = box(holes[first], -1);
+  for (std::size_t r = 0; r < regions_.size(); ++r) boxes.push_back(box(outer_of(r), 1));
+  for (const LoopRange& hole : holes_) {
+    const Loop& first = loops_[hole.begin];
+    const Box b = box(first, -1);
     std::vector<std::size_t> candidates;
     for (std::size_t r = 0; r < regions_.size(); ++r)
       if (boxes[r].low_x <= b.low_x && boxes[r].high_x >= b.high_x && boxes[r].low_y <= b.low_y && boxes[r].high_y >= b.high_y)
         candidates.push_back(r);
     if (candidates.size() != 1) {
-      std::erase_if(candidates, [&](std::size_t r) { return !contains(regions_[r][0], holes[first]); });
+      std::erase_if(candidates, [&](std::size_t r) { return !contains(outer_of(r), first); });
       // Outer rings around one hole lie inside one another: the smallest is the nearest.
       if (candidates.size() > 1)
-        std::sort(candidates.begin(), candidates.end(),
-                  [&](std::size_t r, std::size_t s) { return exact_area(regions_[r][0]) < exact_area(regions_[s][0]); });
+        std::sort(candidates.begin(), candidates.end(), [&](std::size_t r, std::size_t s) {
+          return exact_area(pieces_of(outer_of(r))) < exact_area(pieces_of(outer_of(s)));
+        });
     }
     if (candidates.empty()) throw InvariantError("link_rings: a hole in no region");
-    for (std::size_t k = 0; k < count; ++k) regions_[candidates[0]].push_back(std::move(holes[first + k]));
-    first += count;
+    region_of_hole_.push_back(candidates[0]);
   }
 }
 
-Rings Linker::result() const {
-  Rings rings;
-  for (const auto& region : regions_) {
-    for (const Loop& loop : region) {
-      for (const std::uint32_t i : loop.pieces)
-        rings.corners.push_back({points_[pieces_[i].from], pieces_[i].line, pieces_[i].reversed});
-      rings.first_corner.push_back(static_cast<std::uint32_t>(rings.corners.size()));
+void RingLinker::Linker::make_result() {
+  const auto add = [&](const LoopRange& range) {
+    for (std::size_t k = range.begin; k < range.end; ++k) {
+      for (const std::uint32_t i : pieces_of(loops_[k]))
+        rings_.corners.push_back({points_[pieces_[i].from], pieces_[i].line, pieces_[i].reversed});
+      rings_.first_corner.push_back(static_cast<std::uint32_t>(rings_.corners.size()));
     }
-    rings.first_ring.push_back(static_cast<std::uint32_t>(rings.first_corner.size() - 1));
+  };
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    add(regions_[r]);
+    for (std::size_t h = 0; h < holes_.size(); ++h)
+      if (region_of_hole_[h] == r) add(holes_[h]);
+    rings_.first_ring.push_back(static_cast<std::uint32_t>(rings_.first_corner.size() - 1));
   }
-  return rings;
 }
 
-}  // namespace
+RingLinker::RingLinker(MapSight& map) : linker_(std::make_unique<Linker>(map)) {}
+RingLinker::~RingLinker() = default;
 
-Rings link_rings(MapSight& map, std::span<const MapSide> sides) { return Linker(map, sides).rings(); }
+const Rings& RingLinker::link(std::span<const PlacedSide> sides, bool mirrored) { return linker_->link(sides, mirrored); }
+
+Rings link_rings(MapSight& map, std::span<const MapSide> sides) {
+  std::vector<PlacedSide> placed;
+  placed.reserve(sides.size());
+  for (const MapSide& s : sides) placed.push_back({s, map.place(s.from), map.place(s.to)});
+  return RingLinker(map).link(placed, map.mirrored());
+}
 
 }  // namespace hsr

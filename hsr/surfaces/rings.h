@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,14 @@ struct Rings {
   std::vector<std::uint32_t> first_ring = {0};    ///< region k has the rings first_ring[k] ... ; one more than regions
 };
 
-/// Links the sides of a part of the plane into the rings that bound it.
+/// A side with where its ends are seen, in any coordinates of the image: their turns, or with `mirrored` the opposite ones, are
+/// what is seen.
+struct PlacedSide {
+  MapSide side;
+  MapPlace from, to;
+};
+
+/// Links the sides of a part of the plane into the rings that bound it. One object per thread, for many parts.
 ///
 ///   (1) the regions are the connected interiors; the first ring of each is its outer one, counter-clockwise as seen, the
 ///       others are holes, clockwise
@@ -28,6 +36,20 @@ struct Rings {
 /// @throws InvariantError if they do not
 /// Exact: yes. Cost: O(m log m) for m sides, and a look for each side at the points that share its range of x, about the root
 /// of m in a mesh of even triangles; O(m^2) where doubles do not tell points apart.
+class RingLinker {
+ public:
+  explicit RingLinker(MapSight& map);
+  ~RingLinker();
+
+  /// @param mirrored whether the places are those of the mirror image. The answer holds until the next call
+  const Rings& link(std::span<const PlacedSide> sides, bool mirrored);
+
+ private:
+  class Linker;
+  std::unique_ptr<Linker> linker_;
+};
+
+/// The same, once.
 Rings link_rings(MapSight& map, std::span<const MapSide> sides);
 
 }  // namespace hsr

@@ -17,6 +17,13 @@ double size(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), 
 
 }  // namespace
 
+NearPoint MapStretch::at(double t, double t_error) const {
+  const Point3 d = {b.p.x - a.p.x, b.p.y - a.p.y, b.p.z - a.p.z};
+  const double length = size(d), reach = 1 + std::fabs(t);
+  return {{a.p.x + t * d.x, a.p.y + t * d.y, a.p.z + t * d.z},
+          (length * (t_error + 4 * u * reach) + (a.error + b.error) * reach + 4 * u * size(a.p)) * 1.01};
+}
+
 std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side) {
   stretch_ = &stretch;
   side_ = side;
@@ -31,16 +38,26 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
     ends[k] = image.at;
     error += image.error;
   }
+  depth_ = {sight_.depth(stretch.a.p, 3 * stretch.a.error), sight_.depth(stretch.b.p, 3 * stretch.b.error)};
+  if (!sight_.is_perspective()) {
+    const auto image = [&](VertexId v, const NearPoint& p) {
+      const bool is_known = v.is_valid() && sight_.image_error() < HUGE_VAL;
+      return is_known ? NearImage{sight_.image(v), 0} : sight_.image(p.p, 3 * p.error);
+    };
+    at_a_ = image(stretch.at_a, stretch.a);
+    at_b_ = image(stretch.at_b, stretch.b);
+  }
   // The tree visits what reaches nearer than the farthest of what is seen so far.
-  query.farthest = -std::numeric_limits<float>::infinity();
+  query.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends[0], ends[1], error) : -std::numeric_limits<float>::infinity();
   const auto look_at = [&](const ImageFace& face) {
-    const ImageFace::Overlap overlap = face.overlap(ends[0], ends[1], error);
-    if (overlap.is_none) return;
+    if (face.is_beside(ends[0], ends[1], error)) return;
     const Linear of_t = nearness(face);
     if (certainly_behind(of_t)) return;
+    const ImageFace::Overlap overlap = face.overlap(ends[0], ends[1], error);
+    if (overlap.is_none) return;
     const std::size_t before = parts_.size();
     const TriangleId first = parts_.front().seen;
-    insert(face.triangle, of_t, overlap.is_within);
+    insert(face, of_t, overlap.is_within);
     if (parts_.size() == before && parts_.front().seen == first) return;
     float lowest = std::numeric_limits<float>::infinity();
     for (Part& part : parts_)
@@ -49,7 +66,9 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
   };
   for (const ImageFace* face : stretch.first)
     if (face != nullptr) look_at(*face);
-  occluders_.tree.visit(query, [&](std::uint32_t i) {
+  // The images of visible stretches are closed: what is nearer and ends at one hides it.
+  if (!stretch.is_visible) query.nearest = std::numeric_limits<float>::infinity();
+  occluders_.tree.visit_touching(query, [&](std::uint32_t i) {
     ImageFace own;
     const bool is_prepared = !occluders_.faces.empty();
     if (!is_prepared) own = ImageFace(sight_, occluders_.triangles[i]);
@@ -62,14 +81,6 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
   return result_;
 }
 
-NearPoint SeenBeside::point(const Place& place) const {
-  const NearPoint &a = stretch_->a, &b = stretch_->b;
-  const Point3 d = {b.p.x - a.p.x, b.p.y - a.p.y, b.p.z - a.p.z};
-  const double t = place.t, length = size(d), reach = 1 + std::fabs(t);
-  return {{a.p.x + t * d.x, a.p.y + t * d.y, a.p.z + t * d.z},
-          (length * (place.error + 4 * u * reach) + (a.error + b.error) * reach + 4 * u * size(a.p)) * 1.01};
-}
-
 float SeenBeside::farthest(Part& part) const {
   if (part.farthest == unknown) part.farthest = farthest_of(part);
   return part.farthest;
@@ -77,28 +88,18 @@ float SeenBeside::farthest(Part& part) const {
 
 float SeenBeside::farthest_of(const Part& part) const {
   if (!part.seen.is_valid()) return -std::numeric_limits<float>::infinity();
-  float lowest = std::numeric_limits<float>::infinity();
+  double lowest = HUGE_VAL;
   for (const Place& end : {part.from, part.to}) {
-    const NearPoint p = point(end);
-    const ErrorBounded n = at(part.nearness, end);
-    const Point3& e = sight_.eye().at;
+    const ErrorBounded depth = at(depth_, end), n = at(part.nearness, end);
     // The hit is p + n D, or e + (p - e) / (1 + n).
-    Point3 hit;
-    double error = HUGE_VAL;
-    if (sight_.is_perspective()) {
-      const ErrorBounded r = quotient({1, 0}, ErrorBounded{1, 0} + n);
-      const Point3 d = {p.p.x - e.x, p.p.y - e.y, p.p.z - e.z};
-      hit = {e.x + r.value * d.x, e.y + r.value * d.y, e.z + r.value * d.z};
-      error = (size(d) + p.error) * (r.error + 4 * u * std::fabs(r.value)) + std::fabs(r.value) * p.error + 4 * u * size(e);
-    } else {
-      hit = {p.p.x + n.value * e.x, p.p.y + n.value * e.y, p.p.z + n.value * e.z};
-      error = p.error + size(e) * (n.error + 4 * u * std::fabs(n.value)) + 4 * u * size(p.p);
-    }
-    error *= 3.03;  // in the sum of the coordinates
-    if (!(error < HUGE_VAL)) return sight_.box(part.seen).farthest;
-    lowest = std::min(lowest, sight_.box(hit, error).farthest);
+    const Point3& e = sight_.eye().at;
+    const ErrorBounded hit = sight_.is_perspective()
+                                 ? -quotient(depth, ErrorBounded{1, 0} + n)
+                                 : depth + n * ErrorBounded{std::max({std::fabs(e.x), std::fabs(e.y), std::fabs(e.z)}), 0};
+    if (!(hit.error < HUGE_VAL)) return sight_.box(part.seen).farthest;
+    lowest = std::min(lowest, hit.value - hit.error);
   }
-  return std::max(lowest, sight_.box(part.seen).farthest);
+  return static_cast<float>(lowest - std::fabs(lowest) * 0x1p-22 - 0x1p-120);
 }
 
 ErrorBounded SeenBeside::at(const Linear& f, const Place& place) const {
@@ -180,15 +181,35 @@ bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, P
   return true;
 }
 
+/// O of a side of the face, its vertices in the order of the line's name. Parallel, images are linear along the stretch, and
+/// their determinants as good as those in space.
+SeenBeside::Linear SeenBeside::along_side(const ImageFace& face, unsigned k, const MapHalfPlane& h) const {
+  const VertexId v(h.line.u), w(h.line.v);
+  const auto is_end = [&](VertexId x) { return x.is_valid() && (x == v || x == w); };
+  const bool zero_at_a = is_end(stretch_->at_a), zero_at_b = is_end(stretch_->at_b);
+  if (sight_.is_perspective()) return along(sight_.filter(sight_.sight_plane(v, w)), zero_at_a, zero_at_b);
+  const bool is_reversed = (face.facing < 0) == (face.corners[k] == v);
+  const auto value = [&](const NearImage& p) {
+    const ErrorBounded x = face.at_side(k, p.at, sight_.image_error() + p.error);
+    return is_reversed ? -x : x;
+  };
+  return {zero_at_a ? ErrorBounded{} : value(at_a_), zero_at_b ? ErrorBounded{} : value(at_b_)};
+}
+
 /// @param is_within bit k: the part is known to be on the inner side of side k
-bool SeenBeside::clip(TriangleId t, unsigned is_within, Place& from, Place& to) {
+bool SeenBeside::clip(const ImageFace& face, unsigned is_within, Place& from, Place& to) {
+  const TriangleId t = face.triangle;
+  std::array<MapHalfPlane, 3> sides;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sides[k] = side_of_triangle(sight_, t, k);
+    if (sides[k].line != stretch_->line) continue;
+    if (sides[k].inner != side_) return false;
+    is_within |= 1U << k;
+  }
   for (std::size_t k = 0; k < 3; ++k) {
     if ((is_within >> k & 1U) != 0) continue;
-    const MapHalfPlane h = side_of_triangle(sight_, t, k);
-    const VertexId v(h.line.u), w(h.line.v);
-    const auto is_end = [&](VertexId x) { return x.is_valid() && (x == v || x == w); };
-    const PlaneFilter filter = sight_.filter(sight_.sight_plane(v, w));
-    if (!clip(h, along(filter, is_end(stretch_->at_a), is_end(stretch_->at_b)), from, to)) return false;
+    const MapHalfPlane& h = sides[k];
+    if (!clip(h, along_side(face, static_cast<unsigned>(k), h), from, to)) return false;
   }
   if (!sight_.reaches_before_near(t)) return true;
   const PlaneFilter filter = sight_.filter(sight_.near_line(sight_.face_plane(t)));
@@ -226,9 +247,10 @@ Sign SeenBeside::nearer_beside(TriangleId s, TriangleId t) {
   throw InvariantError("SeenBeside: two triangles on one line");
 }
 
-void SeenBeside::insert(TriangleId t, const Linear& of_t, unsigned is_within) {
+void SeenBeside::insert(const ImageFace& face, const Linear& of_t, unsigned is_within) {
+  const TriangleId t = face.triangle;
   Place from = parts_.front().from, to = parts_.back().to;
-  if (!clip(t, is_within, from, to)) return;
+  if (!clip(face, is_within, from, to)) return;
   next_.clear();
   const Mesh& mesh = map_.mesh();
   for (const Part& part : parts_) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "hsr/lines/hidden_tiles.h"
 #include "hsr/map/map_sight.h"
 #include "hsr/map/triangle_sides.h"
 #include "hsr/occluders.h"
@@ -19,8 +20,13 @@ struct MapStretch {
   NearPoint a, b;
   double from_t = 0, from_error = 0, to_t = 1, to_error = 0;
   VertexId at_a = {}, at_b = {};  ///< the vertices that are a and b, if they are
+  /// It is of an edge, and visible: no face that is wholly nearer is beside it.
+  bool is_visible = false;
   /// Faces that are likely to be seen beside it: looked at first, so that what lies behind them need not be.
   std::array<const ImageFace*, 2> first = {};
+
+  /// The place at t, in space.
+  NearPoint at(double t, double error) const;
 };
 
 /// A part of a line of the map, and the triangle that is seen just beside it; none: nothing is.
@@ -39,7 +45,9 @@ struct SeenPart {
 /// segments), here of faces over a line.
 class SeenBeside {
  public:
-  SeenBeside(MapSight& map, const Occluders& occluders) : map_(map), sight_(map.sight()), occluders_(occluders) {}
+  /// @param tiles none: nothing is known to be hidden
+  SeenBeside(MapSight& map, const Occluders& occluders, const HiddenTiles* tiles)
+      : map_(map), sight_(map.sight()), occluders_(occluders), tiles_(tiles) {}
 
   /// @param side positive, to the left of the line; the answer holds until the next call
   std::span<const SeenPart> find(const MapStretch& stretch, Sign side);
@@ -61,9 +69,10 @@ class SeenBeside {
   };
   static constexpr float unknown = std::numeric_limits<float>::infinity();
 
-  void insert(TriangleId t, const Linear& of_t, unsigned is_within);
+  void insert(const ImageFace& face, const Linear& of_t, unsigned is_within);
   bool certainly_behind(const Linear& of_t) const;
-  bool clip(TriangleId t, unsigned is_within, Place& from, Place& to);
+  bool clip(const ImageFace& face, unsigned is_within, Place& from, Place& to);
+  Linear along_side(const ImageFace& face, unsigned k, const MapHalfPlane& h) const;
   bool clip(const MapHalfPlane& h, const Linear& value, Place& from, Place& to);
   Linear along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const;
   Linear nearness(const ImageFace& face) const;
@@ -74,14 +83,17 @@ class SeenBeside {
   Sign nearer(TriangleId s, const Linear& of_s, const Part& part, const Place& place);
   Sign nearer_beside(TriangleId s, TriangleId t);
   void add(const Place& from, const Place& to, TriangleId t, const Linear& nearness);
-  NearPoint point(const Place& place) const;
+  NearPoint point(const Place& place) const { return stretch_->at(place.t, place.error); }
   float farthest(Part& part) const;
   float farthest_of(const Part& part) const;
 
   MapSight& map_;
   const Sight& sight_;
   const Occluders& occluders_;
+  const HiddenTiles* tiles_;
   const MapStretch* stretch_ = nullptr;
+  Linear depth_;                // of the stretch, as Sight has it
+  NearImage at_a_, at_b_ = {};  // where a and b of the stretch are seen; parallel
   Sign side_ = Sign::positive;
   std::vector<Part> parts_, next_;
   std::vector<SeenPart> result_;

@@ -29,23 +29,24 @@ using Range = tbb::blocked_range<std::size_t>;
 /// A side of the fragments of a facet.
 struct FacetSide {
   TriangleId facet;
-  MapSide side;
+  PlacedSide side;
 };
 
 /// Collects the sides along the lines of the map. One object per block of lines.
 class SideFinder {
  public:
-  /// @param place of each triangle among the prepared ones
+  /// @param place of each triangle among the prepared ones @param tiles none: nothing is known to be hidden
   SideFinder(const Sight& sight, const Occluders& occluders, const Intersections& intersections,
-             const std::vector<std::uint32_t>& place)
+             const std::vector<std::uint32_t>& place, const HiddenTiles* tiles)
       : sight_(sight),
         mesh_(sight.mesh()),
         occluders_(occluders),
         intersections_(intersections),
         place_(place),
+        tiles_(tiles),
         map_(sight),
-        left_(map_, occluders),
-        right_(map_, occluders) {}
+        left_(map_, occluders, tiles),
+        right_(map_, occluders, tiles) {}
 
   void add_edge(const VisibleLines& lines, const Line& line);
   void add_intersection(const Intersection& crossing);
@@ -60,14 +61,17 @@ class SideFinder {
   TriangleId only_triangle(EdgeId e, Sign side) const;
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
   ErrorBounded parameter_at(const Edge& edge, const Cut& cut) const;
+  bool is_hidden(const MapStretch& stretch) const;
   void add(const MapStretch& stretch, TriangleId left, TriangleId right);
-  void add_different(const MapLine& line, std::span<const SeenPart> left, std::span<const SeenPart> right);
+  void add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right);
+  MapPlace place(const MapStretch& stretch, const MapPoint& p, double t, double error) const;
 
   const Sight& sight_;
   const Mesh& mesh_;
   const Occluders& occluders_;
   const Intersections& intersections_;
   const std::vector<std::uint32_t>& place_;
+  const HiddenTiles* tiles_;
   MapSight map_;
   SeenBeside left_, right_;
   std::vector<FacetSide> sides_;
@@ -125,17 +129,16 @@ void SideFinder::add_edge(const VisibleLines& lines, const Line& line) {
   stretch.b.p = sight_.point(edge.b);
   stretch.at_a = edge.a;
   stretch.at_b = edge.b;
+  stretch.is_visible = true;
   for (std::uint32_t k = 0; k < line.intervals(); ++k) {
     if (line.hidden(k)) continue;
     stretch.from = point_at(edge, beside, cuts[k]);
     stretch.to = point_at(edge, beside, cuts[k + 1]);
-    if (!left.is_valid() || !right.is_valid()) {
-      const ErrorBounded from = parameter_at(edge, cuts[k]), to = parameter_at(edge, cuts[k + 1]);
-      stretch.from_t = from.value;
-      stretch.from_error = from.error;
-      stretch.to_t = to.value;
-      stretch.to_error = to.error;
-    }
+    const ErrorBounded from = parameter_at(edge, cuts[k]), to = parameter_at(edge, cuts[k + 1]);
+    stretch.from_t = from.value;
+    stretch.from_error = from.error;
+    stretch.to_t = to.value;
+    stretch.to_error = to.error;
     add(stretch, left, right);
   }
 }
@@ -146,12 +149,25 @@ void SideFinder::add_intersection(const Intersection& crossing) {
     const bool is_near = cut.kind == Cut::Kind::near;
     return MapPoint::crossing(line, is_near ? MapLine::near(crossing.s) : MapLine::edge(VertexId(cut.u), VertexId(cut.v)));
   };
-  MapPoint from = point(crossing.from), to = point(crossing.to);
-  if (map_.order(line, from, to) == Sign::positive) std::swap(from, to);  // along its image, not in space
+  const MapPoint from = point(crossing.from), to = point(crossing.to);
   MapStretch stretch{line, from, to, map_.point(from, crossing.s), map_.point(to, crossing.s)};
+  if (is_hidden(stretch)) return;
+  if (map_.order(line, from, to) == Sign::positive) {  // along its image, not in space
+    std::swap(stretch.from, stretch.to);
+    std::swap(stretch.a, stretch.b);
+  }
   if (!occluders_.faces.empty())
     stretch.first = {&occluders_.faces[place_[crossing.s.value]], &occluders_.faces[place_[crossing.t.value]]};
   add(stretch, {}, {});
+}
+
+/// Whether all of a stretch, from a to b, is certainly hidden.
+bool SideFinder::is_hidden(const MapStretch& stretch) const {
+  if (tiles_ == nullptr) return false;
+  const NearPoint &a = stretch.a, &b = stretch.b;
+  const NearImage p = sight_.image(a.p, 3 * a.error), q = sight_.image(b.p, 3 * b.error);
+  return tiles_->hides(p.at, sight_.box(a.p, 3 * a.error).nearest, q.at, sight_.box(b.p, 3 * b.error).nearest,
+                       std::max(p.error, q.error));
 }
 
 /// The part of a triangle in the near plane, where it has been cut; or its side there, which may be a diagonal of its face.
@@ -185,25 +201,42 @@ void SideFinder::add(const MapStretch& stretch, TriangleId left, TriangleId righ
       whole_right{stretch.from, stretch.to, right, stretch.to_t, stretch.to_error};
   const std::span<const SeenPart> l = left.is_valid() ? std::span(&whole_left, 1) : left_.find(stretch, Sign::positive);
   const std::span<const SeenPart> r = right.is_valid() ? std::span(&whole_right, 1) : right_.find(stretch, Sign::negative);
-  add_different(stretch.line, l, r);
+  add_different(stretch, l, r);
+}
+
+/// Where a point of the stretch is seen.
+MapPlace SideFinder::place(const MapStretch& stretch, const MapPoint& p, double t, double error) const {
+  constexpr MapPlace unknown = {0, 0, HUGE_VAL, HUGE_VAL};
+  if (!(sight_.image_error() < HUGE_VAL)) return unknown;
+  if (p.is_vertex) {
+    const ImagePoint& at = sight_.image(p.vertex);
+    return {at.x, at.y, sight_.image_error(), sight_.image_error()};
+  }
+  const NearPoint at = stretch.at(t, error);
+  const NearImage image = sight_.image(at.p, 3 * at.error);
+  return image.error < HUGE_VAL ? MapPlace{image.at.x, image.at.y, image.error, image.error} : unknown;
 }
 
 /// Where what is seen to the left and to the right differs, both end.
-void SideFinder::add_different(const MapLine& line, std::span<const SeenPart> left, std::span<const SeenPart> right) {
+void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right) {
   const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh_, t) : t; };
   std::size_t i = 0, j = 0;
   MapPoint from = left.front().from;
+  MapPlace from_place = place(stretch, from, stretch.from_t, stretch.from_error);
   while (i < left.size() && j < right.size()) {
     const double gap = left[i].to_t - right[j].to_t;
     const bool is_certain = std::fabs(gap) > (left[i].to_error + right[j].to_error) * 1.01;
-    const Sign first = is_certain ? sign_of(gap) : map_.order(line, left[i].to, right[j].to);
-    const MapPoint to = first == Sign::positive ? right[j].to : left[i].to;
+    const Sign first = is_certain ? sign_of(gap) : map_.order(stretch.line, left[i].to, right[j].to);
+    const SeenPart& ends = first == Sign::positive ? right[j] : left[i];
+    const MapPoint& to = ends.to;
+    const MapPlace to_place = place(stretch, to, ends.to_t, ends.to_error);
     const TriangleId l = facet(left[i].seen), r = facet(right[j].seen);
     if (l != r) {
-      if (l.is_valid()) sides_.push_back({l, {line, false, from, to}});
-      if (r.is_valid()) sides_.push_back({r, {line, true, to, from}});
+      if (l.is_valid()) sides_.push_back({l, {{stretch.line, false, from, to}, from_place, to_place}});
+      if (r.is_valid()) sides_.push_back({r, {{stretch.line, true, to, from}, to_place, from_place}});
     }
     from = to;
+    from_place = to_place;
     if (first != Sign::positive) ++i;
     if (first != Sign::negative) ++j;
   }
@@ -217,7 +250,8 @@ class FragmentFinder {
   VisibleFragments fragments();
 
  private:
-  void leave_out_hidden(const std::vector<ImageBox>& boxes, std::vector<std::uint8_t>& left_out) const;
+  void leave_out_hidden(std::vector<std::uint8_t>& left_out);
+  bool has_many_borders(const std::vector<std::uint8_t>& left_out) const;
   void find_lines();
   void find_sides();
   template <class F>
@@ -226,23 +260,44 @@ class FragmentFinder {
   const FragmentOptions& options_;
   Sight sight_;
   const Mesh& mesh_;
+  std::optional<HiddenTiles> tiles_;  // none: nothing is known to be hidden
   std::optional<Occluders> occluders_;
   Intersections intersections_;
   VisibleLines lines_;
   std::vector<std::uint32_t> place_;           // of each triangle along the tree of the occluders
   std::vector<std::vector<FacetSide>> found_;  // of each block of lines
-  std::vector<MapSide> sides_;                 // by facet
+  std::vector<PlacedSide> sides_;              // by facet
   std::vector<std::size_t> first_side_;        // by TriangleId, one more
   DecisionCounts decisions_;
 };
 
 /// What is certainly hidden hides nothing that what hides it does not.
-void FragmentFinder::leave_out_hidden(const std::vector<ImageBox>& boxes, std::vector<std::uint8_t>& left_out) const {
+void FragmentFinder::leave_out_hidden(std::vector<std::uint8_t>& left_out) {
   if (options_.stages == When::never || options_.arithmetic != Arithmetic::staged) return;
   const Bodies bodies(sight_);
   if (bodies.count() > 0) for_each(left_out.size(), [&](std::size_t i) { left_out[i] |= bodies.far_sides()[i]; });
-  const HiddenTiles tiles(sight_, boxes, options_.stages == When::always);
-  if (!tiles.is_empty()) tiles.mark_hidden(boxes, left_out);
+  tiles_.emplace(sight_, options_.stages == When::always);
+  if (tiles_->is_empty())
+    tiles_.reset();
+  else
+    tiles_->mark_hidden(left_out);
+}
+
+/// Whether more edges than there are faces occlude for certain, as they are borders: Layers would find no fewer.
+bool FragmentFinder::has_many_borders(const std::vector<std::uint8_t>& left_out) const {
+  const auto is_counted = [&](TriangleId t) {
+    const FaceId f = mesh_.face_of[t];
+    if (left_out[t.value] != 0) return false;
+    for (std::uint32_t k = mesh_.first_triangle[f]; k < mesh_.first_triangle[FaceId(f.value + 1U)]; ++k)
+      if (sight_.reaches_before_near(TriangleId(k))) return false;
+    return true;
+  };
+  std::size_t borders = 0;
+  for (std::size_t e = 0; e < mesh_.edges.size() && borders <= occluders_->triangles.size(); ++e) {
+    const auto triangles = mesh_.triangles_at(EdgeId(e));
+    if (triangles.size() == 1 && is_counted(triangles[0])) ++borders;
+  }
+  return borders > occluders_->triangles.size();
 }
 
 /// A face that is seen edge-on has no area in the image: it is left out, and its edges with it.
@@ -253,24 +308,34 @@ void FragmentFinder::find_lines() {
     boxes[i] = sight_.box(TriangleId(i));
     left_out[i] = sight_.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
   });
-  leave_out_hidden(boxes, left_out);
+  leave_out_hidden(left_out);
   occluders_.emplace(sight_, boxes, left_out);
   intersections_ = find_intersections(sight_, *occluders_);
   auto edges = collected<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e) {
       const auto triangles = mesh_.triangles_at(EdgeId(e));
-      if (std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return left_out[t.value] == 0; }))
+      if (std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return left_out[t.value] == 0; }) &&
+          !(tiles_ && tiles_->hides(mesh_.edges[EdgeId(e)])))
         part.emplace_back(e);
     }
   });
-  const RequestedEdges requested(sight_, std::move(edges));
+  RequestedEdges requested(sight_, std::move(edges));
   LineOptions line_options;
   line_options.arithmetic = options_.arithmetic;
-  const Layers layers(sight_, left_out);
-  const bool appel_pays = options_.arithmetic == Arithmetic::staged && layers.edges().size() <= occluders_->triangles.size();
+  std::optional<Layers> layers;
+  if (options_.arithmetic == Arithmetic::staged && !has_many_borders(left_out)) layers.emplace(sight_, left_out);
+  const bool appel_pays = layers && layers->edges().size() <= occluders_->triangles.size();
   // Of a mesh few lines are looked along, as most edges have a face on each side: records would not pay.
-  if (!appel_pays) occluders_->prepare(sight_);
-  lines_ = appel_pays ? appel(sight_, requested, layers, *occluders_, line_options)
+  if (!appel_pays) {
+    occluders_->prepare(sight_);
+    // What lies behind the tiles along an edge hides nothing of it that what covers them does not.
+    if (tiles_)
+      for_each(requested.edges.size(), [&](std::size_t i) {
+        requested.boxes[i].farthest =
+            std::max(requested.boxes[i].farthest, tiles_->hidden_from(mesh_.edges[requested.edges[i]]));
+      });
+  }
+  lines_ = appel_pays ? appel(sight_, requested, *layers, *occluders_, line_options)
                       : roberts(sight_, requested, *occluders_, line_options);
 }
 
@@ -292,7 +357,7 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
   std::vector<DecisionCounts> counts(parts.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      SideFinder finder(sight_, *occluders_, intersections_, place_);
+      SideFinder finder(sight_, *occluders_, intersections_, place_, tiles_ ? &*tiles_ : nullptr);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t i = part * block; i < end; ++i) visit(finder, order[i]);
       parts[part] = finder.take();
@@ -339,14 +404,17 @@ VisibleFragments FragmentFinder::fragments() {
   find_sides();
   struct Worker {
     MapSight at;
+    RingLinker linker;
+    explicit Worker(const Sight& sight) : at(sight), linker(at) {}
     MapSight& map() { return at; }
   };
   VisibleFragments all = fragments_in_blocks(
-      mesh_, options_, [&] { return Worker{MapSight(sight_)}; },
+      mesh_, options_, [&] { return Worker(sight_); },
       [&](Worker& worker, TriangleId facet, FragmentParts& parts) {
         const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
         if (begin == end) return;
-        parts.add(facet, link_rings(worker.at, std::span(sides_).subspan(begin, end - begin)));
+        // Images turn as O says, which is not as they are seen.
+        parts.add(facet, worker.linker.link(std::span(sides_).subspan(begin, end - begin), true));
       });
   all.decisions += decisions_;
   all.decisions += lines_.decisions;

@@ -36,12 +36,10 @@ scenes::TestScene wall_and_squares(bool as_triangles, const View& view) {
 std::vector<bool> hidden_faces(const scenes::TestScene& scene) {
   const Mesh mesh = scene.mesh();
   const Sight sight(mesh, scene.view, Arithmetic::staged);
-  std::vector<ImageBox> boxes;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) boxes.push_back(sight.box(TriangleId(t)));
-  const HiddenTiles tiles(sight, boxes, true);
+  const HiddenTiles tiles(sight, true);
   std::vector<bool> hidden(mesh.faces.size(), true);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (!tiles.hides(mesh.triangles[TriangleId(t)], boxes[t].nearest)) hidden[mesh.face_of[TriangleId(t)].value] = false;
+    if (!tiles.hides(TriangleId(t))) hidden[mesh.face_of[TriangleId(t)].value] = false;
   return hidden;
 }
 
