@@ -10,8 +10,12 @@ namespace {
 
 using Big = BigArithmetic::Number;
 
+struct ValueAndFall {
+  Big at_p, fall;
+};
+
 /// x at p, and what it falls by from p to q.
-std::array<Big, 2> value_and_fall(const Plane& x, const Point3& p, const Point3& q) {
+ValueAndFall value_and_fall(const Plane& x, const Point3& p, const Point3& q) {
   const BigArithmetic a;
   const Big at_p = polynomials::value(a, x, p), fall = at_p - polynomials::value(a, x, q);
   require(fall != 0, "parameter_of_cut: the plane is parallel to the edge");
@@ -21,8 +25,8 @@ std::array<Big, 2> value_and_fall(const Plane& x, const Point3& p, const Point3&
 }  // namespace
 
 Rational parameter_of_cut(const Plane& x, const Point3& p, const Point3& q) {
-  const auto [at_p, fall] = value_and_fall(x, p, q);
-  return quotient(at_p, fall);
+  const ValueAndFall cut = value_and_fall(x, p, q);
+  return quotient(cut.at_p, cut.fall);
 }
 
 ConstructedPoint ConstructedPoint::on_edge(const Point3& p, const Point3& q, const Plane& x) {
@@ -43,8 +47,8 @@ ConstructedPoint ConstructedPoint::meet(const Plane& a, const Plane& b, const Pl
 std::array<Rational, 3> ConstructedPoint::exact() const {
   const BigArithmetic a;
   if (is_on_edge_) {
-    const auto [at_p, fall] = value_and_fall(planes_[0], p_, q_);
-    const auto along = [&](int k) { return quotient(fall * Big(p_[k]) + at_p * a.difference(q_, p_, k), fall); };
+    const ValueAndFall cut = value_and_fall(planes_[0], p_, q_);
+    const auto along = [&](int k) { return quotient(cut.fall * Big(p_[k]) + cut.at_p * a.difference(q_, p_, k), cut.fall); };
     return {along(0), along(1), along(2)};
   }
   const auto d = polynomials::meet_point(a, planes_[0], planes_[1], planes_[2]);

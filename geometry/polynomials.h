@@ -71,8 +71,8 @@ template <class A>
 auto gradient(const A& a, const Plane& x) {
   using V = Vector<typename A::Number>;
   if (x.kind == Plane::Kind::span) return normal(a, x);
+  if (x.kind == Plane::Kind::near) return difference(a, x.target, x.eye);
   const V axis = difference(a, x.target, x.eye);
-  if (x.kind == Plane::Kind::near) return axis;
   const V n = normal(a, x);
   const auto at_eye = span_value(a, x, x.eye), offset = near_offset(a, x);
   return V{at_eye * axis.x + offset * n.x, at_eye * axis.y + offset * n.y, at_eye * axis.z + offset * n.z};

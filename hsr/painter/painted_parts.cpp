@@ -123,6 +123,7 @@ void PaintedParts::add(PaintedSides& sides, std::uint32_t polygon) {
     is_one = is_planar(sides, ring, *plane) && is_convex(sides, ring, sides.turn((*plane)[0], (*plane)[1], (*plane)[2]));
   } else if (!is_one) {
     std::vector<RationalVector> exact;
+    exact.reserve(ring.size());
     for (const std::uint32_t c : ring) exact.push_back(points_.exact(c));
     is_one = is_planar_and_convex(exact);
   }
@@ -150,6 +151,7 @@ void PaintedParts::add_triangles(PaintedSides& sides, std::uint32_t polygon) {
   const Mesh mesh = make_mesh(points, polygons);
   for (const auto& t : mesh.triangles) {
     std::vector<std::uint32_t> ring;
+    ring.reserve(t.size());
     for (const VertexId v : t) ring.push_back(points_.number_of(rational(mesh.points[v])));
     const Before before = before_near(sides, rows_, ring);
     if (before == Before::some) add_cut(sides, polygon, ring);
