@@ -119,7 +119,7 @@ PaperImage::PaperImage(const View& view) : is_parallel_(view.viewpoint.is_direct
   base_ = is_parallel_ ? o : e;
   rows_ = {cross(v, n), cross(n, u)};
   for (std::size_t k = 0; k < 2; ++k) {
-    const Rational along = dot(rows_[k], e) / slope;
+    const Rational along = is_parallel_ ? dot(rows_[k], e) / slope : Rational();
     for (std::size_t i = 0; i < 3; ++i) rows_[k][i] = (is_parallel_ ? rows_[k][i] - along * n[i] : rows_[k][i]) / nn;
     if (!is_parallel_) at_base_[k] = dot(rows_[k], minus(e, o));
   }

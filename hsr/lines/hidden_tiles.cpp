@@ -33,10 +33,13 @@ std::optional<Edge> common_side(const std::array<VertexId, 3>& t, const std::arr
 
 bool is_convertible(double x) { return std::fabs(x) < 0x1p30; }
 
-/// A float that is not above x, one that is not below; unknown: one that says nothing.
+constexpr float largest = std::numeric_limits<float>::max();
+
+/// A float that is not above x, one that is not below; where x is not finite, one that says nothing.
 float below(double x) {
-  const auto f = static_cast<float>(x - std::fabs(x) * 0x1p-22 - 0x1p-120);
-  return f == f ? f : nowhere;
+  const double lower = x - std::fabs(x) * 0x1p-22 - 0x1p-120;
+  if (!(lower >= -largest)) return nowhere;
+  return lower > largest ? largest : static_cast<float>(lower);
 }
 float above(double x) { return -below(-x); }
 
@@ -103,10 +106,12 @@ class HiddenTiles::Region {
       // dx (y - py) - dy (x - px) >= margin, at the corner of a tile where it is least.
       const double along = l.slope * ((l.rises == l.bounds_right ? low : high) - l.py);
       const double slack = l.roundings * (std::fabs(l.px) + std::fabs(along) + std::fabs(l.shift));
+      // Where the slope overflows and this is no number, nothing is certainly inside.
+      const double x = l.px + along - l.shift + (l.bounds_right ? -slack : slack);
       if (l.bounds_right)
-        to = std::min(to, l.px + along - l.shift - slack);
+        to = x < to ? x : x >= to ? to : -HUGE_VAL;
       else
-        from = std::max(from, l.px + along - l.shift + slack);
+        from = x > from ? x : x <= from ? from : HUGE_VAL;
     }
   }
 
@@ -363,19 +368,21 @@ void HiddenTiles::cover(const Region& region, const Rectangle& around, const Til
     region.narrow(low, high, from, to);
     if (!(to - from >= axes_[0].width / 2)) continue;
     const std::int32_t begin = axes_[0].first_border_from(from), count = axes_[0].last_border_up_to(to) - begin;
+    if (count <= 0) continue;
     // Each plane at the corner of the tile where it is farthest; in floats, whose roundings are subtracted first.
     std::array<float, n> base, step, farthest;
     for (std::size_t k = 0; k < n; ++k) {
       const PlaneNearness& p = planes[k];
       const double x = axes_[0].border(p.dx > 0 ? begin : begin + 1), y = p.dy > 0 ? low : high;
       const double value = p.value + p.dx * (x - p.p.x) + p.dy * (y - p.p.y) - p.error, each = p.dx * axes_[0].width;
-      base[k] = below(value - 0x1p-20 * (std::fabs(value) + std::fabs(each) * count));
-      step[k] = static_cast<float>(each);
+      const bool is_steady = std::fabs(each) * count < largest;  // or only its farthest corner tells
+      base[k] = is_steady ? below(value - 0x1p-20 * (std::fabs(value) + std::fabs(each) * count)) : nowhere;
+      step[k] = is_steady ? static_cast<float>(each) : 0;
       farthest[k] = below(p.farthest);
     }
     float* row = level.nearness.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(level.columns) + begin;
     for (std::int32_t i = 0; i < count; ++i) {
-      float least = -nowhere;
+      float least = largest;
       for (std::size_t k = 0; k < n; ++k) {
         const float value = base[k] + static_cast<float>(i) * step[k], bound = value > farthest[k] ? value : farthest[k];
         least = bound < least ? bound : least;
@@ -516,6 +523,7 @@ bool HiddenTiles::hides(TriangleId t) const {
 template <class B, class F>
 bool HiddenTiles::walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const B& bound,
                              const F& visit) const {
+  if (!(error < HUGE_VAL)) return false;
   const Rectangle around = grown({{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}}, error);
   std::array<Tiles, 2> range;
   if (!is_inside(around, range)) return false;
@@ -560,8 +568,9 @@ bool HiddenTiles::hides(const ImagePoint& p, float nearness_of_p, const ImagePoi
   return walk_along(
       0, p, q, error,
       [&](double low, double high) {
-        const double most = std::max(a + low * (b - a), a + high * (b - a));
-        return above((most < nearest ? most : nearest) + slack);
+        // Not where the shares are no numbers: then the nearer end bounds all.
+        const double at_low = a + low * (b - a), at_high = a + high * (b - a), most = std::max(at_low, at_high);
+        return above((std::isfinite(at_low) && std::isfinite(at_high) && most < nearest ? most : nearest) + slack);
       },
       [](float tile, float most) { return tile > most; });
 }

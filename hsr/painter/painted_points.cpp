@@ -166,6 +166,7 @@ Sign PaintedSides::certain_turn(std::uint32_t a, std::uint32_t b, std::uint32_t 
   const double e = from.error + to.error, f = from.error + at.error;
   const double det = dx * ry - dy * rx;
   const double bound = ((e + 4.2 * ErrorBounded::u * d) * r + f * d + 2 * e * f) * 1.01 + 0x1p-1000;
+  if (!(std::fabs(det) < HUGE_VAL)) return Sign::zero;  // a product overflowed
   return det > bound ? Sign::positive : det < -bound ? Sign::negative : Sign::zero;
 }
 

@@ -169,9 +169,8 @@ bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, P
     ++map_.exact().counts().filter;
     return -sign_of(x.value) * h.inner;
   };
-  const Sign a = sign(from);
-  if (a == Sign::negative && sign(to) != Sign::positive) return false;
-  const Sign b = sign(to);
+  const Sign a = sign(from), b = sign(to);
+  if (a == Sign::negative && b != Sign::positive) return false;
   if (a == Sign::zero && b == Sign::zero)
     // One line under two names: which way it runs, any point beside it tells.
     return map_.same_way(stretch_->line, h.line) * h.inner == side_;
