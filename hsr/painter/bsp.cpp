@@ -80,10 +80,14 @@ class EyeSide {
   Predicates exact_;
 };
 
-/// Visits the pieces of nodes from far to near, those of one node as a range.
+/// Visits the pieces of nodes from far to near, those of one node as a range. The sides of all planes are asked first, in the
+/// order of memory: on the way through the tree each would be waited for.
 template <class Nodes, class Visit>
 void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
   if (nodes.empty()) return;
+  std::vector<std::uint8_t> eye_is_before(nodes.size(), 0);
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    if (!nodes[k].is_leaf()) eye_is_before[k] = side_of(nodes[k].plane, nodes[k].filter) == Sign::positive ? 1 : 0;
   // What comes later: the pieces of a node on the way down, then what is before its plane.
   struct Step {
     std::uint32_t first_piece, end_piece, near;
@@ -96,7 +100,7 @@ void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
       visit(node.first_piece, node.end_piece);
       at = 0;
     } else {
-      const bool is_before = side_of(node.plane, node.filter) == Sign::positive;
+      const bool is_before = eye_is_before[at] != 0;
       waiting.push_back({node.first_piece, node.end_piece, is_before ? node.before : node.behind});
       at = is_before ? node.behind : node.before;
     }
