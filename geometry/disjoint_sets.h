@@ -11,7 +11,12 @@ namespace hsr {
 /// Disjoint sets of the numbers 0 ... n - 1, joined two at a time; the least member stands for each (Tarjan 1975).
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  explicit DisjointSets(std::size_t n = 0) { reset(n); }
+  /// Each of 0 ... n - 1 alone again.
+  void reset(std::size_t n) {
+    parent_.resize(n);
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
   std::uint32_t find(std::uint32_t k) {
     while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
     return k;

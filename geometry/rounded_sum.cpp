@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/enclosure.h"
+
 namespace hsr {
 
 namespace {
@@ -11,14 +13,6 @@ namespace {
 long exponent_above(const Rational& x) {
   return static_cast<long>(mpz_sizeinbase(mpq_numref(x.get()), 2)) - static_cast<long>(mpz_sizeinbase(mpq_denref(x.get()), 2)) +
          1;
-}
-
-/// x 2^k, k of any sign.
-void scale(Rational& x, long k) {
-  if (k >= 0)
-    mpq_mul_2exp(x.get(), x.get(), static_cast<mp_bitcnt_t>(k));
-  else
-    mpq_div_2exp(x.get(), x.get(), static_cast<mp_bitcnt_t>(-k));
 }
 
 }  // namespace
@@ -32,18 +26,16 @@ double rounded_sum(const std::vector<const Rational*>& terms) {
     if (exponent == std::numeric_limits<long>::min()) return 0;
     // Down to whole multiples of the largest term's 2^-192: each term lies less than one above what is added.
     const long place = exponent - 192;
-    Rational low, scaled;
+    const Rational unit = power_of_two(place), per_unit = power_of_two(-place);
+    Rational low;
     for (const Rational* x : terms) {
-      scaled = *x;
-      scale(scaled, -place);
+      Rational scaled = *x * per_unit;
       mpz_fdiv_q(mpq_numref(scaled.get()), mpq_numref(scaled.get()), mpq_denref(scaled.get()));
       mpz_add(mpq_numref(low.get()), mpq_numref(low.get()), mpq_numref(scaled.get()));
     }
-    Rational high = low + Rational(static_cast<double>(terms.size()));
-    scale(low, place);
-    scale(high, place);
-    const double rounded = low.to_double();
-    if (rounded == high.to_double()) return rounded;
+    const Rational high = low + Rational(static_cast<double>(terms.size()));
+    const double rounded = (low * unit).to_double();
+    if (rounded == (high * unit).to_double()) return rounded;
   }
   Rational sum;
   for (const Rational* x : terms) sum = sum + *x;

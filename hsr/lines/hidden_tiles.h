@@ -11,6 +11,8 @@
 
 namespace hsr {
 
+struct PlaneNearness;
+
 /// A grid of tiles over the image, each with a depth beyond which everything is hidden: a conservative test that drops what is
 /// provably hidden, before anything exact is asked.
 ///
@@ -75,7 +77,6 @@ class HiddenTiles {
     std::int32_t first, last;
   };
   class Region;
-  struct PlaneNearness;
 
   double affine(float nearness) const;
   Rectangle rectangle(std::span<const VertexId> vertices) const;

@@ -153,13 +153,13 @@ PaintedSides::PaintedSides(const PaintedPoints& points, const ImageRows& rows, c
 Sign PaintedSides::turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) {
   if (p == a || p == b) return Sign::zero;
   if (points_.are_placed())
-    if (const Sign s = certain_turn(a, b, p); s != Sign::zero) return s;
-  return exact_turn(a, b, p);
+    if (const Sign s = certain_turn_in_image(a, b, p); s != Sign::zero) return s;
+  return turn_in_space(a, b, p);
 }
 
 /// Zero: doubles cannot tell. With d = b - a and r = p - a as computed, their entries off by E = e_a + e_b and F = e_a + e_p
 /// and one rounding u of their own, |det - exact| <= E |r|_1 + F |d|_1 + 2 E F + 4.1 u |d|_1 |r|_1 + what underflows.
-Sign PaintedSides::certain_turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) const {
+Sign PaintedSides::certain_turn_in_image(std::uint32_t a, std::uint32_t b, std::uint32_t p) const {
   const NearPlace &from = points_.place_of(a), &to = points_.place_of(b), &at = points_.place_of(p);
   const double dx = to.x - from.x, dy = to.y - from.y, rx = at.x - from.x, ry = at.y - from.y;
   const double d = std::fabs(dx) + std::fabs(dy), r = std::fabs(rx) + std::fabs(ry);
@@ -170,7 +170,7 @@ Sign PaintedSides::certain_turn(std::uint32_t a, std::uint32_t b, std::uint32_t 
   return det > bound ? Sign::positive : det < -bound ? Sign::negative : Sign::zero;
 }
 
-Sign PaintedSides::exact_turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) {
+Sign PaintedSides::turn_in_space(std::uint32_t a, std::uint32_t b, std::uint32_t p) {
   if (points_.is_double(a) && points_.is_double(b) && points_.is_double(p))
     return predicates_.side(Plane::of_sight(view_.viewpoint, points_.point(a), points_.point(b)), points_.point(p));
   const Point3& e = view_.viewpoint.at;

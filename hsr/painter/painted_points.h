@@ -84,8 +84,8 @@ class PaintedSides {
   Sign near(std::uint32_t p);
 
  private:
-  Sign certain_turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) const;
-  Sign exact_turn(std::uint32_t a, std::uint32_t b, std::uint32_t p);
+  Sign certain_turn_in_image(std::uint32_t a, std::uint32_t b, std::uint32_t p) const;
+  Sign turn_in_space(std::uint32_t a, std::uint32_t b, std::uint32_t p);
 
   const PaintedPoints& points_;
   const ImageRows& rows_;

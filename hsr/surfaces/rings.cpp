@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
 
 namespace hsr {
@@ -80,7 +81,9 @@ class RingLinker::Linker {
   bool mirrored_ = false;
   std::vector<const MapPoint*> end_points_;  // of both ends of each side
   std::vector<MapPlace> end_places_;
-  std::vector<std::uint32_t> order_, number_;
+  DisjointSets same_;  // of these ends, those at one point
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> lowest_, number_;  // by the end that stands for a point: the end of the lowest symbol; the point
   std::vector<MapPoint> points_;
   std::vector<MapPlace> places_;
   std::vector<std::uint32_t> by_x_;                                                 // points, by the lower bound of x
@@ -145,42 +148,34 @@ void RingLinker::Linker::find_points(std::span<const PlacedSide> sides) {
     });
   };
   sort_by_x(order_, end_places_);
-  // The lowest symbol stands for the point.
-  number_.resize(n);
-  std::iota(number_.begin(), number_.end(), 0U);
-  const auto root = [&](std::uint32_t i) {
-    while (number_[i] != i) i = number_[i] = number_[number_[i]];
-    return i;
-  };
+  same_.reset(n);
   for (std::size_t i = 0; i < n; ++i) {
     const MapPlace& p = end_places_[order_[i]];
     for (std::size_t j = i + 1; j < n; ++j) {
       const MapPlace& q = end_places_[order_[j]];
       if (q.x - q.error_x > p.x + p.error_x) break;
-      if (!may_be_one(p, q)) continue;
-      const std::uint32_t a = root(order_[i]), b = root(order_[j]);
-      if (a == b || !map_.equal(*end_points_[order_[i]], *end_points_[order_[j]])) continue;
-      if (*end_points_[b] < *end_points_[a])
-        number_[a] = b;
-      else
-        number_[b] = a;
+      if (may_be_one(p, q) && same_.find(order_[i]) != same_.find(order_[j]) &&
+          map_.equal(*end_points_[order_[i]], *end_points_[order_[j]]))
+        same_.join(order_[i], order_[j]);
     }
   }
+  // The lowest symbol stands for the point, and points are numbered by it.
+  lowest_.assign(n, none);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    std::uint32_t& lowest = lowest_[same_.find(i)];
+    if (lowest == none || *end_points_[i] < *end_points_[lowest]) lowest = i;
+  }
   order_.clear();
-  for (std::uint32_t i = 0; i < n; ++i)
-    if (number_[i] == i) order_.push_back(i);
+  for (const std::uint32_t i : lowest_)
+    if (i != none) order_.push_back(i);
   std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) { return *end_points_[i] < *end_points_[j]; });
-  // From here on by point: each root is named by the complement of its point.
-  for (std::uint32_t i = 0; i < n; ++i) number_[i] = root(i);
+  number_.resize(n);
   for (const std::uint32_t i : order_) {
-    number_[i] = ~static_cast<std::uint32_t>(points_.size());
+    number_[same_.find(i)] = static_cast<std::uint32_t>(points_.size());
     points_.push_back(*end_points_[i]);
     places_.push_back(end_places_[i]);
   }
-  const auto number_of = [&](std::size_t end) {
-    const std::uint32_t i = number_[end];
-    return ~(i < n ? number_[i] : i);
-  };
+  const auto number_of = [&](std::size_t end) { return number_[same_.find(static_cast<std::uint32_t>(end))]; };
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const Piece piece{sides[k].side.line, sides[k].side.reversed, number_of(2 * k), number_of(2 * k + 1)};
     if (piece.from != piece.to) ends_.push_back(piece);
@@ -191,12 +186,11 @@ void RingLinker::Linker::find_points(std::span<const PlacedSide> sides) {
 
 /// Cuts each side at the points inside it.
 void RingLinker::Linker::cut_sides() {
-  std::vector<std::uint32_t>& inside = inside_;
   for (const Piece& side : ends_) {
     const MapPlace &p = places_[side.from], &q = places_[side.to];
     const double low = std::min(p.x - p.error_x, q.x - q.error_x), high = std::max(p.x + p.error_x, q.x + q.error_x);
     const double low_y = std::min(p.y - p.error_y, q.y - q.error_y), high_y = std::max(p.y + p.error_y, q.y + q.error_y);
-    inside.clear();
+    inside_.clear();
     const auto begin = std::isfinite(low) && std::isfinite(widest_)
                            ? std::lower_bound(by_x_.begin(), by_x_.end(), low - widest_,
                                               [&](std::uint32_t i, double x) { return places_[i].x - places_[i].error_x < x; })
@@ -210,14 +204,14 @@ void RingLinker::Linker::cut_sides() {
       if (map_.side(side.line, points_[*i]) != Sign::zero) continue;
       const Sign after_from = map_.order(side.line, points_[side.from], points_[*i]);
       const Sign before_to = map_.order(side.line, points_[*i], points_[side.to]);
-      if (after_from == before_to && after_from != Sign::zero) inside.push_back(*i);
+      if (after_from == before_to && after_from != Sign::zero) inside_.push_back(*i);
     }
-    std::sort(inside.begin(), inside.end(), [&](std::uint32_t i, std::uint32_t j) {
+    std::sort(inside_.begin(), inside_.end(), [&](std::uint32_t i, std::uint32_t j) {
       const Sign s = map_.order(side.line, points_[i], points_[j]);
       return s == (side.reversed ? Sign::positive : Sign::negative);
     });
     std::uint32_t from = side.from;
-    for (const std::uint32_t i : inside) {
+    for (const std::uint32_t i : inside_) {
       pieces_.push_back({side.line, side.reversed, from, i});
       from = i;
     }

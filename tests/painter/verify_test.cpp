@@ -182,6 +182,22 @@ TEST_CASE("corners that no double tells apart", "[painter][verify]") {
   }
 }
 
+TEST_CASE("a product that overflows decides nothing", "[painter][verify]") {
+  // The side from the first to the second corner of one triangle, and the first corner p of the other: one product of their
+  // determinant, of doubles nearest to them, is 2^1024, the other the largest double; the exact ones differ the other way.
+  const auto at = [](int power, double less) {  // 2^power (1 - less 2^-53)
+    return Rational(std::ldexp(1.0, power)) - Rational(less) * Rational(std::ldexp(1.0, power - 53));
+  };
+  const auto overlapping = [&](double less) {
+    const PaintedPolygon right = {{}, {{0.0, 0.0, 0.0}, {at(513, 0.51), at(513, 0.45), 0.0}, {at(513, 0), 0.0, 0.0}}};
+    const PaintedPolygon left = {{},
+                                 {{at(511, less), at(511, 0), 1.0}, {0.0, std::ldexp(1.2, 511), 1.0}, {0.0, at(513, 0), 1.0}}};
+    return verify({right, left}, from_above).overlapping;
+  };
+  CHECK(overlapping(0.45) == 0);  // p to the left of the side: beside it
+  CHECK(overlapping(0) == 1);     // to its right: on it
+}
+
 TEST_CASE("the pairs of an order and of its reverse are the same", "[painter][verify]") {
   std::vector<PaintedPolygon> all;
   for (int i = 0; i < 12; ++i)
