@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace hsr {
 
@@ -104,8 +105,9 @@ std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const auto c = centre(boxes[i]);
       std::uint64_t key = 0;
+      // Depth counts for less: most queries reach through all of it, up to what is seen.
       for (std::size_t k = 0; k < 3; ++k)
-        key |= interleaved(static_cast<std::uint64_t>(spreads[k].place(c[k]) * 0x1fffff)) << k;
+        key |= interleaved(static_cast<std::uint64_t>(spreads[k].place(c[k]) * 0x1fffff) >> (k == 2 ? 3U : 0U)) << k;
       places[i] = {key, static_cast<std::uint32_t>(i)};
     }
   });
@@ -134,15 +136,34 @@ BoxTree::BoxTree(std::span<const ImageBox> boxes) : order_(z_order(boxes)) {
     const std::size_t count = (below + width - 1) / width, begin = nodes_.size();
     level_begin_.push_back(static_cast<std::uint32_t>(begin));
     nodes_.resize(begin + count);
+    if (!leaves) children_.resize(begin + count - level_begin_[1]);
     std::vector<ImageBox> united(count, ImageBox::nothing());
     tbb::parallel_for(Range(0, count, 1024), [&](const Range& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        for (std::size_t k = 0; k < width; ++k) {
-          const std::size_t child = i * width + k;
-          const ImageBox& box = child >= below ? none : leaves ? boxes[order_[child]] : level_boxes[child];
-          set(nodes_[begin + i], k, box);
-          if (child < below) united[i].add(box);
+        const std::size_t first = i * width, filled = std::min(width, below - first);
+        const auto box = [&](std::uint32_t k) -> const ImageBox& {
+          return leaves ? boxes[order_[first + k]] : level_boxes[first + k];
+        };
+        std::array<std::uint32_t, width> by_nearness;
+        std::iota(by_nearness.begin(), by_nearness.end(), 0U);
+        std::sort(by_nearness.begin(), by_nearness.begin() + static_cast<std::ptrdiff_t>(filled),
+                  [&](std::uint32_t j, std::uint32_t k) {
+                    const float a = box(j).nearest, b = box(k).nearest;
+                    return a != b ? a > b : j < k;
+                  });
+        std::uint32_t children = 0;
+        for (std::uint32_t k = 0; k < width; ++k) {
+          children |= by_nearness[k] << 3 * k;
+          set(nodes_[begin + i], k, k < filled ? box(by_nearness[k]) : none);
+          if (k < filled) united[i].add(box(k));
         }
+        if (!leaves) {
+          children_[begin - level_begin_[1] + i] = children;
+          continue;
+        }
+        std::array<std::uint32_t, width> sorted;
+        for (std::size_t k = 0; k < filled; ++k) sorted[k] = order_[first + by_nearness[k]];
+        std::copy_n(sorted.begin(), filled, order_.begin() + static_cast<std::ptrdiff_t>(first));
       }
     });
     level_boxes = std::move(united);

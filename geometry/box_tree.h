@@ -85,7 +85,7 @@ class BoxTree {
 
  private:
   static constexpr std::size_t width = 8;
-  /// Eight sibling boxes, a coordinate at a time.
+  /// Eight sibling boxes, the nearest first, a coordinate at a time.
   struct alignas(32) Node {
     std::array<std::array<float, width>, 2> low, high;
     std::array<float, width> farthest, nearest;
@@ -117,7 +117,13 @@ class BoxTree {
     return {{n.low[0][k], n.low[1][k]}, {n.high[0][k], n.high[1][k]}, n.farthest[k], n.nearest[k]};
   }
 
+  /// The place on its own level of box k of an inner node.
+  std::uint32_t child(std::uint32_t node, std::uint32_t place, std::uint32_t k) const {
+    return place * static_cast<std::uint32_t>(width) + (children_[node - level_begin_[1]] >> 3 * k & 7U);
+  }
+
   std::vector<Node> nodes_;                 // level upon level, the leaves' level first
+  std::vector<std::uint32_t> children_;     // of each inner node, three bits a box: which of its eight it is along the Z-order
   std::vector<std::uint32_t> level_begin_;  // of each level in nodes_
   std::vector<std::uint32_t> order_;        // box at each place of the lowest level
 };
@@ -160,22 +166,18 @@ void BoxTree::visit_boxes(const ImageBox& query, F& f) const {
   stack[top++] = {static_cast<std::uint32_t>(level_begin_.size() - 1), 0};
   while (top > 0) {
     const auto [level, place] = stack[--top];
-    const Node& node = nodes_[level_begin_[level] + place];
-    unsigned hit = overlaps<depth>(node, query);
-    // In order of nearness, the nearest last: first from the stack, and first to hide all of the query.
-    std::array<std::uint32_t, width> hits;
-    std::size_t count = 0;
-    for (; hit != 0; hit &= hit - 1) {
-      const auto k = static_cast<std::uint32_t>(__builtin_ctz(hit));
-      std::size_t at = count++;
-      for (; at > 0 && node.nearest[hits[at - 1]] > node.nearest[k]; --at) hits[at] = hits[at - 1];
-      hits[at] = k;
-    }
+    const std::uint32_t node = level_begin_[level] + place;
+    unsigned hit = overlaps<depth>(nodes_[node], query);
     if (level > 0) {
-      for (std::size_t i = 0; i < count; ++i) stack[top++] = {level - 1, place * width + hits[i]};
+      // The nearest last: first from the stack, and first to hide all of the query.
+      while (hit != 0) {
+        const auto k = static_cast<std::uint32_t>(31 - __builtin_clz(hit));
+        stack[top++] = {level - 1, child(node, place, k)};
+        hit ^= 1U << k;
+      }
     } else {
-      for (std::size_t i = count; i-- > 0;)
-        if (!f(order_[place * width + hits[i]])) return;
+      for (; hit != 0; hit &= hit - 1)
+        if (!f(order_[place * width + static_cast<std::uint32_t>(__builtin_ctz(hit))])) return;
     }
   }
 }
@@ -191,14 +193,15 @@ bool BoxTree::nodes(const ImageBox& query, std::uint32_t wanted, std::size_t lim
   while (top > 0) {
     const auto [level, place] = stack[--top];
     if ((std::uint64_t{place} + 1) << 3 * level <= first) continue;  // all of its leaves are before
-    unsigned hit = overlaps<depth>(nodes_[level_begin_[level] + place], query);
+    const std::uint32_t node = level_begin_[level] + place;
+    unsigned hit = overlaps<depth>(nodes_[node], query);
     if (level == wanted) {
       if (hit == 0) continue;
       if (found.size() == end) return false;
       found.push_back(place);
     } else
       for (; hit != 0; hit &= hit - 1)
-        stack[top++] = {level - 1, place * width + static_cast<std::uint32_t>(__builtin_ctz(hit))};
+        stack[top++] = {level - 1, child(node, place, static_cast<std::uint32_t>(__builtin_ctz(hit)))};
   }
   return true;
 }
@@ -222,7 +225,7 @@ void BoxTree::visit_pairs(std::uint32_t leaf, PairSearch& search, F&& f) const {
     }
     for (const std::uint32_t p : search.parents)
       for (unsigned hit = overlaps<depth>(nodes_[level_begin_[1] + p], query); hit != 0; hit &= hit - 1) {
-        const auto other = static_cast<std::uint32_t>(p * width + static_cast<unsigned>(__builtin_ctz(hit)));
+        const std::uint32_t other = child(level_begin_[1] + p, p, static_cast<std::uint32_t>(__builtin_ctz(hit)));
         if (other >= leaf) search.leaves.push_back(other);
       }
   };

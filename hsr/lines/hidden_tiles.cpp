@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geometry/error_bounded.h"
 #include "hsr/lines/plane_nearness.h"
@@ -299,8 +300,8 @@ bool HiddenTiles::hides(TriangleId t) const {
   return true;
 }
 
-/// Walks along pq on one level, column by column, or row by row where it is steep: bound(low, high) for the shares of the way
-/// from p to q between which pq is in that column, and then visit(nearness, bound) for its tiles along pq. Stops where that
+/// Walks along pq on one level, column by column, or row by row where it is steep: bound(low, high, error) for the shares of the
+/// way from p to q between which pq is in that column, and then visit(nearness, bound) for its tiles along pq. Stops where that
 /// returns false. False: it did, or pq reaches beyond the grid.
 template <class B, class F>
 bool HiddenTiles::walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const B& bound,
@@ -328,13 +329,32 @@ bool HiddenTiles::walk_along(std::size_t level, const ImagePoint& p, const Image
     const Tiles across = between(other, least > around.low[other] ? least : around.low[other],
                                  most < around.high[other] ? most : around.high[other], range[other]);
     const double low_share = low * per_length, high_share = high * per_length;
-    const auto b = bound(std::min(low_share, high_share) - share_slack, std::max(low_share, high_share) + share_slack);
+    const auto b = bound(std::min(low_share, high_share), std::max(low_share, high_share), share_slack);
     const float* tile = levels_[level].nearness.data() + static_cast<std::size_t>(k) * stride[main];
     for (std::int32_t m = across.first >> level; m <= across.last >> level; ++m)
       if (!visit(tile[static_cast<std::size_t>(m) * stride[other]], b)) return false;
   }
   return true;
 }
+
+/// How near a segment is along the way from its one end to the other: between them that changes evenly.
+class HiddenTiles::AlongSegment {
+ public:
+  /// @param a @param b at most, affine
+  AlongSegment(double a, double b)
+      : a_(a), b_(b), nearest_(std::max(a, b)), slack_(16 * u * (std::fabs(a) + std::fabs(b))) {}
+
+  /// Between two shares of the way, which may be a little beyond its ends.
+  float at_most(double low, double high) const {
+    const double at_low = a_ + low * (b_ - a_), at_high = a_ + high * (b_ - a_), most = std::max(at_low, at_high);
+    // Not where the shares are no numbers: then the nearer end bounds all.
+    return float_above((std::isfinite(at_low) && std::isfinite(at_high) && most < nearest_ ? most : nearest_) + slack_);
+  }
+  double middle() const { return (a_ + b_) / 2; }
+
+ private:
+  double a_, b_, nearest_, slack_;
+};
 
 bool HiddenTiles::hides(const Edge& e) const {
   if (levels_.empty() || sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return false;
@@ -343,18 +363,77 @@ bool HiddenTiles::hides(const Edge& e) const {
 
 bool HiddenTiles::hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q,
                         double error) const {
-  // Between the ends nearness changes evenly.
-  const double a = affine(nearness_of_p), b = affine(nearness_of_q), nearest = std::max(a, b);
-  if (levels_.empty() || is_before({(p.x + q.x) / 2, (p.y + q.y) / 2}, (a + b) / 2)) return false;
-  const double slack = 16 * u * (std::fabs(a) + std::fabs(b));
+  const AlongSegment nearness(affine(nearness_of_p), affine(nearness_of_q));
+  if (levels_.empty() || is_before({(p.x + q.x) / 2, (p.y + q.y) / 2}, nearness.middle())) return false;
   return walk_along(
-      0, p, q, error,
-      [&](double low, double high) {
-        // Not where the shares are no numbers: then the nearer end bounds all.
-        const double at_low = a + low * (b - a), at_high = a + high * (b - a), most = std::max(at_low, at_high);
-        return float_above((std::isfinite(at_low) && std::isfinite(at_high) && most < nearest ? most : nearest) + slack);
-      },
+      0, p, q, error, [&](double low, double high, double slack) { return nearness.at_most(low - slack, high + slack); },
       [](float tile, float most) { return tile > most; });
+}
+
+bool HiddenTiles::unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) const {
+  constexpr std::int32_t fewest = 3;  // columns of tiles that are worth leaving out
+  parts.clear();
+  if (levels_.empty() || sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return false;
+  const AlongSegment nearness(affine(sight_.box(e.a).nearest), affine(sight_.box(e.b).nearest));
+  struct Column {
+    double low, high;
+    float most;              // nearness of the edge, at most
+    float least = -nowhere;  // of what hides
+    bool is_hidden = true;
+  };
+  std::optional<Column> column;
+  float before = -nowhere;               // least of the column before
+  std::int32_t hidden_columns = fewest;  // since the last part
+  float hidden_least = -nowhere;         // of these
+  const auto end_column = [&] {
+    if (!column) return;
+    const float least = column->least;
+    if (column->is_hidden) {
+      if (hidden_columns++ == 0) parts.back().hidden_from = std::min(parts.back().hidden_from, least);
+      hidden_least = std::min(hidden_least, least);
+    } else {
+      if (hidden_columns >= fewest)
+        parts.push_back({column->low, column->high, 0, std::min(before, least)});
+      else
+        parts.back().hidden_from = std::min({parts.back().hidden_from, hidden_least, least});
+      UnhiddenPart& part = parts.back();
+      part.from = std::min(part.from, column->low);
+      part.to = std::max(part.to, column->high);
+      hidden_columns = 0;
+      hidden_least = -nowhere;
+    }
+    before = least;
+  };
+  double widest = 0, error = 0;
+  const bool is_known = walk_along(
+      std::min<std::size_t>(coarse, levels_.size() - 1), sight_.image(e.a), sight_.image(e.b), sight_.image_error(),
+      [&](double low, double high, double slack) -> Column* {
+        end_column();
+        column = {low - slack, high + slack, nearness.at_most(low - slack, high + slack)};
+        widest = std::max(widest, high - low);
+        error = slack;
+        return &*column;
+      },
+      [&](float tile, Column* here) {
+        here->least = std::min(here->least, tile);
+        here->is_hidden &= tile > here->most;
+        return std::isfinite(here->low) && std::isfinite(here->high);
+      });
+  // A margin lies within the next column, whatever was rounded.
+  if (!is_known || !(error < widest / 16)) {
+    parts.clear();
+    return false;
+  }
+  end_column();
+  if (!parts.empty() && parts.front().from > parts.back().from) std::reverse(parts.begin(), parts.end());
+  for (UnhiddenPart& part : parts) {
+    part.margin = widest / 4;
+    if (part.from <= 0) part.from = -HUGE_VAL;
+    if (part.to >= 1) part.to = HUGE_VAL;
+    if (!sight_.is_perspective()) continue;
+    part.hidden_from = part.hidden_from > 0 ? float_below(-1 / static_cast<double>(part.hidden_from)) : nowhere;
+  }
+  return true;
 }
 
 float HiddenTiles::hidden_from(const Edge& e) const {
@@ -369,7 +448,7 @@ float HiddenTiles::hidden_from(const ImagePoint& p, const ImagePoint& q, double 
   // Larger tiles say nearly as much, and there are fewer.
   const bool is_known = walk_along(
       std::min<std::size_t>(coarse, levels_.size() - 1), p, q, error + 0x1p-20 * (axes_[0].width + axes_[1].width),
-      [](double /*low*/, double /*high*/) { return nowhere; },
+      [](double /*low*/, double /*high*/, double /*slack*/) { return nowhere; },
       [&](float tile, float none) {
         least = std::min(least, tile);
         return least > none;

@@ -13,6 +13,13 @@ namespace hsr {
 
 struct PlaneNearness;
 
+/// A part of an edge that may be seen, in shares of the way along its image.
+struct UnhiddenPart {
+  double from, to;     ///< infinite: to an end of the edge
+  double margin;       ///< at least as far beyond them all is hidden
+  float hidden_from;   ///< and what is less near than this is, too, in all of the part and its margin
+};
+
 /// A grid of tiles over the image, each with a depth beyond which everything is hidden: a conservative test that drops what is
 /// provably hidden, before anything exact is asked.
 ///
@@ -43,6 +50,9 @@ class HiddenTiles {
   /// The same of a segment from p to q of the image. @param error of each coordinate @param nearness_of_p at most, as boxes
   /// have it
   bool hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q, double error) const;
+  /// The parts of an edge that may be seen, in the order of the way from e.a to e.b. Between them, before the first and after
+  /// the last all of it is hidden. False: nothing is known, and there are none.
+  bool unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) const;
   /// What is less near than this is hidden all along the edge, and just beside it; -infinity where nothing is known to be.
   float hidden_from(const Edge& e) const;
   /// The same for the segment from p to q of the image. @param error of each coordinate
@@ -77,6 +87,7 @@ class HiddenTiles {
     std::int32_t first, last;
   };
   class Region;
+  class AlongSegment;
 
   double affine(float nearness) const;
   Rectangle rectangle(std::span<const VertexId> vertices) const;

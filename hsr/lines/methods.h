@@ -11,10 +11,12 @@
 namespace hsr {
 
 class Bodies;
+class HiddenTiles;
 class Layers;
 
-VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders,
-                     const LineOptions& options);
+/// @param tiles none: nothing is known to be hidden
+VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders, const LineOptions& options,
+                     const HiddenTiles* tiles = nullptr);
 VisibleLines appel(const Sight& sight, const RequestedEdges& requested, const Layers& layers, const Occluders& occluders,
                    const LineOptions& options);
 /// @pre bodies.is_one_convex_body()

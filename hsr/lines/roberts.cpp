@@ -15,14 +15,14 @@ VisibleLines roberts(const Mesh& mesh, const View& view, const LineOptions& opti
 }
 
 VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders,
-                     const LineOptions& options) {
+                     const LineOptions& options, const HiddenTiles* tiles) {
   // Neighbours in the image meet the same triangles: in this order they are still in the cache.
   const std::vector<std::uint32_t> order = z_order(requested.boxes);
   VisibleLines all = tiled_in_blocks(sight, options, order, [&](Tiling& tiling, std::uint32_t i) {
     if (!requested.hidden.empty() && requested.hidden[i] != 0)
       tiling.add_whole(requested[i], true);
     else
-      tiling.add_by_casting(requested[i], requested.boxes[i], occluders);
+      tiling.add_by_casting(requested[i], requested.boxes[i], occluders, tiles);
   });
   all.decisions += requested.decisions;
   return all;

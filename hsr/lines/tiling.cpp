@@ -4,6 +4,10 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -134,11 +138,15 @@ void Tiling::add(const Tiled& tiled, std::vector<Shadow>& cast) {
   end(line);
 }
 
-void Tiling::add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders) {
-  if (shadows_.start(part.edge, part.from, part.to))
-    cast_all(part, box, occluders);
-  else
+void Tiling::add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders,
+                            const HiddenTiles* tiles) {
+  if (!shadows_.start(part.edge, part.from, part.to)) {
     add_nothing(part);
+    return;
+  }
+  const bool is_whole = part.from.kind == Cut::Kind::start && part.to.kind == Cut::Kind::end;
+  if (tiles == nullptr || options_.why || !is_whole || !cast_unhidden(part, occluders, *tiles))
+    cast_all(part, box, occluders);
 }
 
 void Tiling::add_by_casting(std::uint32_t i, const Intersection& meet, const ImageBox& box, const Occluders& occluders) {
@@ -149,10 +157,19 @@ void Tiling::add_by_casting(std::uint32_t i, const Intersection& meet, const Ima
     add_nothing(line);
 }
 
-void Tiling::cast_all(const Tiled& line, const ImageBox& box, const Occluders& occluders) {
-  cast_.clear();
-  bool all_hidden = false;
-  std::size_t united = 0;  // of cast_, when it was last united
+/// Whether the shadow covers certainly all of the stretch.
+bool Tiling::covers(const Shadow& s, const Stretch& stretch) const {
+  return (s.from.cut == shadows_.first().cut || s.from.t + s.from.error < stretch.from - stretch.error) &&
+         (s.to.cut == shadows_.last().cut || s.to.t - s.to.error > stretch.to + stretch.error);
+}
+
+/// Appends the shadows on a stretch of the line, or some that cover it.
+void Tiling::cast_on(const Stretch& stretch, const ImageBox& box, const Occluders& occluders) {
+  std::size_t united = cast_.size();  // when they were last united
+  const auto one_covers = [&](std::size_t begin) {
+    return std::any_of(cast_.begin() + static_cast<std::ptrdiff_t>(begin), cast_.end(),
+                       [&](const Shadow& s) { return covers(s, stretch); });
+  };
   occluders.tree.visit(box, [&](std::uint32_t i) {
     ++result_.pairs;
     const std::size_t before = cast_.size();
@@ -161,22 +178,117 @@ void Tiling::cast_all(const Tiled& line, const ImageBox& box, const Occluders& o
     else
       shadows_.cast(occluders.face(i), cast_);
     if (options_.why || cast_.size() == before) return true;
-    all_hidden = shadows_.covers_all(cast_.back());
-    // Now and then the shadows so far are united: together they may hide the whole edge. As their number doubles, so that a
-    // long edge behind many separate faces costs no more than sorting them a few times.
-    if (!all_hidden && cast_.size() >= 2 * united + 4) {
-      unite(cast_);
-      united = cast_.size();
-      all_hidden = shadows_.covers_all(cast_.back());
-    }
-    return !all_hidden;
+    if (one_covers(before)) return false;
+    // Now and then the shadows so far are united: together they may hide all of it. As their number doubles, so that a long
+    // edge behind many separate faces costs no more than sorting them a few times.
+    if (cast_.size() < 2 * united + 4) return true;
+    unite(cast_);
+    united = cast_.size();
+    return !one_covers(0);
   });
-  if (all_hidden) {
-    cast_.front() = cast_.back();
-    cast_.resize(1);
-  }
+}
+
+void Tiling::cast_all(const Tiled& line, const ImageBox& box, const Occluders& occluders) {
+  cast_.clear();
+  cast_on({-HUGE_VAL, HUGE_VAL}, box, occluders);
   if (options_.why) sort_by_face();
   add(line, cast_);
+}
+
+/// In perspective a share s of the way along the image is t = s m / (n + s (m - n)) along the edge, m and n the depths of its
+/// ends.
+Tiling::Stretch Tiling::stretch(const Edge& edge, double from_share, double to_share) const {
+  if (!sight_.is_perspective()) return {from_share, to_share};
+  const ErrorBounded m = sight_.depth(sight_.point(edge.a), 0), n = sight_.depth(sight_.point(edge.b), 0);
+  const auto t = [&](double share) {
+    if (std::isinf(share)) return ErrorBounded{share, 0};
+    const ErrorBounded s{share, 0};
+    return quotient(s * m, n + s * (m - n));
+  };
+  const ErrorBounded from = t(from_share), to = t(to_share);
+  return {from.value, to.value, std::max(from.error, to.error)};
+}
+
+/// Around a stretch of an edge.
+ImageBox Tiling::box_of(const Edge& edge, const Stretch& stretch) const {
+  const Point3 &a = sight_.point(edge.a), &b = sight_.point(edge.b), d = {b.x - a.x, b.y - a.y, b.z - a.z};
+  const auto size = [](const Point3& p) { return std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z); };
+  const auto box_at = [&](double t) {
+    if (t <= 0) return sight_.box(edge.a);
+    if (t >= 1) return sight_.box(edge.b);
+    constexpr double u = ErrorBounded::u;
+    return sight_.box({a.x + t * d.x, a.y + t * d.y, a.z + t * d.z},
+                      (size(d) * (stretch.error + 4 * u) + 4 * u * (size(a) + size(b))) * 1.01);
+  };
+  ImageBox box = box_at(stretch.from);
+  box.add(box_at(stretch.to));
+  return box;
+}
+
+/// Looks only along what the tiles do not hide. False: nothing is known, or not for certain.
+bool Tiling::cast_unhidden(const Tiled& line, const Occluders& occluders, const HiddenTiles& tiles) {
+  const Edge& edge = sight_.mesh().edges[line.edge];
+  if (!tiles.unhidden(edge, unhidden_) || unhidden_.empty()) return false;
+  cast_.clear();
+  unhidden_stretches_.clear();
+  looked_at_.clear();
+  for (const UnhiddenPart& part : unhidden_) {
+    unhidden_stretches_.push_back(stretch(edge, part.from, part.to));
+    looked_at_.push_back(stretch(edge, part.from - part.margin, part.to + part.margin));
+    if (!(looked_at_.back().error < HUGE_VAL)) return false;
+    ImageBox around = box_of(edge, looked_at_.back());
+    around.farthest = std::max(around.farthest, part.hidden_from);
+    cast_on(looked_at_.back(), around, occluders);
+  }
+  unite(cast_);
+  if (!close_gaps()) return false;
+  add(line, cast_);
+  return true;
+}
+
+/// Between the shadows, which ascend, are what is visible and what was not looked at, as it is hidden: these are closed. Both
+/// ends of a hidden stretch have been looked at: shadows reach some way into it. False: doubles do not tell.
+bool Tiling::close_gaps() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::size_t n = looked_at_.size();
+  enum class Gap : std::uint8_t { visible, hidden, unknown };
+  const auto gap = [&](const Bound& from, const Bound& to) {
+    const double begin = from.t + from.error, end = to.t - to.error;
+    for (std::size_t k = 0; k <= n; ++k) {
+      const double after = k == 0 ? -infinity : unhidden_stretches_[k - 1].to + unhidden_stretches_[k - 1].error;
+      const double before = k == n ? infinity : unhidden_stretches_[k].from - unhidden_stretches_[k].error;
+      if (end > after && begin < before) return Gap::hidden;
+      const bool begins_before = k > 0 && begin < looked_at_[k - 1].to - looked_at_[k - 1].error;
+      const bool ends_after = k < n && end > looked_at_[k].from + looked_at_[k].error;
+      if (!begins_before && !ends_after) return Gap::unknown;
+    }
+    return Gap::visible;
+  };
+  const Bound &first = shadows_.first(), &last = shadows_.last();
+  if (cast_.empty()) return gap(first, last) == Gap::visible;
+  // Into one what only a hidden gap parts.
+  const auto is_known = [&](Gap g) { return g != Gap::unknown; };
+  if (cast_.front().from.cut != first.cut) {
+    const Gap g = gap(first, cast_.front().from);
+    if (!is_known(g)) return false;
+    if (g == Gap::hidden) cast_.front().from = first;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < cast_.size(); ++i) {
+    const Gap g = gap(cast_[kept].to, cast_[i].from);
+    if (!is_known(g)) return false;
+    if (g == Gap::hidden)
+      cast_[kept].to = cast_[i].to;
+    else
+      cast_[++kept] = cast_[i];
+  }
+  cast_.resize(kept + 1);
+  if (cast_.back().to.cut != last.cut) {
+    const Gap g = gap(cast_.back().to, last);
+    if (!is_known(g)) return false;
+    if (g == Gap::hidden) cast_.back().to = last;
+  }
+  return true;
 }
 
 VisibleLines tiled_in_blocks(const Sight& sight, const LineOptions& options, std::span<const std::uint32_t> order,

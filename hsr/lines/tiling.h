@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "hsr/lines/hidden_tiles.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/shadows.h"
@@ -30,10 +31,11 @@ struct Tiled {
 /// block of lines.
 class Tiling {
  public:
-  Tiling(const Sight& sight, const LineOptions& options) : options_(options), shadows_(sight) {}
+  Tiling(const Sight& sight, const LineOptions& options) : sight_(sight), options_(options), shadows_(sight) {}
 
-  /// The line as all the triangles that overlap it in the image leave it.
-  void add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders);
+  /// The line as all the triangles that overlap it in the image leave it. @param tiles none: nothing is known to be hidden
+  void add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders,
+                      const HiddenTiles* tiles = nullptr);
   void add_by_casting(std::uint32_t i, const Intersection& meet, const ImageBox& box, const Occluders& occluders);
   /// The line with these shadows, which are sorted and united here. @pre shadows().start() of it was true
   void add(const Tiled& line, std::vector<Shadow>& shadows);
@@ -51,17 +53,32 @@ class Tiling {
   }
 
  private:
+  /// A part of the line, in parameters that are known within `error`; infinite: to an end of the line.
+  struct Stretch {
+    double from, to;
+    double error = 0;
+  };
+
   void unite(std::vector<Shadow>& cast);
   void check_ascending(std::span<const Shadow> hidden);
   void sort_by_face();
   void name_occluders(std::span<const Shadow> hidden, std::span<const Shadow> by_face);
   Line begun(const Tiled& tiled) const;
   void cast_all(const Tiled& line, const ImageBox& box, const Occluders& occluders);
+  Stretch stretch(const Edge& edge, double from_share, double to_share) const;
+  ImageBox box_of(const Edge& edge, const Stretch& stretch) const;
+  void cast_on(const Stretch& stretch, const ImageBox& box, const Occluders& occluders);
+  bool covers(const Shadow& s, const Stretch& stretch) const;
+  bool cast_unhidden(const Tiled& line, const Occluders& occluders, const HiddenTiles& tiles);
+  bool close_gaps();
   void end(Line line);
 
+  const Sight& sight_;
   const LineOptions& options_;
   Shadows shadows_;
   std::vector<Shadow> cast_, by_face_, one_face_;
+  std::vector<UnhiddenPart> unhidden_;
+  std::vector<Stretch> unhidden_stretches_, looked_at_;  // each a little longer than what may be seen
   VisibleLines result_;
 };
 

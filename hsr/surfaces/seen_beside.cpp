@@ -24,19 +24,19 @@ NearPoint MapStretch::at(double t, double t_error) const {
           (length * (t_error + 4 * u * reach) + (a.error + b.error) * reach + 4 * u * size(a.p)) * 1.01};
 }
 
-std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side) {
+void SeenBeside::start(const MapStretch& stretch, Sign side) {
   stretch_ = &stretch;
   side_ = side;
+  is_meeting_ = depends_on_side_ = false;
   parts_.assign(1, {{stretch.from, stretch.from_t, stretch.from_error}, {stretch.to, stretch.to_t, stretch.to_error}, {}, {}});
-  ImageBox query = ImageBox::nothing();
-  std::array<ImagePoint, 2> ends;
-  double error = sight_.image_error();
+  query_ = ImageBox::nothing();
+  ends_error_ = sight_.image_error();
   for (const std::size_t k : {0U, 1U}) {
     const NearPoint p = point(k == 0 ? parts_[0].from : parts_[0].to);
-    query.add(sight_.box(p.p, 3 * p.error));
+    query_.add(sight_.box(p.p, 3 * p.error));
     const NearImage image = sight_.image(p.p, 3 * p.error);
-    ends[k] = image.at;
-    error += image.error;
+    ends_[k] = image.at;
+    ends_error_ += image.error;
   }
   depth_ = {sight_.depth(stretch.a.p, 3 * stretch.a.error), sight_.depth(stretch.b.p, 3 * stretch.b.error)};
   if (!sight_.is_perspective()) {
@@ -47,38 +47,64 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
     at_a_ = image(stretch.at_a, stretch.a);
     at_b_ = image(stretch.at_b, stretch.b);
   }
+  query_.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends_[0], ends_[1], ends_error_) : -unknown;
+}
+
+/// False: no other face changes anything.
+bool SeenBeside::look_at(const ImageFace& face) {
+  if (face.is_beside(ends_[0], ends_[1], ends_error_)) return true;
+  const Linear of_t = nearness(face);
+  if (certainly_behind(of_t)) return true;
+  const ImageFace::Overlap overlap = face.overlap(ends_[0], ends_[1], ends_error_);
+  if (overlap.is_none) return true;
+  const std::size_t before = parts_.size();
+  const TriangleId first = parts_.front().seen;
+  insert(face, of_t, overlap.is_within);
+  if (parts_.size() == before && parts_.front().seen == first) return true;
+  float lowest = unknown;
+  for (Part& part : parts_)
+    if (lowest > query_.farthest && !is_settled(part)) lowest = std::min(lowest, farthest(part));
   // The tree visits what reaches nearer than the farthest of what is seen so far.
-  query.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends[0], ends[1], error) : -std::numeric_limits<float>::infinity();
-  const auto look_at = [&](const ImageFace& face) {
-    if (face.is_beside(ends[0], ends[1], error)) return;
-    const Linear of_t = nearness(face);
-    if (certainly_behind(of_t)) return;
-    const ImageFace::Overlap overlap = face.overlap(ends[0], ends[1], error);
-    if (overlap.is_none) return;
-    const std::size_t before = parts_.size();
-    const TriangleId first = parts_.front().seen;
-    insert(face, of_t, overlap.is_within);
-    if (parts_.size() == before && parts_.front().seen == first) return;
-    float lowest = std::numeric_limits<float>::infinity();
-    for (Part& part : parts_)
-      if (lowest > query.farthest) lowest = std::min(lowest, farthest(part));
-    query.farthest = std::max(query.farthest, lowest);
-  };
-  for (const ImageFace* face : stretch.first)
-    if (face != nullptr) look_at(*face);
-  // The images of visible stretches are closed: what is nearer and ends at one hides it.
-  if (!stretch.is_visible) query.nearest = std::numeric_limits<float>::infinity();
-  occluders_.tree.visit_touching(query, [&](std::uint32_t i) {
+  query_.farthest = std::max(query_.farthest, lowest);
+  return lowest < unknown;
+}
+
+/// The faces of the tree, but for those that are looked at first.
+void SeenBeside::look_around() {
+  occluders_.tree.visit_touching(query_, [&](std::uint32_t i) {
     ImageFace own;
     const bool is_prepared = !occluders_.faces.empty();
     if (!is_prepared) own = ImageFace(sight_, occluders_.triangles[i]);
     const ImageFace& face = is_prepared ? occluders_.face(i) : own;
-    if (&face != stretch.first[0] && &face != stretch.first[1]) look_at(face);
-    return true;
+    return &face == stretch_->first[0] || &face == stretch_->first[1] || look_at(face);
   });
+}
+
+std::span<const SeenPart> SeenBeside::result() {
   result_.clear();
   for (const Part& part : parts_) result_.push_back({part.from.p, part.to.p, part.seen, part.to.t, part.to.error});
   return result_;
+}
+
+std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side) {
+  start(stretch, side);
+  for (const ImageFace* face : stretch.first)
+    if (face != nullptr) look_at(*face);
+  // The images of visible stretches are closed: what is nearer and ends at one hides it.
+  if (!stretch.is_visible) query_.nearest = unknown;
+  look_around();
+  return result();
+}
+
+SeenBeside::Meeting SeenBeside::find_meeting(const MapStretch& stretch) {
+  start(stretch, Sign::positive);
+  is_meeting_ = true;
+  for (const ImageFace* face : stretch.first) look_at(*face);
+  query_.nearest = unknown;
+  if (parts_.size() == 1 && parts_.front().seen.is_valid()) look_around();
+  // Both are seen all along, but for what hides them.
+  const bool is_whole = std::all_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.seen.is_valid(); });
+  return {result(), is_whole && !depends_on_side_};
 }
 
 float SeenBeside::farthest(Part& part) const {
@@ -128,6 +154,7 @@ SeenBeside::Linear SeenBeside::nearness(const ImageFace& face) const {
 bool SeenBeside::certainly_behind(const Linear& of_t) const {
   return std::all_of(parts_.begin(), parts_.end(), [&](const Part& part) {
     if (!part.seen.is_valid()) return false;
+    if (is_settled(part)) return true;
     for (const Place* end : {&part.from, &part.to}) {
       const ErrorBounded gap = at(of_t, *end) - at(part.nearness, *end);
       if (!(gap.value < -gap.error)) return false;
@@ -161,7 +188,10 @@ void SeenBeside::add(const Place& from, const Place& to, TriangleId t, const Lin
 
 /// Cuts the part of the line to what is within the half-plane just beside it. False: nothing.
 bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, Place& to) {
-  if (h.line == stretch_->line) return h.inner == side_;
+  if (h.line == stretch_->line) {
+    depends_on_side_ = true;
+    return h.inner == side_;
+  }
   const auto sign = [&](const Place& place) {
     const ErrorBounded x = at(value, place);
     // Values have the sign of O, which is negative to the left.
@@ -171,9 +201,11 @@ bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, P
   };
   const Sign a = sign(from), b = sign(to);
   if (a == Sign::negative && b != Sign::positive) return false;
-  if (a == Sign::zero && b == Sign::zero)
+  if (a == Sign::zero && b == Sign::zero) {
+    depends_on_side_ = true;
     // One line under two names: which way it runs, any point beside it tells.
     return map_.same_way(stretch_->line, h.line) * h.inner == side_;
+  }
   if (a != Sign::negative && b != Sign::negative) return true;
   if (a != Sign::positive && b != Sign::positive) return false;
   (a == Sign::negative ? from : to) = crossing(h.line, value);
@@ -202,6 +234,7 @@ bool SeenBeside::clip(const ImageFace& face, unsigned is_within, Place& from, Pl
   for (std::size_t k = 0; k < 3; ++k) {
     sides[k] = side_of_triangle(sight_, t, k);
     if (sides[k].line != stretch_->line) continue;
+    depends_on_side_ = true;
     if (sides[k].inner != side_) return false;
     is_within |= 1U << k;
   }
@@ -260,7 +293,7 @@ void SeenBeside::insert(const ImageFace& face, const Linear& of_t, unsigned is_w
       else
         next_.push_back(part);
     };
-    if (part.seen.is_valid() && facet_of(mesh, part.seen) == facet_of(mesh, t)) {
+    if (is_settled(part) || (part.seen.is_valid() && facet_of(mesh, part.seen) == facet_of(mesh, t))) {
       keep_whole();
       continue;
     }
@@ -291,8 +324,10 @@ void SeenBeside::insert(const ImageFace& face, const Linear& of_t, unsigned is_w
       } else if (at_low != Sign::zero || at_high != Sign::zero) {
         choose(low, high, (at_low != Sign::zero ? at_low : at_high) == Sign::positive);
       } else if (map_.coplanar(t, part.seen)) {
+        depends_on_side_ = true;
         choose(low, high, t < part.seen);
       } else {
+        depends_on_side_ |= !(is_meeting_ && meets_here(t) && meets_here(part.seen));
         choose(low, high, nearer_beside(t, part.seen) == Sign::positive);
       }
     }

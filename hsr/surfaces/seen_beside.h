@@ -52,6 +52,15 @@ class SeenBeside {
   /// @param side positive, to the left of the line; the answer holds until the next call
   std::span<const SeenPart> find(const MapStretch& stretch, Sign side);
 
+  /// What the two faces that meet in a line are seen as.
+  struct Meeting {
+    std::span<const SeenPart> left;  ///< to the left; what hides both is any face before them
+    bool is_for_both = false;        ///< where one of the two is seen to the left, the other one is to the right
+  };
+  /// The same of the line in which the two faces `stretch.first` meet, at once for both sides. Where they are hidden, both
+  /// sides are seen the same, but where another line of the map runs.
+  Meeting find_meeting(const MapStretch& stretch);
+
  private:
   struct Place {
     MapPoint p;
@@ -69,6 +78,15 @@ class SeenBeside {
   };
   static constexpr float unknown = std::numeric_limits<float>::infinity();
 
+  void start(const MapStretch& stretch, Sign side);
+  bool look_at(const ImageFace& face);
+  void look_around();
+  std::span<const SeenPart> result();
+  bool meets_here(TriangleId t) const {
+    return t == stretch_->first[0]->triangle || t == stretch_->first[1]->triangle;
+  }
+  /// Of two faces that meet: nothing matters any more where others hide them.
+  bool is_settled(const Part& part) const { return is_meeting_ && part.seen.is_valid() && !meets_here(part.seen); }
   void insert(const ImageFace& face, const Linear& of_t, unsigned is_within);
   bool certainly_behind(const Linear& of_t) const;
   bool clip(const ImageFace& face, unsigned is_within, Place& from, Place& to);
@@ -92,6 +110,11 @@ class SeenBeside {
   const Occluders& occluders_;
   const HiddenTiles* tiles_;
   const MapStretch* stretch_ = nullptr;
+  ImageBox query_;                    // of what may change the answer
+  std::array<ImagePoint, 2> ends_;    // where the stretch is seen
+  double ends_error_ = 0;
+  bool is_meeting_ = false;           // both sides are looked at
+  bool depends_on_side_ = false;      // what was found does
   Linear depth_;                // of the stretch, as Sight has it
   NearImage at_a_, at_b_ = {};  // where a and b of the stretch are seen; parallel
   Sign side_ = Sign::positive;

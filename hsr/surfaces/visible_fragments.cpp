@@ -63,6 +63,7 @@ class SideFinder {
   ErrorBounded parameter_at(const Edge& edge, const Cut& cut) const;
   bool is_hidden(const MapStretch& stretch) const;
   void add(const MapStretch& stretch, TriangleId left, TriangleId right);
+  void add_meeting(const MapStretch& stretch, std::span<const SeenPart> left);
   void add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right);
   MapPlace place(const MapStretch& stretch, const MapPoint& p, double t, double error) const;
 
@@ -156,9 +157,32 @@ void SideFinder::add_intersection(const Intersection& crossing) {
     std::swap(stretch.from, stretch.to);
     std::swap(stretch.a, stretch.b);
   }
-  if (!occluders_.faces.empty())
-    stretch.first = {&occluders_.faces[place_[crossing.s.value]], &occluders_.faces[place_[crossing.t.value]]};
-  add(stretch, {}, {});
+  if (occluders_.faces.empty()) {
+    add(stretch, {}, {});
+    return;
+  }
+  stretch.first = {&occluders_.faces[place_[crossing.s.value]], &occluders_.faces[place_[crossing.t.value]]};
+  const SeenBeside::Meeting meeting = left_.find_meeting(stretch);
+  if (meeting.is_for_both)
+    add_meeting(stretch, meeting.left);
+  else
+    add(stretch, {}, {});
+}
+
+/// Of the two faces that meet, what is seen to the left ends where the other one begins.
+void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart> left) {
+  const TriangleId s = stretch.first[0]->triangle, t = stretch.first[1]->triangle;
+  double from_t = stretch.from_t, from_error = stretch.from_error;
+  for (const SeenPart& part : left) {
+    if (part.seen == s || part.seen == t) {
+      const MapPlace from = place(stretch, part.from, from_t, from_error), to = place(stretch, part.to, part.to_t, part.to_error);
+      const TriangleId l = facet_of(mesh_, part.seen), r = facet_of(mesh_, part.seen == s ? t : s);
+      sides_.push_back({l, {{stretch.line, false, part.from, part.to}, from, to}});
+      sides_.push_back({r, {{stretch.line, true, part.to, part.from}, to, from}});
+    }
+    from_t = part.to_t;
+    from_error = part.to_error;
+  }
 }
 
 /// Whether all of a stretch, from a to b, is certainly hidden.
@@ -326,17 +350,9 @@ void FragmentFinder::find_lines() {
   if (options_.arithmetic == Arithmetic::staged && !has_many_borders(left_out)) layers.emplace(sight_, left_out);
   const bool appel_pays = layers && layers->edges().size() <= occluders_->triangles.size();
   // Of a mesh few lines are looked along, as most edges have a face on each side: records would not pay.
-  if (!appel_pays) {
-    occluders_->prepare(sight_);
-    // What lies behind the tiles along an edge hides nothing of it that what covers them does not.
-    if (tiles_)
-      for_each(requested.edges.size(), [&](std::size_t i) {
-        requested.boxes[i].farthest =
-            std::max(requested.boxes[i].farthest, tiles_->hidden_from(mesh_.edges[requested.edges[i]]));
-      });
-  }
+  if (!appel_pays) occluders_->prepare(sight_);
   lines_ = appel_pays ? appel(sight_, requested, *layers, *occluders_, line_options)
-                      : roberts(sight_, requested, *occluders_, line_options);
+                      : roberts(sight_, requested, *occluders_, line_options, tiles_ ? &*tiles_ : nullptr);
 }
 
 /// The numbers from 0 to n - 1, ascending by key(i) < keys.
