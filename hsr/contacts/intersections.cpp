@@ -12,9 +12,11 @@
 
 #include "geometry/constructed_point.h"
 #include "geometry/meet_line.h"
+#include "geometry/near_point.h"
 #include "hsr/contacts/half_space.h"
 #include "hsr/cut_plane.h"
 #include "hsr/facet.h"
+#include "hsr/lines/hidden_tiles.h"
 #include "hsr/parallel.h"
 
 namespace hsr {
@@ -23,8 +25,13 @@ namespace {
 
 class Finder {
  public:
-  Finder(const Sight& sight, const Occluders& occluders, std::vector<std::uint8_t>& has_contact)
-      : sight_(sight), mesh_(sight.mesh()), occluders_(occluders), exact_(sight.predicates()), has_contact_(has_contact) {}
+  Finder(const Sight& sight, const Occluders& occluders, const HiddenTiles* tiles, std::vector<std::uint8_t>& has_contact)
+      : sight_(sight),
+        mesh_(sight.mesh()),
+        occluders_(occluders),
+        tiles_(tiles),
+        exact_(sight.predicates()),
+        has_contact_(has_contact) {}
 
   /// Looks at the triangles of a leaf of the tree, with those that come later.
   void look_around(std::uint32_t leaf, std::vector<Intersection>& found);
@@ -39,11 +46,14 @@ class Finder {
   bool may_lie_in(VertexId u, VertexId v, TriangleId t);
   bool passes_through(TriangleId t, const std::array<Sign, 3>& at) const;
   bool cross_beyond_common_corner(TriangleId s, TriangleId t);
+  std::array<NearPoint, 2> chord(TriangleId t, const std::array<Sign, 3>& at, const PlaneFilter& plane) const;
+  bool certainly_no_segment(const std::array<NearPoint, 2>& x, const std::array<NearPoint, 2>& y) const;
   std::optional<Intersection> segment(TriangleId s, TriangleId t);
 
   const Sight& sight_;
   const Mesh& mesh_;
   const Occluders& occluders_;
+  const HiddenTiles* tiles_;
   Predicates exact_;
   std::vector<std::uint8_t>& has_contact_;
   BoxTree::PairSearch search_;
@@ -106,11 +116,15 @@ void Finder::look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane
   const auto zeros = [](const std::array<Sign, 3>& at) { return std::count(at.begin(), at.end(), Sign::zero); };
   if (!straddles(at_t) && zeros(at_t) < 2) return;  // on one side but for a point
   const Plane other = sight_.face_plane(t);
-  const std::array<Sign, 3> at_s = sides(sight_.filter(other), other, t, s);
+  const PlaneFilter other_filter = sight_.filter(other);
+  const std::array<Sign, 3> at_s = sides(other_filter, other, t, s);
   if (zeros(at_t) >= 2) mark_contacts(s, t, at_t);
   if (zeros(at_s) >= 2) mark_contacts(t, s, at_s);
   if (!passes_through(t, at_t) || !passes_through(s, at_s)) return;
-  if (straddles(at_t) && straddles(at_s) && !cross_beyond_common_corner(s, t)) return;
+  if (straddles(at_t) && straddles(at_s)) {
+    if (!cross_beyond_common_corner(s, t)) return;
+    if (certainly_no_segment(chord(s, at_s, other_filter), chord(t, at_t, filter))) return;
+  }
   if (const auto crossing = segment(std::min(s, t), std::max(s, t))) found.push_back(*crossing);
 }
 
@@ -183,6 +197,36 @@ bool Finder::cross_beyond_common_corner(TriangleId s, TriangleId t) {
   return true;
 }
 
+/// The ends of what a plane cuts of a triangle, nearly. @pre it has corners on both sides: @param at on which sides
+std::array<NearPoint, 2> Finder::chord(TriangleId t, const std::array<Sign, 3>& at, const PlaneFilter& plane) const {
+  const auto& c = mesh_.triangles[t];
+  std::array<NearPoint, 2> ends;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3 &p = sight_.point(c[k]), &q = sight_.point(c[(k + 1) % 3]);
+    if (at[k] == Sign::zero) ends[n++] = {p, 0};
+    if (at[k] * at[(k + 1) % 3] != Sign::negative) continue;
+    const ErrorBounded x = plane(p), y = plane(q);
+    ends[n++] = between(p, q, quotient(x, x - y));
+  }
+  return ends;
+}
+
+/// Of two parts of one line, whether they have certainly nothing in common, or nothing that is not hidden.
+bool Finder::certainly_no_segment(const std::array<NearPoint, 2>& x, const std::array<NearPoint, 2>& y) const {
+  const auto length = [&](int k) { return std::fabs(x[1].p[k] - x[0].p[k]); };
+  int axis = 0;
+  for (const int k : {1, 2})
+    if (length(k) > length(axis)) axis = k;
+  const auto ascending = [&](const std::array<NearPoint, 2>& part) {
+    return part[0].p[axis] > part[1].p[axis] ? std::array{&part[1], &part[0]} : std::array{&part[0], &part[1]};
+  };
+  const auto a = ascending(x), b = ascending(y);
+  const NearPoint &low = a[0]->p[axis] > b[0]->p[axis] ? *a[0] : *b[0], &high = a[1]->p[axis] < b[1]->p[axis] ? *a[1] : *b[1];
+  if (low.p[axis] - high.p[axis] > (low.error + high.error) * 1.01) return true;
+  return tiles_ != nullptr && tiles_->hides(low, high);
+}
+
 /// A place on the line in which two planes meet, by name.
 struct Crossing {
   Cut cut;
@@ -235,7 +279,7 @@ std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
 
 }  // namespace
 
-Intersections find_intersections(const Sight& sight, const Occluders& occluders) {
+Intersections find_intersections(const Sight& sight, const Occluders& occluders, const HiddenTiles* tiles) {
   Intersections all;
   all.has_contact.resize(sight.mesh().edges.size(), 0);
   constexpr std::size_t block = 64;
@@ -245,7 +289,7 @@ Intersections find_intersections(const Sight& sight, const Occluders& occluders)
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      Finder finder(sight, occluders, all.has_contact);
+      Finder finder(sight, occluders, tiles, all.has_contact);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t leaf = part * block; leaf < end; ++leaf)
         finder.look_around(static_cast<std::uint32_t>(leaf), parts[part]);

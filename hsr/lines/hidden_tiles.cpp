@@ -361,6 +361,14 @@ bool HiddenTiles::hides(const Edge& e) const {
   return hides(sight_.image(e.a), sight_.box(e.a).nearest, sight_.image(e.b), sight_.box(e.b).nearest, sight_.image_error());
 }
 
+bool HiddenTiles::hides(const NearPoint& a, const NearPoint& b) const {
+  const NearImage p = sight_.image(a.p, 3 * a.error), q = sight_.image(b.p, 3 * b.error);
+  const double error = std::max(p.error, q.error);
+  return error < HUGE_VAL &&
+         hides(p.at, sight_.box(a.p, 3 * a.error).nearest, q.at, sight_.box(b.p, 3 * b.error).nearest, error);
+}
+
+/// @param error of each coordinate @param nearness_of_p at most, as boxes have it
 bool HiddenTiles::hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q,
                         double error) const {
   const AlongSegment nearness(affine(nearness_of_p), affine(nearness_of_q));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/box_tree.h"
+#include "geometry/near_point.h"
 #include "hsr/sight.h"
 
 namespace hsr {
@@ -47,9 +48,8 @@ class HiddenTiles {
   /// Whether the triangle, or the edge, is certainly hidden.
   bool hides(TriangleId t) const;
   bool hides(const Edge& e) const;
-  /// The same of a segment from p to q of the image. @param error of each coordinate @param nearness_of_p at most, as boxes
-  /// have it
-  bool hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q, double error) const;
+  /// The same of the segment between two points.
+  bool hides(const NearPoint& a, const NearPoint& b) const;
   /// The parts of an edge that may be seen, in the order of the way from e.a to e.b. Between them, before the first and after
   /// the last all of it is hidden. False: nothing is known, and there are none.
   bool unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) const;
@@ -109,6 +109,7 @@ class HiddenTiles {
   template <class B, class F>
   bool walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const B& bound,
                   const F& visit) const;
+  bool hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q, double error) const;
   bool hides(const std::array<Tiles, 2>& range, float nearest) const;
   bool hides(std::size_t level, std::int32_t i, std::int32_t j, const std::array<Tiles, 2>& range, float nearest) const;
 

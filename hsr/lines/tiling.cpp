@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/near_point.h"
 #include "hsr/lines/line_progress.h"
 #include "hsr/lines/requested_edges.h"
 
@@ -211,14 +212,11 @@ Tiling::Stretch Tiling::stretch(const Edge& edge, double from_share, double to_s
 
 /// Around a stretch of an edge.
 ImageBox Tiling::box_of(const Edge& edge, const Stretch& stretch) const {
-  const Point3 &a = sight_.point(edge.a), &b = sight_.point(edge.b), d = {b.x - a.x, b.y - a.y, b.z - a.z};
-  const auto size = [](const Point3& p) { return std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z); };
   const auto box_at = [&](double t) {
     if (t <= 0) return sight_.box(edge.a);
     if (t >= 1) return sight_.box(edge.b);
-    constexpr double u = ErrorBounded::u;
-    return sight_.box({a.x + t * d.x, a.y + t * d.y, a.z + t * d.z},
-                      (size(d) * (stretch.error + 4 * u) + 4 * u * (size(a) + size(b))) * 1.01);
+    const NearPoint at = between(sight_.point(edge.a), sight_.point(edge.b), {t, stretch.error});
+    return sight_.box(at.p, 3 * at.error);
   };
   ImageBox box = box_at(stretch.from);
   box.add(box_at(stretch.to));

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "geometry/error_bounded.h"
+#include "geometry/near_point.h"
 #include "geometry/view_plane.h"
 #include "hsr/map/map_point.h"
 #include "hsr/sight.h"
@@ -12,12 +13,6 @@ namespace hsr {
 /// Where a point of the map lies, within a bound that was proven; infinite where doubles do not tell.
 struct MapPlace {
   double x = 0, y = 0, error_x = 0, error_y = 0;
-};
-
-/// A point in space on the line of sight of a point of the map, known within `error` in each coordinate.
-struct NearPoint {
-  Point3 p;
-  double error = 0;
 };
 
 /// What is decided in the image: signs of the symbols of map_point.h. Exact. One object per thread.

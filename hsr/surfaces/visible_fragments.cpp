@@ -43,7 +43,6 @@ class SideFinder {
         occluders_(occluders),
         intersections_(intersections),
         place_(place),
-        tiles_(tiles),
         map_(sight),
         left_(map_, occluders, tiles),
         right_(map_, occluders, tiles) {}
@@ -61,7 +60,7 @@ class SideFinder {
   TriangleId only_triangle(EdgeId e, Sign side) const;
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
   ErrorBounded parameter_at(const Edge& edge, const Cut& cut) const;
-  bool is_hidden(const MapStretch& stretch) const;
+  NearPoint end_of(const Intersection& crossing, const Cut& cut) const;
   void add(const MapStretch& stretch, TriangleId left, TriangleId right);
   void add_meeting(const MapStretch& stretch, std::span<const SeenPart> left);
   void add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right);
@@ -72,7 +71,6 @@ class SideFinder {
   const Occluders& occluders_;
   const Intersections& intersections_;
   const std::vector<std::uint32_t>& place_;
-  const HiddenTiles* tiles_;
   MapSight map_;
   SeenBeside left_, right_;
   std::vector<FacetSide> sides_;
@@ -151,8 +149,7 @@ void SideFinder::add_intersection(const Intersection& crossing) {
     return MapPoint::crossing(line, is_near ? MapLine::near(crossing.s) : MapLine::edge(VertexId(cut.u), VertexId(cut.v)));
   };
   const MapPoint from = point(crossing.from), to = point(crossing.to);
-  MapStretch stretch{line, from, to, map_.point(from, crossing.s), map_.point(to, crossing.s)};
-  if (is_hidden(stretch)) return;
+  MapStretch stretch{line, from, to, end_of(crossing, crossing.from), end_of(crossing, crossing.to)};
   if (map_.order(line, from, to) == Sign::positive) {  // along its image, not in space
     std::swap(stretch.from, stretch.to);
     std::swap(stretch.a, stretch.b);
@@ -185,13 +182,26 @@ void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart
   }
 }
 
-/// Whether all of a stretch, from a to b, is certainly hidden.
-bool SideFinder::is_hidden(const MapStretch& stretch) const {
-  if (tiles_ == nullptr) return false;
-  const NearPoint &a = stretch.a, &b = stretch.b;
-  const NearImage p = sight_.image(a.p, 3 * a.error), q = sight_.image(b.p, 3 * b.error);
-  return tiles_->hides(p.at, sight_.box(a.p, 3 * a.error).nearest, q.at, sight_.box(b.p, 3 * b.error).nearest,
-                       std::max(p.error, q.error));
+/// Where an intersection ends in space: where an edge of one triangle meets the plane of the other.
+NearPoint SideFinder::end_of(const Intersection& crossing, const Cut& cut) const {
+  if (cut.kind == Cut::Kind::sight) {
+    const VertexId u(cut.u), v(cut.v);
+    const auto has = [&](TriangleId t, VertexId x) {
+      const auto& c = mesh_.triangles[t];
+      return x == c[0] || x == c[1] || x == c[2];
+    };
+    const TriangleId other = has(crossing.s, u) && has(crossing.s, v) ? crossing.t : crossing.s;
+    const PlaneFilter plane = sight_.filter(sight_.face_plane(other));
+    const auto value = [&](VertexId x) { return has(other, x) ? ErrorBounded{} : plane(sight_.point(x)); };
+    const ErrorBounded at_u = value(u);
+    const NearPoint end = between(sight_.point(u), sight_.point(v), quotient(at_u, at_u - value(v)));
+    const double size = std::max({std::fabs(end.p.x), std::fabs(end.p.y), std::fabs(end.p.z)});
+    if (end.error < size * 0x1p-20) return end;
+  }
+  const MapLine line = MapLine::meet(crossing.s, crossing.t);
+  const bool is_near = cut.kind == Cut::Kind::near;
+  return map_.point(
+      MapPoint::crossing(line, is_near ? MapLine::near(crossing.s) : MapLine::edge(VertexId(cut.u), VertexId(cut.v))), crossing.s);
 }
 
 /// The part of a triangle in the near plane, where it has been cut; or its side there, which may be a diagonal of its face.
@@ -334,7 +344,7 @@ void FragmentFinder::find_lines() {
   });
   leave_out_hidden(left_out);
   occluders_.emplace(sight_, boxes, left_out);
-  intersections_ = find_intersections(sight_, *occluders_);
+  intersections_ = find_intersections(sight_, *occluders_, tiles_ ? &*tiles_ : nullptr);
   auto edges = collected<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e) {
       const auto triangles = mesh_.triangles_at(EdgeId(e));
