@@ -6,6 +6,7 @@
 
 #include "geometry/error.h"
 #include "hsr/facet.h"
+#include "hsr/lines/plane_nearness.h"
 
 namespace hsr {
 
@@ -28,25 +29,23 @@ void SeenBeside::start(const MapStretch& stretch, Sign side) {
   stretch_ = &stretch;
   side_ = side;
   is_meeting_ = depends_on_side_ = false;
-  parts_.assign(1, {{stretch.from, stretch.from_t, stretch.from_error}, {stretch.to, stretch.to_t, stretch.to_error}, {}, {}});
+  parts_.assign(1, {{stretch.from, 0, 0}, {stretch.to, 1, 0}, {}, {}});
   query_ = ImageBox::nothing();
   ends_error_ = sight_.image_error();
   for (const std::size_t k : {0U, 1U}) {
-    const NearPoint p = point(k == 0 ? parts_[0].from : parts_[0].to);
+    const NearPoint& p = k == 0 ? stretch.a : stretch.b;
+    const VertexId v = k == 0 ? stretch.at_a : stretch.at_b;
     query_.add(sight_.box(p.p, 3 * p.error));
-    const NearImage image = sight_.image(p.p, 3 * p.error);
-    ends_[k] = image.at;
-    ends_error_ += image.error;
+    if (v.is_valid() && sight_.image_error() < HUGE_VAL) {
+      ends_[k] = sight_.image(v);
+    } else {
+      const NearImage image = sight_.image(p.p, 3 * p.error);
+      ends_[k] = image.at;
+      ends_error_ += image.error;
+    }
   }
   depth_ = {sight_.depth(stretch.a.p, 3 * stretch.a.error), sight_.depth(stretch.b.p, 3 * stretch.b.error)};
-  if (!sight_.is_perspective()) {
-    const auto image = [&](VertexId v, const NearPoint& p) {
-      const bool is_known = v.is_valid() && sight_.image_error() < HUGE_VAL;
-      return is_known ? NearImage{sight_.image(v), 0} : sight_.image(p.p, 3 * p.error);
-    };
-    at_a_ = image(stretch.at_a, stretch.a);
-    at_b_ = image(stretch.at_b, stretch.b);
-  }
+  least_ = -HUGE_VAL;
   query_.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends_[0], ends_[1], ends_error_) : -unknown;
 }
 
@@ -54,16 +53,21 @@ void SeenBeside::start(const MapStretch& stretch, Sign side) {
 bool SeenBeside::look_at(const ImageFace& face) {
   if (face.is_beside(ends_[0], ends_[1], ends_error_)) return true;
   const Linear of_t = nearness(face);
-  if (certainly_behind(of_t)) return true;
+  if (of_t.at_a.value + of_t.at_a.error < least_ && of_t.at_b.value + of_t.at_b.error < least_) return true;
   const ImageFace::Overlap overlap = face.overlap(ends_[0], ends_[1], ends_error_);
   if (overlap.is_none) return true;
   const std::size_t before = parts_.size();
   const TriangleId first = parts_.front().seen;
-  insert(face, of_t, overlap.is_within);
+  insert(face, of_t, overlap);
   if (parts_.size() == before && parts_.front().seen == first) return true;
   float lowest = unknown;
-  for (Part& part : parts_)
-    if (lowest > query_.farthest && !is_settled(part)) lowest = std::min(lowest, farthest(part));
+  least_ = HUGE_VAL;
+  for (Part& part : parts_) {
+    if (is_settled(part)) continue;
+    bound(part);
+    lowest = std::min(lowest, part.farthest);
+    least_ = std::min(least_, part.least);
+  }
   // The tree visits what reaches nearer than the farthest of what is seen so far.
   query_.farthest = std::max(query_.farthest, lowest);
   return lowest < unknown;
@@ -107,25 +111,25 @@ SeenBeside::Meeting SeenBeside::find_meeting(const MapStretch& stretch) {
   return {result(), is_whole && !depends_on_side_};
 }
 
-float SeenBeside::farthest(Part& part) const {
-  if (part.farthest == unknown) part.farthest = farthest_of(part);
-  return part.farthest;
-}
-
-float SeenBeside::farthest_of(const Part& part) const {
-  if (!part.seen.is_valid()) return -std::numeric_limits<float>::infinity();
-  double lowest = HUGE_VAL;
-  for (const Place& end : {part.from, part.to}) {
-    const ErrorBounded depth = at(depth_, end), n = at(part.nearness, end);
+void SeenBeside::bound(Part& part) const {
+  if (part.farthest != unknown) return;
+  if (!part.seen.is_valid()) {
+    part.farthest = -unknown;
+    part.least = -HUGE_VAL;
+    return;
+  }
+  double farthest = HUGE_VAL;
+  for (const Place* end : {&part.from, &part.to}) {
+    const ErrorBounded depth = at(depth_, *end), n = at(part.nearness, *end);
+    part.least = std::min(part.least, n.error < HUGE_VAL ? n.value - n.error : -HUGE_VAL);
     // The hit is p + n D, or e + (p - e) / (1 + n).
     const Point3& e = sight_.eye().at;
     const ErrorBounded hit = sight_.is_perspective()
                                  ? -quotient(depth, ErrorBounded{1, 0} + n)
                                  : depth + n * ErrorBounded{std::max({std::fabs(e.x), std::fabs(e.y), std::fabs(e.z)}), 0};
-    if (!(hit.error < HUGE_VAL)) return sight_.box(part.seen).farthest;
-    lowest = std::min(lowest, hit.value - hit.error);
+    farthest = std::min(farthest, hit.error < HUGE_VAL ? hit.value - hit.error : -HUGE_VAL);
   }
-  return static_cast<float>(lowest - std::fabs(lowest) * 0x1p-22 - 0x1p-120);
+  part.farthest = farthest > -HUGE_VAL ? float_below(farthest) : sight_.box(part.seen).farthest;
 }
 
 ErrorBounded SeenBeside::at(const Linear& f, const Place& place) const {
@@ -150,19 +154,6 @@ SeenBeside::Linear SeenBeside::nearness(const ImageFace& face) const {
   return {value.at_a * face.per_eye, value.at_b * face.per_eye};
 }
 
-/// Whether a triangle of this nearness is certainly farther than what is seen, all along: it would change nothing.
-bool SeenBeside::certainly_behind(const Linear& of_t) const {
-  return std::all_of(parts_.begin(), parts_.end(), [&](const Part& part) {
-    if (!part.seen.is_valid()) return false;
-    if (is_settled(part)) return true;
-    for (const Place* end : {&part.from, &part.to}) {
-      const ErrorBounded gap = at(of_t, *end) - at(part.nearness, *end);
-      if (!(gap.value < -gap.error)) return false;
-    }
-    return true;
-  });
-}
-
 SeenBeside::Place SeenBeside::crossing(const MapLine& other, const Linear& value) const {
   const ErrorBounded t = quotient(value.at_a, value.at_a - value.at_b);
   return {MapPoint::crossing(stretch_->line, other), t.value, t.error};
@@ -181,6 +172,7 @@ void SeenBeside::add(const Place& from, const Place& to, TriangleId t, const Lin
   if (!next_.empty() && next_.back().seen == t) {
     next_.back().to = to;
     next_.back().farthest = unknown;
+    next_.back().least = HUGE_VAL;
   } else {
     next_.push_back({from, to, t, nearness});
   }
@@ -214,22 +206,20 @@ bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, P
 
 /// O of a side of the face, its vertices in the order of the line's name. Parallel, images are linear along the stretch, and
 /// their determinants as good as those in space.
-SeenBeside::Linear SeenBeside::along_side(const ImageFace& face, unsigned k, const MapHalfPlane& h) const {
+SeenBeside::Linear SeenBeside::along_side(const ImageFace& face, const ImageFace::Overlap& overlap, std::size_t k,
+                                          const MapHalfPlane& h) const {
   const VertexId v(h.line.u), w(h.line.v);
   const auto is_end = [&](VertexId x) { return x.is_valid() && (x == v || x == w); };
   const bool zero_at_a = is_end(stretch_->at_a), zero_at_b = is_end(stretch_->at_b);
   if (sight_.is_perspective()) return along(sight_.filter(sight_.sight_plane(v, w)), zero_at_a, zero_at_b);
   const bool is_reversed = (face.facing < 0) == (face.corners[k] == v);
-  const auto value = [&](const NearImage& p) {
-    const ErrorBounded x = face.at_side(k, p.at, sight_.image_error() + p.error);
-    return is_reversed ? -x : x;
-  };
-  return {zero_at_a ? ErrorBounded{} : value(at_a_), zero_at_b ? ErrorBounded{} : value(at_b_)};
+  const auto value = [&](const ErrorBounded& x) { return is_reversed ? -x : x; };
+  return {zero_at_a ? ErrorBounded{} : value(overlap.at_p[k]), zero_at_b ? ErrorBounded{} : value(overlap.at_q[k])};
 }
 
-/// @param is_within bit k: the part is known to be on the inner side of side k
-bool SeenBeside::clip(const ImageFace& face, unsigned is_within, Place& from, Place& to) {
+bool SeenBeside::clip(const ImageFace& face, const ImageFace::Overlap& overlap, Place& from, Place& to) {
   const TriangleId t = face.triangle;
+  unsigned is_within = overlap.is_within;
   std::array<MapHalfPlane, 3> sides;
   for (std::size_t k = 0; k < 3; ++k) {
     sides[k] = side_of_triangle(sight_, t, k);
@@ -241,7 +231,7 @@ bool SeenBeside::clip(const ImageFace& face, unsigned is_within, Place& from, Pl
   for (std::size_t k = 0; k < 3; ++k) {
     if ((is_within >> k & 1U) != 0) continue;
     const MapHalfPlane& h = sides[k];
-    if (!clip(h, along_side(face, static_cast<unsigned>(k), h), from, to)) return false;
+    if (!clip(h, along_side(face, overlap, k, h), from, to)) return false;
   }
   if (!sight_.reaches_before_near(t)) return true;
   const PlaneFilter filter = sight_.filter(sight_.near_line(sight_.face_plane(t)));
@@ -279,10 +269,10 @@ Sign SeenBeside::nearer_beside(TriangleId s, TriangleId t) {
   throw InvariantError("SeenBeside: two triangles on one line");
 }
 
-void SeenBeside::insert(const ImageFace& face, const Linear& of_t, unsigned is_within) {
+void SeenBeside::insert(const ImageFace& face, const Linear& of_t, const ImageFace::Overlap& overlap) {
   const TriangleId t = face.triangle;
   Place from = parts_.front().from, to = parts_.back().to;
-  if (!clip(face, is_within, from, to)) return;
+  if (!clip(face, overlap, from, to)) return;
   next_.clear();
   const Mesh& mesh = map_.mesh();
   for (const Part& part : parts_) {

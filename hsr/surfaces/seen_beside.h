@@ -12,13 +12,12 @@
 
 namespace hsr {
 
-/// A part of a line of the map to look along. Its ends are where `from` and `to` are seen; `a` and `b` are points of one line
-/// in space that is seen as it, along which places are reckoned: from a, t = 0, to b, t = 1.
+/// A part of a line of the map to look along, and the part of a line in space that is seen as it, along which places are
+/// reckoned: from a, where `from` is seen, t = 0, to b, where `to` is, t = 1.
 struct MapStretch {
   MapLine line;
   MapPoint from, to;
   NearPoint a, b;
-  double from_t = 0, from_error = 0, to_t = 1, to_error = 0;
   VertexId at_a = {}, at_b = {};  ///< the vertices that are a and b, if they are
   /// It is of an edge, and visible: no face that is wholly nearer is beside it.
   bool is_visible = false;
@@ -74,7 +73,9 @@ class SeenBeside {
     Place from, to;
     TriangleId seen;
     Linear nearness;
-    float farthest = unknown;  ///< how far away what is seen here may be, at most
+    /// At least, so far as they are known: of what is seen here, as boxes and as `nearness` have it.
+    float farthest = unknown;
+    double least = HUGE_VAL;
   };
   static constexpr float unknown = std::numeric_limits<float>::infinity();
 
@@ -87,10 +88,9 @@ class SeenBeside {
   }
   /// Of two faces that meet: nothing matters any more where others hide them.
   bool is_settled(const Part& part) const { return is_meeting_ && part.seen.is_valid() && !meets_here(part.seen); }
-  void insert(const ImageFace& face, const Linear& of_t, unsigned is_within);
-  bool certainly_behind(const Linear& of_t) const;
-  bool clip(const ImageFace& face, unsigned is_within, Place& from, Place& to);
-  Linear along_side(const ImageFace& face, unsigned k, const MapHalfPlane& h) const;
+  void insert(const ImageFace& face, const Linear& of_t, const ImageFace::Overlap& overlap);
+  bool clip(const ImageFace& face, const ImageFace::Overlap& overlap, Place& from, Place& to);
+  Linear along_side(const ImageFace& face, const ImageFace::Overlap& overlap, std::size_t k, const MapHalfPlane& h) const;
   bool clip(const MapHalfPlane& h, const Linear& value, Place& from, Place& to);
   Linear along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const;
   Linear nearness(const ImageFace& face) const;
@@ -102,8 +102,7 @@ class SeenBeside {
   Sign nearer_beside(TriangleId s, TriangleId t);
   void add(const Place& from, const Place& to, TriangleId t, const Linear& nearness);
   NearPoint point(const Place& place) const { return stretch_->at(place.t, place.error); }
-  float farthest(Part& part) const;
-  float farthest_of(const Part& part) const;
+  void bound(Part& part) const;
 
   MapSight& map_;
   const Sight& sight_;
@@ -113,10 +112,10 @@ class SeenBeside {
   ImageBox query_;                    // of what may change the answer
   std::array<ImagePoint, 2> ends_;    // where the stretch is seen
   double ends_error_ = 0;
+  double least_ = 0;                  // of `nearness` of what matters: what is less near changes nothing
   bool is_meeting_ = false;           // both sides are looked at
   bool depends_on_side_ = false;      // what was found does
   Linear depth_;                // of the stretch, as Sight has it
-  NearImage at_a_, at_b_ = {};  // where a and b of the stretch are seen; parallel
   Sign side_ = Sign::positive;
   std::vector<Part> parts_, next_;
   std::vector<SeenPart> result_;

@@ -59,7 +59,7 @@ class SideFinder {
   /// otherwise.
   TriangleId only_triangle(EdgeId e, Sign side) const;
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
-  ErrorBounded parameter_at(const Edge& edge, const Cut& cut) const;
+  NearPoint place_of(const Edge& edge, const Cut& cut) const;
   NearPoint end_of(const Intersection& crossing, const Cut& cut) const;
   void add(const MapStretch& stretch, TriangleId left, TriangleId right);
   void add_meeting(const MapStretch& stretch, std::span<const SeenPart> left);
@@ -124,20 +124,16 @@ void SideFinder::add_edge(const VisibleLines& lines, const Line& line) {
   const auto cuts = lines.cuts_of(line);
   MapStretch stretch;
   stretch.line = MapLine::edge(edge.a, edge.b);
-  stretch.a.p = sight_.point(edge.a);
-  stretch.b.p = sight_.point(edge.b);
-  stretch.at_a = edge.a;
-  stretch.at_b = edge.b;
   stretch.is_visible = true;
   for (std::uint32_t k = 0; k < line.intervals(); ++k) {
     if (line.hidden(k)) continue;
-    stretch.from = point_at(edge, beside, cuts[k]);
-    stretch.to = point_at(edge, beside, cuts[k + 1]);
-    const ErrorBounded from = parameter_at(edge, cuts[k]), to = parameter_at(edge, cuts[k + 1]);
-    stretch.from_t = from.value;
-    stretch.from_error = from.error;
-    stretch.to_t = to.value;
-    stretch.to_error = to.error;
+    const Cut &from = cuts[k], &to = cuts[k + 1];
+    stretch.from = point_at(edge, beside, from);
+    stretch.to = point_at(edge, beside, to);
+    stretch.at_a = from.kind == Cut::Kind::start ? edge.a : VertexId();
+    stretch.at_b = to.kind == Cut::Kind::end ? edge.b : VertexId();
+    stretch.a = place_of(edge, from);
+    stretch.b = place_of(edge, to);
     add(stretch, left, right);
   }
 }
@@ -169,7 +165,7 @@ void SideFinder::add_intersection(const Intersection& crossing) {
 /// Of the two faces that meet, what is seen to the left ends where the other one begins.
 void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart> left) {
   const TriangleId s = stretch.first[0]->triangle, t = stretch.first[1]->triangle;
-  double from_t = stretch.from_t, from_error = stretch.from_error;
+  double from_t = 0, from_error = 0;
   for (const SeenPart& part : left) {
     if (part.seen == s || part.seen == t) {
       const MapPlace from = place(stretch, part.from, from_t, from_error), to = place(stretch, part.to, part.to_t, part.to_error);
@@ -221,18 +217,18 @@ void SideFinder::add_near_cut(TriangleId t) {
   add({line, ends[0], ends[1], map_.point(ends[0], t), map_.point(ends[1], t)}, {}, {});
 }
 
-/// The parameter t along the edge, in doubles.
-ErrorBounded SideFinder::parameter_at(const Edge& edge, const Cut& cut) const {
-  if (cut.kind == Cut::Kind::start) return {0, 0};
-  if (cut.kind == Cut::Kind::end) return {1, 0};
+/// Where an edge is cut, in space.
+NearPoint SideFinder::place_of(const Edge& edge, const Cut& cut) const {
+  const Point3 &p = sight_.point(edge.a), &q = sight_.point(edge.b);
+  if (cut.kind == Cut::Kind::start) return {p, 0};
+  if (cut.kind == Cut::Kind::end) return {q, 0};
   const PlaneFilter filter = sight_.filter(cut_plane(sight_, cut));
-  const ErrorBounded a = filter(sight_.point(edge.a)), b = filter(sight_.point(edge.b));
-  return quotient(a, a - b);
+  const ErrorBounded at_p = filter(p), at_q = filter(q);
+  return between(p, q, quotient(at_p, at_p - at_q));
 }
 
 void SideFinder::add(const MapStretch& stretch, TriangleId left, TriangleId right) {
-  const SeenPart whole_left{stretch.from, stretch.to, left, stretch.to_t, stretch.to_error},
-      whole_right{stretch.from, stretch.to, right, stretch.to_t, stretch.to_error};
+  const SeenPart whole_left{stretch.from, stretch.to, left, 1, 0}, whole_right{stretch.from, stretch.to, right, 1, 0};
   const std::span<const SeenPart> l = left.is_valid() ? std::span(&whole_left, 1) : left_.find(stretch, Sign::positive);
   const std::span<const SeenPart> r = right.is_valid() ? std::span(&whole_right, 1) : right_.find(stretch, Sign::negative);
   add_different(stretch, l, r);
@@ -256,7 +252,7 @@ void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPa
   const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh_, t) : t; };
   std::size_t i = 0, j = 0;
   MapPoint from = left.front().from;
-  MapPlace from_place = place(stretch, from, stretch.from_t, stretch.from_error);
+  MapPlace from_place = place(stretch, from, 0, 0);
   while (i < left.size() && j < right.size()) {
     const double gap = left[i].to_t - right[j].to_t;
     const bool is_certain = std::fabs(gap) > (left[i].to_error + right[j].to_error) * 1.01;
