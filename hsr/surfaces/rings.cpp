@@ -27,6 +27,20 @@ struct Loop {
   bool is_outer = false;
 };
 
+/// The lower bound of the x of a point, or of an end.
+struct LowX {
+  double low;
+  std::uint32_t of;
+
+  bool operator<(const LowX& o) const { return low != o.low ? low < o.low : of < o.of; }
+};
+
+void sort_by_x(std::vector<LowX>& order, const std::vector<MapPlace>& places) {
+  order.resize(places.size());
+  for (std::uint32_t i = 0; i < places.size(); ++i) order[i] = {places[i].x - places[i].error_x, i};
+  std::sort(order.begin(), order.end());
+}
+
 /// Loops that follow one another.
 struct LoopRange {
   std::size_t begin, end;
@@ -86,7 +100,7 @@ class RingLinker::Linker {
   std::vector<std::uint32_t> lowest_, number_;  // by the end that stands for a point: the end of the lowest symbol; the point
   std::vector<MapPoint> points_;
   std::vector<MapPlace> places_;
-  std::vector<std::uint32_t> by_x_;                                                 // points, by the lower bound of x
+  std::vector<LowX> by_x_;                                                          // points; before, the ends of sides
   double widest_ = 0;                                                               // of the bounds of x
   std::vector<Piece> ends_, pieces_;                                                // of whole sides; of cut ones
   std::vector<std::uint32_t> inside_;                                               // points of a side
@@ -139,24 +153,17 @@ void RingLinker::Linker::find_points(std::span<const PlacedSide> sides) {
     end_places_.push_back(s.to);
   }
   const std::size_t n = end_points_.size();
-  const auto sort_by_x = [](std::vector<std::uint32_t>& order, const std::vector<MapPlace>& places) {
-    order.resize(places.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-      const double x = places[i].x - places[i].error_x, y = places[j].x - places[j].error_x;
-      return x != y ? x < y : i < j;
-    });
-  };
-  sort_by_x(order_, end_places_);
+  sort_by_x(by_x_, end_places_);
   same_.reset(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const MapPlace& p = end_places_[order_[i]];
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const MapPlace& q = end_places_[order_[j]];
-      if (q.x - q.error_x > p.x + p.error_x) break;
-      if (may_be_one(p, q) && same_.find(order_[i]) != same_.find(order_[j]) &&
-          map_.equal(*end_points_[order_[i]], *end_points_[order_[j]]))
-        same_.join(order_[i], order_[j]);
+    const std::uint32_t end = by_x_[i].of;
+    const MapPlace& p = end_places_[end];
+    const double high = p.x + p.error_x;
+    for (std::size_t j = i + 1; j < n && !(by_x_[j].low > high); ++j) {
+      const std::uint32_t other = by_x_[j].of;
+      if (may_be_one(p, end_places_[other]) && same_.find(end) != same_.find(other) &&
+          map_.equal(*end_points_[end], *end_points_[other]))
+        same_.join(end, other);
     }
   }
   // The lowest symbol stands for the point, and points are numbered by it.
@@ -193,18 +200,19 @@ void RingLinker::Linker::cut_sides() {
     inside_.clear();
     const auto begin = std::isfinite(low) && std::isfinite(widest_)
                            ? std::lower_bound(by_x_.begin(), by_x_.end(), low - widest_,
-                                              [&](std::uint32_t i, double x) { return places_[i].x - places_[i].error_x < x; })
+                                              [](const LowX& point, double x) { return point.low < x; })
                            : by_x_.begin();
-    for (auto i = begin; i != by_x_.end(); ++i) {
-      const MapPlace& r = places_[*i];
-      if (r.x - r.error_x > high) break;
-      if (*i == side.from || *i == side.to || r.x + r.error_x < low || r.y + r.error_y < low_y || r.y - r.error_y > high_y)
+    // What is no number is not beyond.
+    for (auto at = begin; at != by_x_.end() && !(at->low > high); ++at) {
+      const std::uint32_t i = at->of;
+      const MapPlace& r = places_[i];
+      if (i == side.from || i == side.to || r.x + r.error_x < low || r.y + r.error_y < low_y || r.y - r.error_y > high_y)
         continue;
-      if (certainly_turn(side.from, side.to, *i)) continue;
-      if (map_.side(side.line, points_[*i]) != Sign::zero) continue;
-      const Sign after_from = map_.order(side.line, points_[side.from], points_[*i]);
-      const Sign before_to = map_.order(side.line, points_[*i], points_[side.to]);
-      if (after_from == before_to && after_from != Sign::zero) inside_.push_back(*i);
+      if (certainly_turn(side.from, side.to, i)) continue;
+      if (map_.side(side.line, points_[i]) != Sign::zero) continue;
+      const Sign after_from = map_.order(side.line, points_[side.from], points_[i]);
+      const Sign before_to = map_.order(side.line, points_[i], points_[side.to]);
+      if (after_from == before_to && after_from != Sign::zero) inside_.push_back(i);
     }
     std::sort(inside_.begin(), inside_.end(), [&](std::uint32_t i, std::uint32_t j) {
       const Sign s = map_.order(side.line, points_[i], points_[j]);
