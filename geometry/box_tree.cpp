@@ -26,23 +26,27 @@ float up(double x) {
 }
 float down(double x) { return -up(-x); }
 
-/// The low 21 bits of x, two zeros before each.
-std::uint64_t interleaved(std::uint64_t x) {
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffff;
-  x = (x | x << 16) & 0x1f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  x = (x | x << 2) & 0x1249249249249249;
-  return x;
+/// How far along a Hilbert curve through 2^16 x 2^16 cells a cell is: neighbours along the curve are neighbours.
+std::uint32_t along_hilbert_curve(std::uint32_t x, std::uint32_t y) {
+  // In each of its four orientations the curve goes through the quadrants, numbered 2 x + y, in an order of its own, and in each
+  // of them on in an orientation of its own.
+  constexpr std::array<std::array<std::uint8_t, 4>, 4> place = {{{0, 1, 3, 2}, {0, 3, 1, 2}, {2, 3, 1, 0}, {2, 1, 3, 0}}};
+  constexpr std::array<std::array<std::uint8_t, 4>, 4> on = {{{1, 0, 3, 0}, {0, 2, 1, 1}, {2, 1, 2, 3}, {3, 3, 0, 2}}};
+  std::uint32_t all = 0;
+  std::size_t orientation = 0;
+  for (int bit = 15; bit >= 0; --bit) {
+    const std::size_t quadrant = (x >> bit & 1U) << 1U | (y >> bit & 1U);
+    all = all << 2U | place[orientation][quadrant];
+    orientation = on[orientation][quadrant];
+  }
+  return all;
 }
 
 float finite(float x) { return std::clamp(x, std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max()); }
 
-std::array<double, 3> centre(const ImageBox& b) {
+std::array<double, 2> centre(const ImageBox& b) {
   return {(static_cast<double>(finite(b.low[0])) + finite(b.high[0])) / 2,
-          (static_cast<double>(finite(b.low[1])) + finite(b.high[1])) / 2,
-          (static_cast<double>(finite(b.farthest)) + finite(b.nearest)) / 2};
+          (static_cast<double>(finite(b.low[1])) + finite(b.high[1])) / 2};
 }
 
 /// Where most of the centres are in one coordinate. In perspective a few lie a thousand times as far out as the others, and
@@ -50,10 +54,10 @@ std::array<double, 3> centre(const ImageBox& b) {
 struct Spread {
   double middle = 0, half = 1;
 
-  /// Ascending with x, within [0, 1]; nearly even around the middle.
-  double place(double x) const {
-    const double s = (x - middle) / half;
-    return std::isfinite(s) ? 0.5 + 0.5 * s / (1 + std::fabs(s)) : x < middle ? 0 : 1;
+  /// Ascending with x, below 2^16; nearly even around the middle.
+  std::uint32_t cell(double x) const {
+    const double s = (x - middle) / half, place = std::isfinite(s) ? 0.5 + 0.5 * s / (1 + std::fabs(s)) : x < middle ? 0 : 1;
+    return static_cast<std::uint32_t>(place * 0xffff);
   }
 };
 
@@ -92,23 +96,23 @@ void ImageBox::add(const ImageBox& box) {
   nearest = std::max(nearest, box.nearest);
 }
 
-std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes) {
+std::vector<std::uint32_t> hilbert_order(std::span<const ImageBox> boxes) {
   if (boxes.empty()) return {};
-  const std::array<Spread, 3> spreads = {spread_of(boxes, 0), spread_of(boxes, 1), spread_of(boxes, 2)};
+  const std::array<Spread, 2> spreads = {spread_of(boxes, 0), spread_of(boxes, 1)};
   struct Place {
-    std::uint64_t key;
+    std::uint32_t along;
+    float nearest;
     std::uint32_t box;
-    bool operator<(const Place& o) const { return key != o.key ? key < o.key : box < o.box; }
+    bool operator<(const Place& o) const {
+      return along != o.along ? along < o.along : nearest != o.nearest ? nearest > o.nearest : box < o.box;
+    }
   };
   std::vector<Place> places(boxes.size());
   tbb::parallel_for(Range(0, boxes.size(), 4096), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const auto c = centre(boxes[i]);
-      std::uint64_t key = 0;
-      // Depth counts for less: most queries reach through all of it, up to what is seen.
-      for (std::size_t k = 0; k < 3; ++k)
-        key |= interleaved(static_cast<std::uint64_t>(spreads[k].place(c[k]) * 0x1fffff) >> (k == 2 ? 3U : 0U)) << k;
-      places[i] = {key, static_cast<std::uint32_t>(i)};
+      places[i] = {along_hilbert_curve(spreads[0].cell(c[0]), spreads[1].cell(c[1])), boxes[i].nearest,
+                   static_cast<std::uint32_t>(i)};
     }
   });
   tbb::parallel_sort(places.begin(), places.end());
@@ -117,7 +121,7 @@ std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes) {
   return order;
 }
 
-BoxTree::BoxTree(std::span<const ImageBox> boxes) : order_(z_order(boxes)) {
+BoxTree::BoxTree(std::span<const ImageBox> boxes) : order_(hilbert_order(boxes)) {
   if (boxes.empty()) return;
   // An empty place holds no numbers: it overlaps nothing, not even an unbounded query.
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();

@@ -28,11 +28,11 @@ struct ImageBox {
   static ImageBox everything();
 };
 
-/// The boxes along a Z-order (Morton 1966) of their centres: what is near in the image is near in the order.
-/// Ties by index; the same for any number of threads. Cost: O(n log n), parallel.
-std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes);
+/// The boxes along a Hilbert curve through the image, by their centres: what is near in the order is near in the image. Of one
+/// place the nearer first, then by index; the same for any number of threads. Cost: O(n log n), parallel.
+std::vector<std::uint32_t> hilbert_order(std::span<const ImageBox> boxes);
 
-/// A static tree over boxes: eight to a node along their Z-order, level upon level.
+/// A static tree over boxes: eight to a node along their Hilbert order, level upon level.
 ///
 /// `visit(query, f)` calls f(index of box) for every box that overlaps the query in the image and reaches nearer than the
 /// query's farthest point, i.e. for all that could hide some of it, roughly the nearest first; stops when f returns false.
@@ -41,6 +41,7 @@ std::vector<std::uint32_t> z_order(std::span<const ImageBox> boxes);
 ///
 /// Many queries close to one another share the way down: `leaves` finds the leaves that overlap all of them together, and
 /// `visit_leaf` looks for each query at one leaf. `first`: leaves before it are passed over.
+/// Source: Kamel & Faloutsos 1993 (R-trees packed along a Hilbert curve).
 class BoxTree {
  public:
   enum class Depth { hiding, touching, any };
@@ -123,7 +124,7 @@ class BoxTree {
   }
 
   std::vector<Node> nodes_;                 // level upon level, the leaves' level first
-  std::vector<std::uint32_t> children_;     // of each inner node, three bits a box: which of its eight it is along the Z-order
+  std::vector<std::uint32_t> children_;     // of each inner node, three bits a box: which of its eight it is along the order
   std::vector<std::uint32_t> level_begin_;  // of each level in nodes_
   std::vector<std::uint32_t> order_;        // box at each place of the lowest level
 };

@@ -48,7 +48,7 @@ class Appel {
         requested_(requested),
         layers_(layers),
         occluders_(occluders),
-        order_(z_order(requested_.boxes)),
+        order_(hilbert_order(requested_.boxes)),
         parts_((order_.size() + edges_of_block - 1) / edges_of_block),
         counts_(sight.mesh().points.size()) {}
 

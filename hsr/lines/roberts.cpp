@@ -17,7 +17,7 @@ VisibleLines roberts(const Mesh& mesh, const View& view, const LineOptions& opti
 VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders,
                      const LineOptions& options, const HiddenTiles* tiles) {
   // Neighbours in the image meet the same triangles: in this order they are still in the cache.
-  const std::vector<std::uint32_t> order = z_order(requested.boxes);
+  const std::vector<std::uint32_t> order = hilbert_order(requested.boxes);
   VisibleLines all = tiled_in_blocks(sight, options, order, [&](Tiling& tiling, std::uint32_t i) {
     if (!requested.hidden.empty() && requested.hidden[i] != 0)
       tiling.add_whole(requested[i], true);
@@ -31,7 +31,7 @@ VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const 
 VisibleLines lines_of_intersections(const Sight& sight, const std::vector<Intersection>& united,
                                     const std::vector<ImageBox>& boxes, const Occluders& occluders,
                                     const LineOptions& options) {
-  return tiled_in_blocks(sight, options, z_order(boxes),
+  return tiled_in_blocks(sight, options, hilbert_order(boxes),
                          [&](Tiling& tiling, std::uint32_t i) { tiling.add_by_casting(i, united[i], boxes[i], occluders); });
 }
 
