@@ -7,6 +7,14 @@
 
 namespace hsr {
 
+/// Twice the area of the triangle of three images, positive where they turn left: O of what they are images of has its sign.
+/// @param error of each coordinate @see ImageLine for the bound
+inline ErrorBounded image_turn(const ImagePoint& p, const ImagePoint& q, const ImagePoint& r, double error) {
+  const double dx = q.x - p.x, dy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
+  const double d = std::fabs(dx) + std::fabs(dy), l = std::fabs(rx) + std::fabs(ry);
+  return {dx * ry - dy * rx, 2.2 * error * (d + l) + 9.1 * error * error + 4.2 * ErrorBounded::u * d * l + 0x1p-1000};
+}
+
 /// The line through the images of two vertices a and b, prepared for many points: the sign of O(a, b, p).
 ///
 /// With E = image_error(), r = p - a and d = b - a as computed: every entry of r and d is off by at most 2 E and one rounding u

@@ -7,6 +7,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
+#include "hsr/image_line.h"
 
 namespace hsr {
 
@@ -135,13 +136,11 @@ void RingLinker::Linker::clear() {
   rings_.first_ring.assign(1, 0);
 }
 
-/// Whether three points certainly lie on no line: the bound of ImageLine, E the largest error of the three.
+/// Whether three points certainly lie on no line.
 bool RingLinker::Linker::certainly_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
   const MapPlace &p = places_[i], &q = places_[j], &r = places_[k];
   const double error = std::max({p.error_x, p.error_y, q.error_x, q.error_y, r.error_x, r.error_y});
-  const double dx = q.x - p.x, dy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
-  const double d = std::fabs(dx) + std::fabs(dy), l = std::fabs(rx) + std::fabs(ry);
-  return std::fabs(dx * ry - dy * rx) > 2.2 * error * (d + l) + 9.1 * error * error + 4.2 * ErrorBounded::u * d * l + 0x1p-1000;
+  return image_turn({p.x, p.y}, {q.x, q.y}, {r.x, r.y}, error).is_certain();
 }
 
 /// Gives each point of the image one number.

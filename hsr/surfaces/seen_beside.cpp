@@ -35,7 +35,7 @@ void SeenBeside::start(const MapStretch& stretch, Sign side) {
   for (const std::size_t k : {0U, 1U}) {
     const NearPoint& p = k == 0 ? stretch.a : stretch.b;
     const VertexId v = k == 0 ? stretch.at_a : stretch.at_b;
-    query_.add(sight_.box(p.p, 3 * p.error));
+    query_.add(v.is_valid() ? sight_.box(v) : sight_.box(p.p, 3 * p.error));
     if (v.is_valid() && sight_.image_error() < HUGE_VAL) {
       ends_[k] = sight_.image(v);
     } else {

@@ -9,6 +9,7 @@
 #include "hsr/contacts/intersections.h"
 #include "hsr/cut_plane.h"
 #include "hsr/facet.h"
+#include "hsr/image_line.h"
 #include "hsr/lines/bodies.h"
 #include "hsr/lines/hidden_tiles.h"
 #include "hsr/lines/layers.h"
@@ -62,6 +63,7 @@ class SideFinder {
   NearPoint place_of(const Edge& edge, const Cut& cut) const;
   NearPoint end_of(const Intersection& crossing, const Cut& cut) const;
   void add(const MapStretch& stretch, TriangleId left, TriangleId right);
+  Sign runs_along(const Intersection& crossing, const MapStretch& stretch);
   void add_meeting(const MapStretch& stretch, std::span<const SeenPart> left);
   void add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right);
   MapPlace place(const MapStretch& stretch, const MapPoint& p, double t, double error) const;
@@ -146,7 +148,7 @@ void SideFinder::add_intersection(const Intersection& crossing) {
   };
   const MapPoint from = point(crossing.from), to = point(crossing.to);
   MapStretch stretch{line, from, to, end_of(crossing, crossing.from), end_of(crossing, crossing.to)};
-  if (map_.order(line, from, to) == Sign::positive) {  // along its image, not in space
+  if (runs_along(crossing, stretch) == Sign::negative) {
     std::swap(stretch.from, stretch.to);
     std::swap(stretch.a, stretch.b);
   }
@@ -160,6 +162,21 @@ void SideFinder::add_intersection(const Intersection& crossing) {
     add_meeting(stretch, meeting.left);
   else
     add(stretch, {}, {});
+}
+
+/// Whether the ends of an intersection are in the order of its line, along its image. Where a corner of s is before the plane of
+/// t, MapSight::nearer(s, t) tells on which side of the line it is seen: to the left iff facing(s) t(corner) < 0. To the left
+/// O is negative.
+Sign SideFinder::runs_along(const Intersection& crossing, const MapStretch& stretch) {
+  const NearImage a = sight_.image(stretch.a.p, 3 * stretch.a.error), b = sight_.image(stretch.b.p, 3 * stretch.b.error);
+  const PlaneFilter plane = sight_.filter(sight_.face_plane(crossing.t));
+  for (const VertexId v : mesh_.triangles[crossing.s]) {
+    const ErrorBounded at_v = plane(sight_.point(v));
+    if (!at_v.is_certain() || !(sight_.image_error() < HUGE_VAL)) continue;
+    const ErrorBounded turn = image_turn(a.at, b.at, sight_.image(v), std::max({a.error, b.error, sight_.image_error()}));
+    if (turn.is_certain()) return sign_of(at_v.value) * sign_of(turn.value) * sight_.facing(crossing.s);
+  }
+  return -map_.order(stretch.line, stretch.from, stretch.to);
 }
 
 /// Of the two faces that meet, what is seen to the left ends where the other one begins.
