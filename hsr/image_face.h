@@ -4,9 +4,25 @@
 #include <cmath>
 
 #include "geometry/plane_filter.h"
+#include "hsr/two_doubles.h"
 #include "hsr/sight.h"
 
 namespace hsr {
+
+/// A segment of the image prepared for the many triangles it is asked about.
+struct ImageSegment {
+  ImagePoint p = {0, 0}, q = {0, 0};
+  double error = 0;  ///< of each coordinate of these points
+  double dx = 0, dy = 0;
+  double least = 0, slope = 0;  ///< of the determinant of p, q and r: its error is at most least + slope |r - p|_1
+
+  ImageSegment() = default;
+  ImageSegment(const ImagePoint& from, const ImagePoint& to, double e) : p(from), q(to), error(e), dx(q.x - p.x), dy(q.y - p.y) {
+    const double length = std::fabs(dx) + std::fabs(dy);
+    least = 9.1 * e * e + 0x1p-1000 + 2.2 * e * length;
+    slope = 2.2 * e + 4.2 * ErrorBounded::u * length;
+  }
+};
 
 /// A triangle prepared for the many lines that it is asked about: its image, and its plane.
 ///
@@ -41,45 +57,43 @@ struct ImageFace {
 
   bool has(VertexId v) const { return v == corners[0] || v == corners[1] || v == corners[2]; }
 
-  /// Whether the triangle certainly lies on one side of the line through p and q. @param error of each coordinate of these
-  /// points
-  bool is_beside(const ImagePoint& p, const ImagePoint& q, double error) const {
-    const double sx = q.x - p.x, sy = q.y - p.y, size = std::fabs(sx) + std::fabs(sy), per_length = 2.2 * error;
-    const double least = 9.1 * error * error + 0x1p-1000 + per_length * size, slope = per_length + 4.2 * ErrorBounded::u * size;
+  /// Whether the triangle certainly lies on one side of the line of the segment.
+  bool is_beside(const ImageSegment& s) const {
     const auto side = [&](std::size_t k) {
-      const double px = x[k] - p.x, py = y[k] - p.y;
-      const double det = sx * py - sy * px, bound = least + slope * (std::fabs(px) + std::fabs(py));
+      const double px = x[k] - s.p.x, py = y[k] - s.p.y;
+      const double det = s.dx * py - s.dy * px, bound = s.least + s.slope * (std::fabs(px) + std::fabs(py));
       return det > bound ? 1 : det < -bound ? -1 : 0;
     };
     const int first = side(0);
     return first != 0 && side(1) == first && side(2) == first;
   }
 
-  /// O of the side from corner k to the next for p, times facing, in the image. @param error of each coordinate of these points
-  ErrorBounded at_side(unsigned k, const ImagePoint& p, double error) const {
-    const unsigned next = k == 2 ? 0 : k + 1;
-    const double dx = facing * (x[next] - x[k]), dy = facing * (y[next] - y[k]), length = std::fabs(dx) + std::fabs(dy);
-    const double px = p.x - x[k], py = p.y - y[k];
-    return {dx * py - dy * px, 9.1 * error * error + 0x1p-1000 + 2.2 * error * length +
-                                   (2.2 * error + 4.2 * ErrorBounded::u * length) * (std::fabs(px) + std::fabs(py))};
-  }
-
   /// What the image tells for certain of the triangle and a segment.
   struct Overlap {
     bool is_none = false;    ///< both ends lie strictly beyond one of its sides
     unsigned is_within = 0;  ///< bit k: both ends are strictly on the inner side of the triangle's side k
-    std::array<ErrorBounded, 3> at_p = {}, at_q = {};  ///< O of side k for the ends, times facing, in the image
+    std::array<TwoDoubles, 3> value, error;
+
+    /// O of the side from corner k to the next for an end, times facing, in the image.
+    ErrorBounded at_p(std::size_t k) const { return {value[k][0], error[k][0]}; }
+    ErrorBounded at_q(std::size_t k) const { return {value[k][1], error[k][1]}; }
   };
-  /// Of the segment from p to q. @param error of each coordinate of these points
-  Overlap overlap(const ImagePoint& p, const ImagePoint& q, double error) const {
+  Overlap overlap(const ImageSegment& s) const {
     Overlap overlap;
+    const TwoDoubles sx = {s.p.x, s.q.x}, sy = {s.p.y, s.q.y};
+    const double per_length = 2.2 * s.error, least = 9.1 * s.error * s.error + 0x1p-1000;
     for (unsigned k = 0; k < 3; ++k) {
-      const ErrorBounded at_p = overlap.at_p[k] = at_side(k, p, error), at_q = overlap.at_q[k] = at_side(k, q, error);
-      if (at_p.value < -at_p.error && at_q.value < -at_q.error) {
+      const unsigned next = k == 2 ? 0 : k + 1;
+      const double dx = facing * (x[next] - x[k]), dy = facing * (y[next] - y[k]), length = std::fabs(dx) + std::fabs(dy);
+      const TwoDoubles px = sx - x[k], py = sy - y[k];
+      const TwoDoubles value = overlap.value[k] = dx * py - dy * px;
+      const TwoDoubles error = overlap.error[k] =
+          (least + per_length * length) + (per_length + 4.2 * ErrorBounded::u * length) * (absolute(px) + absolute(py));
+      if (both(value < -error)) {
         overlap.is_none = true;
         return overlap;
       }
-      overlap.is_within |= (unsigned{at_p.value > at_p.error} & unsigned{at_q.value > at_q.error}) << k;
+      overlap.is_within |= unsigned{both(value > error)} << k;
     }
     return overlap;
   }

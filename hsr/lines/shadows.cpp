@@ -62,15 +62,15 @@ Bound Shadows::place(const Cut& cut) {
 }
 
 Sign Shadows::order(const Bound& x, const Bound& y) {
-  if (x.cut == y.cut) return Sign::zero;
-  using Kind = Cut::Kind;
-  if (x.cut.kind == Kind::start || y.cut.kind == Kind::end) return Sign::negative;
-  if (x.cut.kind == Kind::end || y.cut.kind == Kind::start) return Sign::positive;
   const double gap = x.t - y.t;
   if (std::fabs(gap) > x.error + y.error) {
     ++exact_.counts().filter;
     return sign_of(gap);
   }
+  if (x.cut == y.cut) return Sign::zero;
+  using Kind = Cut::Kind;
+  if (x.cut.kind == Kind::start || y.cut.kind == Kind::end) return Sign::negative;
+  if (x.cut.kind == Kind::end || y.cut.kind == Kind::start) return Sign::positive;
   const Plane x_plane = cut_plane(sight_, x.cut), y_plane = cut_plane(sight_, y.cut);
   // Where y is, the value of x still has the sign that it falls from, if y comes first.
   if (!is_edge()) return x.fall * exact_.side(x_plane, s_plane_, t_plane_, y_plane);
@@ -82,6 +82,7 @@ bool Shadows::start(EdgeId id) {
   a_ = {edge.a, sight_.point(edge.a), 0, {}};
   b_ = {edge.b, sight_.point(edge.b), 0, {}};
   edge_sight_.reset();
+  if (sight_.image_error() < HUGE_VAL) image_ = {sight_.image(edge.a), sight_.image(edge.b), sight_.image_error()};
   first_ = start_bound;
   last_ = end_bound;
   const Sign near_a = sight_.beyond_near(edge.a), near_b = sight_.beyond_near(edge.b);
@@ -189,12 +190,11 @@ void Shadows::cast(const ImageFace& face, std::vector<Shadow>& shadows) {
     cast(face.triangle, {}, shadows);
     return;
   }
-  const ImagePoint &p = sight_.image(a_.vertex), &q = sight_.image(b_.vertex);
-  if (face.is_beside(p, q, sight_.image_error())) return;
+  if (face.is_beside(image_)) return;
   const ErrorBounded at_a = face.plane(a_.p), at_b = face.plane(b_.p);
   const bool before_a = face.facing * at_a.value < -at_a.error, before_b = face.facing * at_b.value < -at_b.error;
   if (before_a && before_b) return;
-  const ImageFace::Overlap overlap = face.overlap(p, q, sight_.image_error());
+  const ImageFace::Overlap overlap = face.overlap(image_);
   if (overlap.is_none) return;
   const bool is_behind = face.facing * at_a.value > at_a.error && face.facing * at_b.value > at_b.error;
   cast(face.triangle, {false, is_behind, &overlap}, shadows);
@@ -231,7 +231,7 @@ void Shadows::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<
         ++exact_.counts().filter;
         return {x, sign_of(x.value)};
       };
-      if (!clip(sight_cut(u, v), value(prefilter.image->at_p[k], a_), value(prefilter.image->at_q[k], b_), wanted, false))
+      if (!clip(sight_cut(u, v), value(prefilter.image->at_p(k), a_), value(prefilter.image->at_q(k), b_), wanted, false))
         return;
       continue;
     }

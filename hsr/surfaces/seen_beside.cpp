@@ -31,35 +31,38 @@ void SeenBeside::start(const MapStretch& stretch, Sign side) {
   is_meeting_ = depends_on_side_ = false;
   parts_.assign(1, {{stretch.from, 0, 0}, {stretch.to, 1, 0}, {}, {}});
   query_ = ImageBox::nothing();
-  ends_error_ = sight_.image_error();
+  std::array<ImagePoint, 2> ends;
+  double error = sight_.image_error();
   for (const std::size_t k : {0U, 1U}) {
     const NearPoint& p = k == 0 ? stretch.a : stretch.b;
     const VertexId v = k == 0 ? stretch.at_a : stretch.at_b;
     query_.add(v.is_valid() ? sight_.box(v) : sight_.box(p.p, 3 * p.error));
     if (v.is_valid() && sight_.image_error() < HUGE_VAL) {
-      ends_[k] = sight_.image(v);
+      ends[k] = sight_.image(v);
     } else {
       const NearImage image = sight_.image(p.p, 3 * p.error);
-      ends_[k] = image.at;
-      ends_error_ += image.error;
+      ends[k] = image.at;
+      error += image.error;
     }
   }
+  image_ = {ends[0], ends[1], error};
   depth_ = {sight_.depth(stretch.a.p, 3 * stretch.a.error), sight_.depth(stretch.b.p, 3 * stretch.b.error)};
   least_ = -HUGE_VAL;
-  query_.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends_[0], ends_[1], ends_error_) : -unknown;
+  query_.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends[0], ends[1], error) : -unknown;
 }
 
 /// False: no other face changes anything.
 bool SeenBeside::look_at(const ImageFace& face) {
-  if (face.is_beside(ends_[0], ends_[1], ends_error_)) return true;
+  if (face.is_beside(image_)) return true;
   const Linear of_t = nearness(face);
   if (of_t.at_a.value + of_t.at_a.error < least_ && of_t.at_b.value + of_t.at_b.error < least_) return true;
-  const ImageFace::Overlap overlap = face.overlap(ends_[0], ends_[1], ends_error_);
+  const ImageFace::Overlap overlap = face.overlap(image_);
   if (overlap.is_none) return true;
   const std::size_t before = parts_.size();
   const TriangleId first = parts_.front().seen;
   insert(face, of_t, overlap);
   if (parts_.size() == before && parts_.front().seen == first) return true;
+  if (std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return !part.seen.is_valid(); })) return true;
   float lowest = unknown;
   least_ = HUGE_VAL;
   for (Part& part : parts_) {
@@ -113,11 +116,6 @@ SeenBeside::Meeting SeenBeside::find_meeting(const MapStretch& stretch) {
 
 void SeenBeside::bound(Part& part) const {
   if (part.farthest != unknown) return;
-  if (!part.seen.is_valid()) {
-    part.farthest = -unknown;
-    part.least = -HUGE_VAL;
-    return;
-  }
   double farthest = HUGE_VAL;
   for (const Place* end : {&part.from, &part.to}) {
     const ErrorBounded depth = at(depth_, *end), n = at(part.nearness, *end);
@@ -214,7 +212,7 @@ SeenBeside::Linear SeenBeside::along_side(const ImageFace& face, const ImageFace
   if (sight_.is_perspective()) return along(sight_.filter(sight_.sight_plane(v, w)), zero_at_a, zero_at_b);
   const bool is_reversed = (face.facing < 0) == (face.corners[k] == v);
   const auto value = [&](const ErrorBounded& x) { return is_reversed ? -x : x; };
-  return {zero_at_a ? ErrorBounded{} : value(overlap.at_p[k]), zero_at_b ? ErrorBounded{} : value(overlap.at_q[k])};
+  return {zero_at_a ? ErrorBounded{} : value(overlap.at_p(k)), zero_at_b ? ErrorBounded{} : value(overlap.at_q(k))};
 }
 
 bool SeenBeside::clip(const ImageFace& face, const ImageFace::Overlap& overlap, Place& from, Place& to) {

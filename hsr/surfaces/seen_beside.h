@@ -110,8 +110,7 @@ class SeenBeside {
   const HiddenTiles* tiles_;
   const MapStretch* stretch_ = nullptr;
   ImageBox query_;                    // of what may change the answer
-  std::array<ImagePoint, 2> ends_;    // where the stretch is seen
-  double ends_error_ = 0;
+  ImageSegment image_;                // of the stretch
   double least_ = 0;                  // of `nearness` of what matters: what is less near changes nothing
   bool is_meeting_ = false;           // both sides are looked at
   bool depends_on_side_ = false;      // what was found does
