@@ -195,6 +195,14 @@ void HiddenTiles::build_levels() {
 /// reaches beyond the grid.
 bool HiddenTiles::is_inside(const Rectangle& r, std::array<Tiles, 2>& range) const {
   for (std::size_t k = 0; k < 2; ++k) {
+    if (sight_.image_error() > 0) {
+      // As in between().
+      const double first = (r.low[k] - axes_[k].first) * axes_[k].per_width - axes_[k].slack,
+                   last = (r.high[k] - axes_[k].first) * axes_[k].per_width + axes_[k].slack;
+      if (!(first >= 0 && last < axes_[k].tiles)) return false;
+      range[k] = {static_cast<std::int32_t>(first), static_cast<std::int32_t>(last)};
+      continue;
+    }
     const std::int32_t low = axes_[k].last_border_up_to(r.low[k]), high = axes_[k].first_border_from(r.high[k]);
     if (low < 0 || high > axes_[k].tiles) return false;
     range[k].first = std::min(low, axes_[k].tiles - 1);
@@ -300,11 +308,11 @@ bool HiddenTiles::hides(TriangleId t) const {
   return true;
 }
 
-/// Walks along pq on one level, column by column, or row by row where it is steep: bound(low, high, error) for the shares of the
-/// way from p to q between which pq is in that column, and then visit(nearness, bound) for its tiles along pq. Stops where that
-/// returns false. False: it did, or pq reaches beyond the grid.
-template <class B, class F>
-bool HiddenTiles::walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const B& bound,
+/// Walks along pq on one level, column by column, or row by row where it is steep: start(shares) of the column, and then
+/// visit(nearness, shares) for its tiles along pq; shares() are those of the way from p to q between which pq is in the column.
+/// Stops where a visit returns false. False: it did, or pq reaches beyond the grid.
+template <class S, class F>
+bool HiddenTiles::walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const S& start,
                              const F& visit) const {
   if (!(error < HUGE_VAL)) return false;
   const Rectangle around = grown({{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}}, error);
@@ -328,11 +336,14 @@ bool HiddenTiles::walk_along(std::size_t level, const ImagePoint& p, const Image
     // Not where the slope is no number.
     const Tiles across = between(other, least > around.low[other] ? least : around.low[other],
                                  most < around.high[other] ? most : around.high[other], range[other]);
-    const double low_share = low * per_length, high_share = high * per_length;
-    const auto b = bound(std::min(low_share, high_share), std::max(low_share, high_share), share_slack);
+    const auto shares = [&] {
+      const double low_share = low * per_length, high_share = high * per_length;
+      return Shares{std::min(low_share, high_share), std::max(low_share, high_share), share_slack};
+    };
+    start(shares);
     const float* tile = levels_[level].nearness.data() + static_cast<std::size_t>(k) * stride[main];
     for (std::int32_t m = across.first >> level; m <= across.last >> level; ++m)
-      if (!visit(tile[static_cast<std::size_t>(m) * stride[other]], b)) return false;
+      if (!visit(tile[static_cast<std::size_t>(m) * stride[other]], shares)) return false;
   }
   return true;
 }
@@ -344,8 +355,10 @@ class HiddenTiles::AlongSegment {
   AlongSegment(double a, double b)
       : a_(a), b_(b), nearest_(std::max(a, b)), slack_(16 * u * (std::fabs(a) + std::fabs(b))) {}
 
+  float at_most() const { return float_above(nearest_ + slack_); }
   /// Between two shares of the way, which may be a little beyond its ends.
-  float at_most(double low, double high) const {
+  float at_most(const Shares& shares) const {
+    const double low = shares.low - shares.error, high = shares.high + shares.error;
     const double at_low = a_ + low * (b_ - a_), at_high = a_ + high * (b_ - a_), most = std::max(at_low, at_high);
     // Not where the shares are no numbers: then the nearer end bounds all.
     return float_above((std::isfinite(at_low) && std::isfinite(at_high) && most < nearest_ ? most : nearest_) + slack_);
@@ -373,9 +386,10 @@ bool HiddenTiles::hides(const ImagePoint& p, float nearness_of_p, const ImagePoi
                         double error) const {
   const AlongSegment nearness(affine(nearness_of_p), affine(nearness_of_q));
   if (levels_.empty() || is_before({(p.x + q.x) / 2, (p.y + q.y) / 2}, nearness.middle())) return false;
+  const float nearest = nearness.at_most();
   return walk_along(
-      0, p, q, error, [&](double low, double high, double slack) { return nearness.at_most(low - slack, high + slack); },
-      [](float tile, float most) { return tile > most; });
+      0, p, q, error, [](const auto&) {},
+      [&](float tile, const auto& shares) { return tile > nearest || tile > nearness.at_most(shares()); });
 }
 
 bool HiddenTiles::unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) const {
@@ -383,9 +397,9 @@ bool HiddenTiles::unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) cons
   parts.clear();
   if (levels_.empty() || sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return false;
   const AlongSegment nearness(affine(sight_.box(e.a).nearest), affine(sight_.box(e.b).nearest));
+  const float nearest = nearness.at_most();
   struct Column {
     double low, high;
-    float most;              // nearness of the edge, at most
     float least = -nowhere;  // of what hides
     bool is_hidden = true;
   };
@@ -415,17 +429,17 @@ bool HiddenTiles::unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) cons
   double widest = 0, error = 0;
   const bool is_known = walk_along(
       std::min<std::size_t>(coarse, levels_.size() - 1), sight_.image(e.a), sight_.image(e.b), sight_.image_error(),
-      [&](double low, double high, double slack) -> Column* {
+      [&](const auto& shares) {
         end_column();
-        column = {low - slack, high + slack, nearness.at_most(low - slack, high + slack)};
-        widest = std::max(widest, high - low);
-        error = slack;
-        return &*column;
+        const Shares here = shares();
+        column = {here.low - here.error, here.high + here.error};
+        widest = std::max(widest, here.high - here.low);
+        error = here.error;
       },
-      [&](float tile, Column* here) {
-        here->least = std::min(here->least, tile);
-        here->is_hidden &= tile > here->most;
-        return std::isfinite(here->low) && std::isfinite(here->high);
+      [&](float tile, const auto& shares) {
+        column->least = std::min(column->least, tile);
+        column->is_hidden = column->is_hidden && (tile > nearest || tile > nearness.at_most(shares()));
+        return std::isfinite(column->low) && std::isfinite(column->high);
       });
   // A margin lies within the next column, whatever was rounded.
   if (!is_known || !(error < widest / 16)) {
@@ -456,10 +470,10 @@ float HiddenTiles::hidden_from(const ImagePoint& p, const ImagePoint& q, double 
   // Larger tiles say nearly as much, and there are fewer.
   const bool is_known = walk_along(
       std::min<std::size_t>(coarse, levels_.size() - 1), p, q, error + 0x1p-20 * (axes_[0].width + axes_[1].width),
-      [](double /*low*/, double /*high*/, double /*slack*/) { return nowhere; },
-      [&](float tile, float none) {
+      [](const auto&) {},
+      [&](float tile, const auto&) {
         least = std::min(least, tile);
-        return least > none;
+        return least > nowhere;
       });
   if (!is_known) return nowhere;
   if (!sight_.is_perspective()) return least;

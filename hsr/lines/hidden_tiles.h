@@ -86,6 +86,10 @@ class HiddenTiles {
   struct Tiles {
     std::int32_t first, last;
   };
+  /// Of the way along a segment, each known within `error`.
+  struct Shares {
+    double low, high, error;
+  };
   class Region;
   class AlongSegment;
 
@@ -106,8 +110,8 @@ class HiddenTiles {
   bool is_inside(const Rectangle& r, std::array<Tiles, 2>& range) const;
   Tiles between(std::size_t axis, double low, double high, const Tiles& within) const;
   bool is_before(const ImagePoint& p, double nearness) const;
-  template <class B, class F>
-  bool walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const B& bound,
+  template <class S, class F>
+  bool walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const S& start,
                   const F& visit) const;
   bool hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q, double error) const;
   bool hides(const std::array<Tiles, 2>& range, float nearest) const;
