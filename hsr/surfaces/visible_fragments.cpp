@@ -264,29 +264,42 @@ MapPlace SideFinder::place(const MapStretch& stretch, const MapPoint& p, double 
   return image.error < HUGE_VAL ? MapPlace{image.at.x, image.at.y, image.error, image.error} : unknown;
 }
 
-/// Where what is seen to the left and to the right differs, both end.
+/// Where what is seen to the left and to the right differs, both end. What goes on beside several others ends in one side.
 void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right) {
   const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh_, t) : t; };
+  MapPoint at = left.front().from;
+  MapPlace place_of_at = place(stretch, at, 0, 0);
+  // What ends on each side since where; none: nothing does.
+  struct Ending {
+    TriangleId facet;
+    MapPoint from;
+    MapPlace place;
+  };
+  Ending l, r;
+  const auto go_on = [&](Ending& ending, TriangleId next, bool is_left) {
+    if (ending.facet == next) return;
+    if (ending.facet.is_valid())
+      sides_.push_back({ending.facet, is_left ? PlacedSide{{stretch.line, false, ending.from, at}, ending.place, place_of_at}
+                                              : PlacedSide{{stretch.line, true, at, ending.from}, place_of_at, ending.place}});
+    ending = {next, at, place_of_at};
+  };
   std::size_t i = 0, j = 0;
-  MapPoint from = left.front().from;
-  MapPlace from_place = place(stretch, from, 0, 0);
   while (i < left.size() && j < right.size()) {
+    const TriangleId seen_left = facet(left[i].seen), seen_right = facet(right[j].seen);
+    const bool is_border = seen_left != seen_right;
+    go_on(l, is_border ? seen_left : TriangleId(), true);
+    go_on(r, is_border ? seen_right : TriangleId(), false);
     const double gap = left[i].to_t - right[j].to_t;
     const bool is_certain = std::fabs(gap) > (left[i].to_error + right[j].to_error) * 1.01;
     const Sign first = is_certain ? sign_of(gap) : map_.order(stretch.line, left[i].to, right[j].to);
     const SeenPart& ends = first == Sign::positive ? right[j] : left[i];
-    const MapPoint& to = ends.to;
-    const MapPlace to_place = place(stretch, to, ends.to_t, ends.to_error);
-    const TriangleId l = facet(left[i].seen), r = facet(right[j].seen);
-    if (l != r) {
-      if (l.is_valid()) sides_.push_back({l, {{stretch.line, false, from, to}, from_place, to_place}});
-      if (r.is_valid()) sides_.push_back({r, {{stretch.line, true, to, from}, to_place, from_place}});
-    }
-    from = to;
-    from_place = to_place;
+    at = ends.to;
+    place_of_at = place(stretch, at, ends.to_t, ends.to_error);
     if (first != Sign::positive) ++i;
     if (first != Sign::negative) ++j;
   }
+  go_on(l, {}, true);
+  go_on(r, {}, false);
 }
 
 class FragmentFinder {
