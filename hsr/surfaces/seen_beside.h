@@ -21,6 +21,7 @@ struct MapStretch {
   VertexId at_a = {}, at_b = {};  ///< the vertices that are a and b, if they are
   /// It is of an edge, and visible: no face that is wholly nearer is beside it.
   bool is_visible = false;
+  TriangleId elsewhere = {};  ///< a face that ends at the line, on the side that is not looked at
   /// Faces that are likely to be seen beside it: looked at first, so that what lies behind them need not be.
   std::array<const ImageFace*, 2> first = {};
 

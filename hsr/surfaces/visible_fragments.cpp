@@ -62,7 +62,7 @@ class SideFinder {
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
   NearPoint place_of(const Edge& edge, const Cut& cut) const;
   NearPoint end_of(const Intersection& crossing, const Cut& cut) const;
-  void add(const MapStretch& stretch, TriangleId left, TriangleId right);
+  void add(MapStretch stretch, TriangleId left, TriangleId right);
   Sign runs_along(const Intersection& crossing, const MapStretch& stretch);
   void add_meeting(const MapStretch& stretch, std::span<const SeenPart> left);
   void add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right);
@@ -244,8 +244,10 @@ NearPoint SideFinder::place_of(const Edge& edge, const Cut& cut) const {
   return between(p, q, quotient(at_p, at_p - at_q));
 }
 
-void SideFinder::add(const MapStretch& stretch, TriangleId left, TriangleId right) {
+/// @param left what is seen to the left, if it is known
+void SideFinder::add(MapStretch stretch, TriangleId left, TriangleId right) {
   const SeenPart whole_left{stretch.from, stretch.to, left, 1, 0}, whole_right{stretch.from, stretch.to, right, 1, 0};
+  stretch.elsewhere = left.is_valid() ? left : right;
   const std::span<const SeenPart> l = left.is_valid() ? std::span(&whole_left, 1) : left_.find(stretch, Sign::positive);
   const std::span<const SeenPart> r = right.is_valid() ? std::span(&whole_right, 1) : right_.find(stretch, Sign::negative);
   add_different(stretch, l, r);
