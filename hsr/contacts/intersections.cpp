@@ -38,8 +38,9 @@ class Finder {
   const DecisionCounts& decisions() { return exact_.counts(); }
 
  private:
-  std::array<Sign, 3> sides(const PlaneFilter& filter, const Plane& plane, TriangleId s, TriangleId t);
-  void look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane, TriangleId t, std::vector<Intersection>& found);
+  PlaneFilter filter(std::uint32_t i) const;
+  std::array<Sign, 3> sides(const PlaneFilter& filter, TriangleId s, TriangleId t);
+  void look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<Intersection>& found);
   bool is_single(TriangleId t) const { return facet_end(mesh_, t).value - facet_of(mesh_, t).value == 1; }
   bool meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId t) const;
   void mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at);
@@ -59,7 +60,13 @@ class Finder {
   BoxTree::PairSearch search_;
 };
 
-std::array<Sign, 3> Finder::sides(const PlaneFilter& filter, const Plane& plane, TriangleId s, TriangleId t) {
+/// The plane of an occluder.
+PlaneFilter Finder::filter(std::uint32_t i) const {
+  return occluders_.faces.empty() ? sight_.filter(sight_.face_plane(occluders_.triangles[i])) : occluders_.face(i).plane;
+}
+
+/// On which sides of the plane of s the corners of t are.
+std::array<Sign, 3> Finder::sides(const PlaneFilter& filter, TriangleId s, TriangleId t) {
   const auto &c = mesh_.triangles[s], &d = mesh_.triangles[t];
   std::array<Sign, 3> at;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -69,7 +76,7 @@ std::array<Sign, 3> Finder::sides(const PlaneFilter& filter, const Plane& plane,
       continue;
     }
     const ErrorBounded x = filter(sight_.point(v));
-    at[k] = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(plane, sight_.point(v));
+    at[k] = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(sight_.face_plane(s), sight_.point(v));
   }
   return at;
 }
@@ -81,17 +88,15 @@ bool straddles(const std::array<Sign, 3>& at) {
 
 void Finder::look_around(std::uint32_t leaf, std::vector<Intersection>& found) {
   TriangleId turned_to;
-  Plane plane;
-  PlaneFilter filter;
+  PlaneFilter of_s;
   occluders_.tree.visit_pairs(leaf, search_, [&](std::uint32_t i, std::uint32_t k) {
     const TriangleId s = occluders_.triangles[i], t = occluders_.triangles[k];
     if (facet_of(mesh_, s) == facet_of(mesh_, t)) return;
     if (s != turned_to) {
       turned_to = s;
-      plane = sight_.face_plane(s);
-      filter = sight_.filter(plane);
+      of_s = filter(i);
     }
-    look_at(s, filter, plane, t, found);
+    look_at(s, of_s, k, found);
   });
 }
 
@@ -109,21 +114,20 @@ bool Finder::meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId
   return common == 2 && filter(sight_.point(apex)).is_certain() && is_single(s) && is_single(t);
 }
 
-void Finder::look_at(TriangleId s, const PlaneFilter& filter, const Plane& plane, TriangleId t,
-                     std::vector<Intersection>& found) {
-  if (meet_in_an_edge(s, filter, t)) return;
-  const std::array<Sign, 3> at_t = sides(filter, plane, s, t);
+void Finder::look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<Intersection>& found) {
+  const TriangleId t = occluders_.triangles[k];
+  if (meet_in_an_edge(s, of_s, t)) return;
+  const std::array<Sign, 3> at_t = sides(of_s, s, t);
   const auto zeros = [](const std::array<Sign, 3>& at) { return std::count(at.begin(), at.end(), Sign::zero); };
   if (!straddles(at_t) && zeros(at_t) < 2) return;  // on one side but for a point
-  const Plane other = sight_.face_plane(t);
-  const PlaneFilter other_filter = sight_.filter(other);
-  const std::array<Sign, 3> at_s = sides(other_filter, other, t, s);
+  const PlaneFilter of_t = filter(k);
+  const std::array<Sign, 3> at_s = sides(of_t, t, s);
   if (zeros(at_t) >= 2) mark_contacts(s, t, at_t);
   if (zeros(at_s) >= 2) mark_contacts(t, s, at_s);
   if (!passes_through(t, at_t) || !passes_through(s, at_s)) return;
   if (straddles(at_t) && straddles(at_s)) {
     if (!cross_beyond_common_corner(s, t)) return;
-    if (certainly_no_segment(chord(s, at_s, other_filter), chord(t, at_t, filter))) return;
+    if (certainly_no_segment(chord(s, at_s, of_t), chord(t, at_t, of_s))) return;
   }
   if (const auto crossing = segment(std::min(s, t), std::max(s, t))) found.push_back(*crossing);
 }

@@ -372,6 +372,9 @@ void FragmentFinder::find_lines() {
   });
   leave_out_hidden(left_out);
   occluders_.emplace(sight_, boxes, left_out);
+  // Of a mesh few lines are looked along, as most edges have a face on each side: records may not pay.
+  const bool is_soup = has_many_borders(left_out);
+  if (is_soup) occluders_->prepare(sight_);
   intersections_ = find_intersections(sight_, *occluders_, tiles_ ? &*tiles_ : nullptr);
   auto edges = collected<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e) {
@@ -385,9 +388,8 @@ void FragmentFinder::find_lines() {
   LineOptions line_options;
   line_options.arithmetic = options_.arithmetic;
   std::optional<Layers> layers;
-  if (options_.arithmetic == Arithmetic::staged && !has_many_borders(left_out)) layers.emplace(sight_, left_out);
+  if (options_.arithmetic == Arithmetic::staged && !is_soup) layers.emplace(sight_, left_out);
   const bool appel_pays = layers && layers->edges().size() <= occluders_->triangles.size();
-  // Of a mesh few lines are looked along, as most edges have a face on each side: records would not pay.
   if (!appel_pays) occluders_->prepare(sight_);
   lines_ = appel_pays ? appel(sight_, requested, *layers, *occluders_, line_options)
                       : roberts(sight_, requested, *occluders_, line_options, tiles_ ? &*tiles_ : nullptr);
