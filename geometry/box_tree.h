@@ -59,12 +59,16 @@ class BoxTree {
 
   template <class F>
   void visit(const ImageBox& query, F&& f) const {
-    visit_boxes<Depth::hiding>(query, f);
+    visit_boxes<Depth::hiding>(query, [&](std::uint32_t i, std::uint32_t /*at*/) { return f(i); });
   }
   template <class F>
   void visit_touching(const ImageBox& query, F&& f) const {
-    visit_boxes<Depth::touching>(query, f);
+    visit_boxes<Depth::touching>(query, [&](std::uint32_t i, std::uint32_t /*at*/) { return f(i); });
   }
+
+  /// The same, as f(index of box, its place in the order along the leaves).
+  template <Depth depth, class F>
+  void visit_boxes(const ImageBox& query, F&& f) const;
 
   /// Appends the leaves that overlap the query, until there are `limit` of them. False: there are more.
   template <Depth depth>
@@ -94,8 +98,6 @@ class BoxTree {
   /// Bit k: box k overlaps the query.
   template <Depth depth>
   static unsigned overlaps(const Node& node, const ImageBox& query);
-  template <Depth depth, class F>
-  void visit_boxes(const ImageBox& query, F& f) const;
   /// Appends the nodes of a level of which a box overlaps the query, but for those that end before the leaf `first`.
   template <Depth depth>
   bool nodes(const ImageBox& query, std::uint32_t level, std::size_t limit, std::vector<std::uint32_t>& found,
@@ -118,6 +120,9 @@ class BoxTree {
     return {{n.low[0][k], n.low[1][k]}, {n.high[0][k], n.high[1][k]}, n.farthest[k], n.nearest[k]};
   }
 
+  static void prefetch(const Node* node) {
+    for (std::size_t line = 0; line < sizeof(Node); line += 64) __builtin_prefetch(reinterpret_cast<const char*>(node) + line);
+  }
   /// The place on its own level of box k of an inner node.
   std::uint32_t child(std::uint32_t node, std::uint32_t place, std::uint32_t k) const {
     return place * static_cast<std::uint32_t>(width) + (children_[node - level_begin_[1]] >> 3 * k & 7U);
@@ -159,7 +164,7 @@ unsigned BoxTree::overlaps(const Node& node, const ImageBox& query) {
 }
 
 template <BoxTree::Depth depth, class F>
-void BoxTree::visit_boxes(const ImageBox& query, F& f) const {
+void BoxTree::visit_boxes(const ImageBox& query, F&& f) const {
   if (nodes_.empty()) return;
   // Depth first; at most width - 1 siblings wait on each level.
   std::array<std::pair<std::uint32_t, std::uint32_t>, 12 * width> stack;  // level, node on it
@@ -173,12 +178,16 @@ void BoxTree::visit_boxes(const ImageBox& query, F& f) const {
       // The nearest last: first from the stack, and first to hide all of the query.
       while (hit != 0) {
         const auto k = static_cast<std::uint32_t>(31 - __builtin_clz(hit));
-        stack[top++] = {level - 1, child(node, place, k)};
+        const std::uint32_t on = child(node, place, k);
+        stack[top++] = {level - 1, on};
+        prefetch(&nodes_[level_begin_[level - 1] + on]);
         hit ^= 1U << k;
       }
     } else {
-      for (; hit != 0; hit &= hit - 1)
-        if (!f(order_[place * width + static_cast<std::uint32_t>(__builtin_ctz(hit))])) return;
+      for (; hit != 0; hit &= hit - 1) {
+        const std::uint32_t at = place * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(__builtin_ctz(hit));
+        if (!f(order_[at], at)) return;
+      }
     }
   }
 }

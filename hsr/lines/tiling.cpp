@@ -171,13 +171,13 @@ void Tiling::cast_on(const Stretch& stretch, const ImageBox& box, const Occluder
     return std::any_of(cast_.begin() + static_cast<std::ptrdiff_t>(begin), cast_.end(),
                        [&](const Shadow& s) { return covers(s, stretch); });
   };
-  occluders.tree.visit(box, [&](std::uint32_t i) {
+  occluders.tree.visit_boxes<BoxTree::Depth::hiding>(box, [&](std::uint32_t i, std::uint32_t at) {
     ++result_.pairs;
     const std::size_t before = cast_.size();
     if (occluders.faces.empty())
       shadows_.cast(occluders.triangles[i], cast_);
     else
-      shadows_.cast(occluders.face(i), cast_);
+      shadows_.cast(occluders.faces[at], cast_);
     if (options_.why || cast_.size() == before) return true;
     if (one_covers(before)) return false;
     // Now and then the shadows so far are united: together they may hide all of it. As their number doubles, so that a long

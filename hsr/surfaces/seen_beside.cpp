@@ -78,11 +78,11 @@ bool SeenBeside::look_at(const ImageFace& face) {
 
 /// The faces of the tree, but for those that are looked at first.
 void SeenBeside::look_around() {
-  occluders_.tree.visit_touching(query_, [&](std::uint32_t i) {
+  occluders_.tree.visit_boxes<BoxTree::Depth::touching>(query_, [&](std::uint32_t i, std::uint32_t at) {
     ImageFace own;
     const bool is_prepared = !occluders_.faces.empty();
     if (!is_prepared) own = ImageFace(sight_, occluders_.triangles[i]);
-    const ImageFace& face = is_prepared ? occluders_.face(i) : own;
+    const ImageFace& face = is_prepared ? occluders_.faces[at] : own;
     return &face == stretch_->first[0] || &face == stretch_->first[1] || look_at(face);
   });
 }
