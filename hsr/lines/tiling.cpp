@@ -226,7 +226,11 @@ ImageBox Tiling::box_of(const Edge& edge, const Stretch& stretch) const {
 /// Looks only along what the tiles do not hide. False: nothing is known, or not for certain.
 bool Tiling::cast_unhidden(const Tiled& line, const Occluders& occluders, const HiddenTiles& tiles) {
   const Edge& edge = sight_.mesh().edges[line.edge];
-  if (!tiles.unhidden(edge, unhidden_) || unhidden_.empty()) return false;
+  if (!tiles.unhidden(edge, unhidden_)) return false;
+  if (unhidden_.empty()) {
+    add_whole(line, true);
+    return true;
+  }
   cast_.clear();
   unhidden_stretches_.clear();
   looked_at_.clear();

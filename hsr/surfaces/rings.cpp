@@ -103,7 +103,8 @@ class RingLinker::Linker {
   std::vector<MapPlace> places_;
   std::vector<LowX> by_x_;                                                          // points; before, the ends of sides
   double widest_ = 0;                                                               // of the bounds of x
-  std::vector<Piece> ends_, pieces_;                                                // of whole sides; of cut ones
+  std::vector<Piece> ends_, pieces_, kept_;                                         // of whole sides; of cut ones; of these
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> by_ends_;                    // pieces, by the points they join
   std::vector<std::uint32_t> inside_;                                               // points of a side
   std::vector<std::uint32_t> arriving_, leaving_, first_arriving_, first_leaving_;  // pieces by point
   std::vector<std::uint32_t> next_;                                                 // by piece
@@ -228,24 +229,28 @@ void RingLinker::Linker::cut_sides() {
 
 /// Pieces both ways between two points cancel; of several one way one is left.
 void RingLinker::Linker::cancel() {
-  const auto key = [](const Piece& p) { return std::pair(std::min(p.from, p.to), std::max(p.from, p.to)); };
-  std::sort(pieces_.begin(), pieces_.end(), [&](const Piece& p, const Piece& q) {
-    return std::tuple(key(p), p.from, p.line, p.reversed) < std::tuple(key(q), q.from, q.line, q.reversed);
-  });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < pieces_.size();) {
-    std::size_t end = i;
-    int ways = 0;
-    std::size_t other = i;  // the first that runs from the higher point
-    for (; end < pieces_.size() && key(pieces_[end]) == key(pieces_[i]); ++end) {
-      const bool up = pieces_[end].from < pieces_[end].to;
-      ways += up ? 1 : -1;
-      if (up) other = end + 1;
-    }
-    if (ways != 0) pieces_[kept++] = pieces_[ways > 0 ? i : other];
-    i = end;
+  by_ends_.clear();
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    const auto [low, high] = std::minmax(pieces_[i].from, pieces_[i].to);
+    by_ends_.push_back({std::uint64_t{low} << 32U | high, i});
   }
-  pieces_.resize(kept);
+  std::sort(by_ends_.begin(), by_ends_.end());
+  kept_.clear();
+  for (std::size_t i = 0; i < by_ends_.size();) {
+    const std::uint64_t ends = by_ends_[i].first;
+    // Of those each way the first by name.
+    int ways = 0;
+    const Piece *up = nullptr, *down = nullptr;
+    for (; i < by_ends_.size() && by_ends_[i].first == ends; ++i) {
+      const Piece& p = pieces_[by_ends_[i].second];
+      const bool is_up = p.from < p.to;
+      ways += is_up ? 1 : -1;
+      const Piece*& first = is_up ? up : down;
+      if (first == nullptr || std::tie(p.line, p.reversed) < std::tie(first->line, first->reversed)) first = &p;
+    }
+    if (ways != 0) kept_.push_back(ways > 0 ? *up : *down);
+  }
+  std::swap(pieces_, kept_);
 }
 
 /// How the ray along q turns against the ray along p; both may run backwards.

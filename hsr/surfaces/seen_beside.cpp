@@ -288,7 +288,7 @@ void SeenBeside::insert(const ImageFace& face, const Linear& of_t, const ImageFa
     // The part before t, within it, and after it.
     const bool starts_later = order(part.from, from) == Sign::negative;
     const bool ends_earlier = order(to, part.to) == Sign::negative;
-    const Place low = starts_later ? from : part.from, high = ends_earlier ? to : part.to;
+    const Place &low = starts_later ? from : part.from, &high = ends_earlier ? to : part.to;
     if (order(low, high) != Sign::negative) {
       keep_whole();
       continue;
