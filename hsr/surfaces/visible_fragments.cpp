@@ -27,10 +27,15 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 
-/// A side of the fragments of a facet.
-struct FacetSide {
-  TriangleId facet;
-  PlacedSide side;
+/// Sides of fragments, and of which facet each is.
+struct FacetSides {
+  std::vector<TriangleId> facets;
+  std::vector<PlacedSide> sides;
+
+  void add(TriangleId facet, const PlacedSide& side) {
+    facets.push_back(facet);
+    sides.push_back(side);
+  }
 };
 
 /// Collects the sides along the lines of the map. One object per block of lines.
@@ -52,7 +57,7 @@ class SideFinder {
   void add_intersection(const Intersection& crossing);
   void add_near_cut(TriangleId t);
 
-  std::vector<FacetSide> take() { return std::move(sides_); }
+  FacetSides take() { return std::move(sides_); }
   const DecisionCounts& decisions() { return map_.exact().counts(); }
 
  private:
@@ -75,7 +80,7 @@ class SideFinder {
   const std::vector<std::uint32_t>& place_;
   MapSight map_;
   SeenBeside left_, right_;
-  std::vector<FacetSide> sides_;
+  FacetSides sides_;
 };
 
 TriangleId SideFinder::only_triangle(EdgeId e, Sign side) const {
@@ -187,8 +192,8 @@ void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart
     if (part.seen == s || part.seen == t) {
       const MapPlace from = place(stretch, part.from, from_t, from_error), to = place(stretch, part.to, part.to_t, part.to_error);
       const TriangleId l = facet_of(mesh_, part.seen), r = facet_of(mesh_, part.seen == s ? t : s);
-      sides_.push_back({l, {{stretch.line, false, part.from, part.to}, from, to}});
-      sides_.push_back({r, {{stretch.line, true, part.to, part.from}, to, from}});
+      sides_.add(l, {{stretch.line, false, part.from, part.to}, from, to});
+      sides_.add(r, {{stretch.line, true, part.to, part.from}, to, from});
     }
     from_t = part.to_t;
     from_error = part.to_error;
@@ -281,8 +286,8 @@ void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPa
   const auto go_on = [&](Ending& ending, TriangleId next, bool is_left) {
     if (ending.facet == next) return;
     if (ending.facet.is_valid())
-      sides_.push_back({ending.facet, is_left ? PlacedSide{{stretch.line, false, ending.from, at}, ending.place, place_of_at}
-                                              : PlacedSide{{stretch.line, true, at, ending.from}, place_of_at, ending.place}});
+      sides_.add(ending.facet, is_left ? PlacedSide{{stretch.line, false, ending.from, at}, ending.place, place_of_at}
+                                       : PlacedSide{{stretch.line, true, at, ending.from}, place_of_at, ending.place});
     ending = {next, at, place_of_at};
   };
   std::size_t i = 0, j = 0;
@@ -327,7 +332,7 @@ class FragmentFinder {
   Intersections intersections_;
   VisibleLines lines_;
   std::vector<std::uint32_t> place_;           // of each triangle along the tree of the occluders
-  std::vector<std::vector<FacetSide>> found_;  // of each block of lines
+  std::vector<FacetSides> found_;              // of each block of lines
   std::vector<PlacedSide> sides_;              // by facet
   std::vector<std::size_t> first_side_;        // by TriangleId, one more
   DecisionCounts decisions_;
@@ -409,7 +414,7 @@ template <class F>
 void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visit) {
   constexpr std::size_t block = 256;
   const std::size_t n = order.size();
-  std::vector<std::vector<FacetSide>> parts((n + block - 1) / block);
+  std::vector<FacetSides> parts((n + block - 1) / block);
   std::vector<DecisionCounts> counts(parts.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
@@ -444,13 +449,13 @@ void FragmentFinder::find_sides() {
             [&](SideFinder& finder, std::size_t i) { finder.add_near_cut(occluders_->triangles[i]); });
   // A counting sort by facet.
   first_side_.assign(mesh_.triangles.size() + 1, 0);
-  for (const auto& part : found_)
-    for (const FacetSide& s : part) ++first_side_[s.facet.value + 1U];
+  for (const FacetSides& part : found_)
+    for (const TriangleId facet : part.facets) ++first_side_[facet.value + 1U];
   for (std::size_t t = 1; t < first_side_.size(); ++t) first_side_[t] += first_side_[t - 1];
   sides_.resize(first_side_.back());
   std::vector<std::size_t> next(first_side_.begin(), first_side_.end() - 1);
-  for (const auto& part : found_)
-    for (const FacetSide& s : part) sides_[next[s.facet.value]++] = s.side;
+  for (const FacetSides& part : found_)
+    for (std::size_t i = 0; i < part.sides.size(); ++i) sides_[next[part.facets[i].value]++] = part.sides[i];
   found_.clear();
 }
 
