@@ -333,7 +333,7 @@ class FragmentFinder {
   VisibleLines lines_;
   std::vector<std::uint32_t> place_;           // of each triangle along the tree of the occluders
   std::vector<FacetSides> found_;              // of each block of lines
-  std::vector<PlacedSide> sides_;              // by facet
+  std::vector<const PlacedSide*> sides_;       // of these, by facet
   std::vector<std::size_t> first_side_;        // by TriangleId, one more
   DecisionCounts decisions_;
 };
@@ -455,8 +455,7 @@ void FragmentFinder::find_sides() {
   sides_.resize(first_side_.back());
   std::vector<std::size_t> next(first_side_.begin(), first_side_.end() - 1);
   for (const FacetSides& part : found_)
-    for (std::size_t i = 0; i < part.sides.size(); ++i) sides_[next[part.facets[i].value]++] = part.sides[i];
-  found_.clear();
+    for (std::size_t i = 0; i < part.sides.size(); ++i) sides_[next[part.facets[i].value]++] = &part.sides[i];
 }
 
 VisibleFragments FragmentFinder::fragments() {
@@ -466,6 +465,7 @@ VisibleFragments FragmentFinder::fragments() {
   struct Worker {
     MapSight at;
     RingLinker linker;
+    std::vector<PlacedSide> sides;
     explicit Worker(const Sight& sight) : at(sight), linker(at) {}
     MapSight& map() { return at; }
   };
@@ -475,7 +475,9 @@ VisibleFragments FragmentFinder::fragments() {
         const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
         if (begin == end) return;
         // Images turn as O says, which is not as they are seen.
-        parts.add(facet, worker.linker.link(std::span(sides_).subspan(begin, end - begin), true));
+        worker.sides.clear();
+        for (std::size_t k = begin; k < end; ++k) worker.sides.push_back(*sides_[k]);
+        parts.add(facet, worker.linker.link(worker.sides, true));
       });
   all.decisions += decisions_;
   all.decisions += lines_.decisions;
