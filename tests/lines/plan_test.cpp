@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <random>
@@ -68,6 +69,69 @@ TEST_CASE("what the plan leaves out is hidden, and it leaves out some", "[lines]
     CHECK(wrong_with(scene) == "");
   }
   CHECK(scenes_with_hidden > 3);
+}
+
+/// Of the edges of a scene: how many visible intervals lie in no part that the tiles leave as unhidden, and how much of all
+/// edges the tiles leave out.
+struct LeftOut {
+  std::size_t wrong = 0;
+  double share = 0;
+};
+
+LeftOut left_out(const scenes::TestScene& scene) {
+  const Mesh mesh = scene.mesh();
+  const Sight sight(mesh, scene.view, Arithmetic::staged);
+  const HiddenTiles tiles(sight, true);
+  LineOptions options = all_edges();
+  options.stages.fill(When::never);
+  const VisibleLines lines = visible_lines(mesh, scene.view, options);
+  LeftOut found;
+  std::vector<UnhiddenPart> parts;
+  for (const Line& line : lines.lines) {
+    if (line.is_intersection() || !tiles.unhidden(mesh.edges[line.edge], parts)) continue;
+    double left = 1;
+    for (const UnhiddenPart& part : parts) left -= std::min(part.to, 1.0) - std::max(part.from, 0.0);
+    found.share += left;
+    const Edge& edge = mesh.edges[line.edge];
+    const double m = sight.is_perspective() ? sight.depth(sight.point(edge.a), 0).value : 1,
+                 n = sight.is_perspective() ? sight.depth(sight.point(edge.b), 0).value : 1;
+    const auto cuts = lines.cuts_of(line);
+    for (std::uint32_t k = 0; k < line.intervals(); ++k) {
+      if (line.hidden(k)) continue;
+      const auto share = [&](const Cut& cut) {
+        const double t = parameter(mesh, scene.view, carrier_of(mesh, lines, line), cut).to_double();
+        return t * n / (m + t * (n - m));
+      };
+      constexpr double rounding = 1e-9;
+      const double from = share(cuts[k]), to = share(cuts[k + 1]);
+      if (std::none_of(parts.begin(), parts.end(),
+                       [&](const UnhiddenPart& part) { return part.from <= from + rounding && part.to >= to - rounding; }))
+        ++found.wrong;
+    }
+  }
+  return found;
+}
+
+TEST_CASE("tiles leave every visible part of an edge, and not the hidden ones", "[lines][plan]") {
+  // An edge that comes out from behind the wall, a quarter of it hidden, and one behind it that both walls of a gap hide.
+  for (const View& view : {scenes::from_direction({0, -1, 0}), scenes::from_direction({0.03, -1, 0.02}),
+                           scenes::from_eye({4, -40, 4}, {4, 0, 4})}) {
+    scenes::TestScene scene = wall_and_squares(false, view);
+    scene.add_face(std::vector<Point3>{{4, 5, 2}, {20, 5, 2}, {20, 30, 2.5}});
+    scene.add_face(std::vector<Point3>{{12, 0, 0}, {20, 0, 0}, {20, 0, 8}, {12, 0, 8}});
+    scene.add_face(std::vector<Point3>{{1, 9, 5}, {19, 9, 5}, {19, 9, 5.5}});
+    const LeftOut found = left_out(scene);
+    CHECK(found.wrong == 0);
+    CHECK(found.share > 2);
+  }
+  double share = 0;
+  for (const char* family : {"boxes", "triangles", "slopes", "scaled", "magnitudes"})
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      const LeftOut found = left_out(scenes::family(family).make(seed));
+      CHECK(found.wrong == 0);
+      share += found.share;
+    }
+  CHECK(share > 100);
 }
 
 TEST_CASE("a mask touches every box that overlaps one of its own", "[lines][plan]") {
