@@ -28,8 +28,8 @@ float down(double x) { return -up(-x); }
 
 /// How far along a Hilbert curve through 2^16 x 2^16 cells a cell is: neighbours along the curve are neighbours.
 std::uint32_t along_hilbert_curve(std::uint32_t x, std::uint32_t y) {
-  // In each of its four orientations the curve goes through the quadrants, numbered 2 x + y, in an order of its own, and in each
-  // of them on in an orientation of its own.
+  // In each of its four orientations the curve goes through the quadrants, numbered 2 x + y, in an order of its own, and in
+  // each of them on in an orientation of its own.
   constexpr std::array<std::array<std::uint8_t, 4>, 4> place = {{{0, 1, 3, 2}, {0, 3, 1, 2}, {2, 3, 1, 0}, {2, 1, 3, 0}}};
   constexpr std::array<std::array<std::uint8_t, 4>, 4> on = {{{1, 0, 3, 0}, {0, 2, 1, 1}, {2, 1, 2, 3}, {3, 3, 0, 2}}};
   std::uint32_t all = 0;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "geometry/plane_filter.h"
-#include "hsr/two_doubles.h"
 #include "hsr/sight.h"
+#include "hsr/two_doubles.h"
 
 namespace hsr {
 
@@ -17,7 +17,8 @@ struct ImageSegment {
   double least = 0, slope = 0;  ///< of the determinant of p, q and r: its error is at most least + slope |r - p|_1
 
   ImageSegment() = default;
-  ImageSegment(const ImagePoint& from, const ImagePoint& to, double e) : p(from), q(to), error(e), dx(q.x - p.x), dy(q.y - p.y) {
+  ImageSegment(const ImagePoint& from, const ImagePoint& to, double e)
+      : p(from), q(to), error(e), dx(q.x - p.x), dy(q.y - p.y) {
     const double length = std::fabs(dx) + std::fabs(dy);
     least = 9.1 * e * e + 0x1p-1000 + 2.2 * e * length;
     slope = 2.2 * e + 4.2 * ErrorBounded::u * length;

@@ -352,8 +352,7 @@ bool HiddenTiles::walk_along(std::size_t level, const ImagePoint& p, const Image
 class HiddenTiles::AlongSegment {
  public:
   /// @param a @param b at most, affine
-  AlongSegment(double a, double b)
-      : a_(a), b_(b), nearest_(std::max(a, b)), slack_(16 * u * (std::fabs(a) + std::fabs(b))) {}
+  AlongSegment(double a, double b) : a_(a), b_(b), nearest_(std::max(a, b)), slack_(16 * u * (std::fabs(a) + std::fabs(b))) {}
 
   float at_most() const { return float_above(nearest_ + slack_); }
   /// Between two shares of the way, which may be a little beyond its ends.

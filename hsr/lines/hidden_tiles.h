@@ -16,9 +16,9 @@ struct PlaneNearness;
 
 /// A part of an edge that may be seen, in shares of the way along its image.
 struct UnhiddenPart {
-  double from, to;     ///< infinite: to an end of the edge
-  double margin;       ///< at least as far beyond them all is hidden
-  float hidden_from;   ///< and what is less near than this is, too, in all of the part and its margin
+  double from, to;    ///< infinite: to an end of the edge
+  double margin;      ///< at least as far beyond them all is hidden
+  float hidden_from;  ///< and what is less near than this is, too, in all of the part and its margin
 };
 
 /// A grid of tiles over the image, each with a depth beyond which everything is hidden: a conservative test that drops what is

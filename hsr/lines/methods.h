@@ -15,8 +15,8 @@ class HiddenTiles;
 class Layers;
 
 /// @param tiles none: nothing is known to be hidden
-VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders, const LineOptions& options,
-                     const HiddenTiles* tiles = nullptr);
+VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders,
+                     const LineOptions& options, const HiddenTiles* tiles = nullptr);
 VisibleLines appel(const Sight& sight, const RequestedEdges& requested, const Layers& layers, const Occluders& occluders,
                    const LineOptions& options);
 /// @pre bodies.is_one_convex_body()

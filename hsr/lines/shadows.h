@@ -102,7 +102,7 @@ class Shadows {
   Predicates exact_;
   End a_, b_;
   ImageSegment image_;  // of the edge, where images are known
-  TriangleId s_, t_;  // the facets that pierce each other
+  TriangleId s_, t_;    // the facets that pierce each other
   Plane s_plane_, t_plane_;
   std::optional<PlaneFilter> edge_sight_;  // of the edge's view plane, once it was asked for
   Bound first_, last_, from_, to_;

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -146,8 +144,7 @@ void Tiling::add_by_casting(const RequestedPart& part, const ImageBox& box, cons
     return;
   }
   const bool is_whole = part.from.kind == Cut::Kind::start && part.to.kind == Cut::Kind::end;
-  if (tiles == nullptr || options_.why || !is_whole || !cast_unhidden(part, occluders, *tiles))
-    cast_all(part, box, occluders);
+  if (tiles == nullptr || options_.why || !is_whole || !cast_unhidden(part, occluders, *tiles)) cast_all(part, box, occluders);
 }
 
 void Tiling::add_by_casting(std::uint32_t i, const Intersection& meet, const ImageBox& box, const Occluders& occluders) {

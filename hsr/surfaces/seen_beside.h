@@ -84,9 +84,7 @@ class SeenBeside {
   bool look_at(const ImageFace& face);
   void look_around();
   std::span<const SeenPart> result();
-  bool meets_here(TriangleId t) const {
-    return t == stretch_->first[0]->triangle || t == stretch_->first[1]->triangle;
-  }
+  bool meets_here(TriangleId t) const { return t == stretch_->first[0]->triangle || t == stretch_->first[1]->triangle; }
   /// Of two faces that meet: nothing matters any more where others hide them.
   bool is_settled(const Part& part) const { return is_meeting_ && part.seen.is_valid() && !meets_here(part.seen); }
   void insert(const ImageFace& face, const Linear& of_t, const ImageFace::Overlap& overlap);
@@ -110,12 +108,12 @@ class SeenBeside {
   const Occluders& occluders_;
   const HiddenTiles* tiles_;
   const MapStretch* stretch_ = nullptr;
-  ImageBox query_;                    // of what may change the answer
-  ImageSegment image_;                // of the stretch
-  double least_ = 0;                  // of `nearness` of what matters: what is less near changes nothing
-  bool is_meeting_ = false;           // both sides are looked at
-  bool depends_on_side_ = false;      // what was found does
-  Linear depth_;                // of the stretch, as Sight has it
+  ImageBox query_;                // of what may change the answer
+  ImageSegment image_;            // of the stretch
+  double least_ = 0;              // of `nearness` of what matters: what is less near changes nothing
+  bool is_meeting_ = false;       // both sides are looked at
+  bool depends_on_side_ = false;  // what was found does
+  Linear depth_;                  // of the stretch, as Sight has it
   Sign side_ = Sign::positive;
   std::vector<Part> parts_, next_;
   std::vector<SeenPart> result_;

@@ -169,9 +169,9 @@ void SideFinder::add_intersection(const Intersection& crossing) {
     add(stretch, {}, {});
 }
 
-/// Whether the ends of an intersection are in the order of its line, along its image. Where a corner of s is before the plane of
-/// t, MapSight::nearer(s, t) tells on which side of the line it is seen: to the left iff facing(s) t(corner) < 0. To the left
-/// O is negative.
+/// Whether the ends of an intersection are in the order of its line, along its image. Where a corner of s is before the plane
+/// of t, MapSight::nearer(s, t) tells on which side of the line it is seen: to the left iff facing(s) t(corner) < 0. To the
+/// left O is negative.
 Sign SideFinder::runs_along(const Intersection& crossing, const MapStretch& stretch) {
   const NearImage a = sight_.image(stretch.a.p, 3 * stretch.a.error), b = sight_.image(stretch.b.p, 3 * stretch.b.error);
   const PlaneFilter plane = sight_.filter(sight_.face_plane(crossing.t));
@@ -190,7 +190,8 @@ void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart
   double from_t = 0, from_error = 0;
   for (const SeenPart& part : left) {
     if (part.seen == s || part.seen == t) {
-      const MapPlace from = place(stretch, part.from, from_t, from_error), to = place(stretch, part.to, part.to_t, part.to_error);
+      const MapPlace from = place(stretch, part.from, from_t, from_error),
+                     to = place(stretch, part.to, part.to_t, part.to_error);
       const TriangleId l = facet_of(mesh_, part.seen), r = facet_of(mesh_, part.seen == s ? t : s);
       sides_.add(l, {{stretch.line, false, part.from, part.to}, from, to});
       sides_.add(r, {{stretch.line, true, part.to, part.from}, to, from});
@@ -219,7 +220,8 @@ NearPoint SideFinder::end_of(const Intersection& crossing, const Cut& cut) const
   const MapLine line = MapLine::meet(crossing.s, crossing.t);
   const bool is_near = cut.kind == Cut::Kind::near;
   return map_.point(
-      MapPoint::crossing(line, is_near ? MapLine::near(crossing.s) : MapLine::edge(VertexId(cut.u), VertexId(cut.v))), crossing.s);
+      MapPoint::crossing(line, is_near ? MapLine::near(crossing.s) : MapLine::edge(VertexId(cut.u), VertexId(cut.v))),
+      crossing.s);
 }
 
 /// The part of a triangle in the near plane, where it has been cut; or its side there, which may be a diagonal of its face.
@@ -331,10 +333,10 @@ class FragmentFinder {
   std::optional<Occluders> occluders_;
   Intersections intersections_;
   VisibleLines lines_;
-  std::vector<std::uint32_t> place_;           // of each triangle along the tree of the occluders
-  std::vector<FacetSides> found_;              // of each block of lines
-  std::vector<const PlacedSide*> sides_;       // of these, by facet
-  std::vector<std::size_t> first_side_;        // by TriangleId, one more
+  std::vector<std::uint32_t> place_;      // of each triangle along the tree of the occluders
+  std::vector<FacetSides> found_;         // of each block of lines
+  std::vector<const PlacedSide*> sides_;  // of these, by facet
+  std::vector<std::size_t> first_side_;   // by TriangleId, one more
   DecisionCounts decisions_;
 };
 

@@ -115,7 +115,8 @@ TEST_CASE("a Hilbert order holds each box once, equal boxes by index and the nea
   REQUIRE(order.size() == 100);
   for (std::uint32_t i = 0; i < 100; ++i) CHECK(order[i] == i);
   CHECK(hilbert_order({}).empty());
-  CHECK(hilbert_order(std::vector{box_at(1, 2, 3, 0), box_at(1, 2, 5, 0), box_at(1, 2, 4, 0)}) == std::vector<std::uint32_t>{1, 2, 0});
+  CHECK(hilbert_order(std::vector{box_at(1, 2, 3, 0), box_at(1, 2, 5, 0), box_at(1, 2, 4, 0)}) ==
+        std::vector<std::uint32_t>{1, 2, 0});
 }
 
 TEST_CASE("of the points of a grid each is the neighbour of the next along the Hilbert curve", "[geometry][box_tree]") {
