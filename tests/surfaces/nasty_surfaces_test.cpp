@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "hsr/check/fragment_check.h"
@@ -44,6 +45,33 @@ TEST_CASE("two triangles with one image pierce each other in the middle", "[surf
   scene.add_face({{-2, -2, 2}, {2, -2, -2}, {0, 3, 0}});
   CHECK(wrong_fragments(scene).empty());
   CHECK(areas(scene) == "5 5");
+}
+
+TEST_CASE("what lies over the line in which two faces pierce each other counts on its own side", "[surfaces][nasty]") {
+  using Face = std::vector<Point3>;
+  const Face s = {{-2, -2, -2}, {2, -2, 2}, {0, 4, 0}}, t = {{-2, -3, 2}, {2, -3, -2}, {0, 3, 0}};
+  const std::vector<std::vector<Face>> others = {
+      {{{0, -1, 5}, {0, 1, 5}, {1, 0, 5}}},                                      // nearer, ends over the line, to its right
+      {{{0, -1, 5}, {0, 1, 5}, {-1, 0, 5}}},                                     // to its left
+      {{{0, -1, 5}, {0, 1, 5}, {1, 0, 5}}, {{0, 0, 6}, {0, 2, 6}, {-1, 0, 6}}},  // on both sides, apart
+      {{{0, -1, -5}, {0, 1, -5}, {1, 0, -5}}},                                   // behind both
+      {{{-1, -2, -3}, {1, -2, 3}, {0, 2.5, 0}}},                                 // through the line, steeper than both
+      {{{0, -1, 0}, {0, 1, 0}, {1, 0, 3}}},                                      // ends at the line itself
+      {{{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}}},
+      {{{-1, -1, -1}, {1, -1, 1}, {0, 1, 0}}},  // in the plane of one of them
+      {s},
+  };
+  for (const std::vector<Face>& more : others) {
+    std::vector<Face> faces = {s, t};
+    faces.insert(faces.end(), more.begin(), more.end());
+    std::vector<std::size_t> order(faces.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    do {
+      scenes::TestScene scene = from_above();
+      for (const std::size_t k : order) scene.add_face(faces[k]);
+      CHECK(wrong_fragments(scene) == "");
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
 }
 
 TEST_CASE("of faces in one plane the lower index is seen", "[surfaces][nasty]") {
