@@ -100,7 +100,6 @@ class SeenBeside {
   Sign nearer(TriangleId s, const Linear& of_s, const Part& part, const Place& place);
   Sign nearer_beside(TriangleId s, TriangleId t);
   void add(const Place& from, const Place& to, TriangleId t, const Linear& nearness);
-  NearPoint point(const Place& place) const { return stretch_->at(place.t, place.error); }
   void bound(Part& part) const;
 
   MapSight& map_;
