@@ -16,7 +16,7 @@
 #include "hsr/contacts/half_space.h"
 #include "hsr/cut_plane.h"
 #include "hsr/facet.h"
-#include "hsr/lines/hidden_tiles.h"
+#include "hsr/hidden_tiles.h"
 #include "hsr/parallel.h"
 
 namespace hsr {

@@ -1,6 +1,6 @@
 #include "hsr/image/occlusion_culling.h"
 
-#include "hsr/lines/hidden_tiles.h"
+#include "hsr/hidden_tiles.h"
 #include "hsr/sight.h"
 
 namespace hsr {

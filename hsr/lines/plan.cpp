@@ -11,9 +11,9 @@
 
 #include "geometry/error.h"
 #include "hsr/contacts/intersections.h"
+#include "hsr/hidden_tiles.h"
 #include "hsr/image_line.h"
 #include "hsr/lines/bodies.h"
-#include "hsr/lines/hidden_tiles.h"
 #include "hsr/lines/image_mask.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "hsr/lines/hidden_tiles.h"
+#include "hsr/hidden_tiles.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/lines/requested_edges.h"
 #include "hsr/lines/shadows.h"

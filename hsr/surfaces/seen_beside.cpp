@@ -6,7 +6,7 @@
 
 #include "geometry/error.h"
 #include "hsr/facet.h"
-#include "hsr/lines/plane_nearness.h"
+#include "hsr/plane_nearness.h"
 
 namespace hsr {
 

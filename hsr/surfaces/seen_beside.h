@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "hsr/lines/hidden_tiles.h"
+#include "hsr/hidden_tiles.h"
 #include "hsr/map/map_sight.h"
 #include "hsr/map/triangle_sides.h"
 #include "hsr/occluders.h"

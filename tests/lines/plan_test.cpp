@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "hsr/lines/hidden_tiles.h"
+#include "hsr/hidden_tiles.h"
 #include "hsr/lines/image_mask.h"
 #include "hsr/sight.h"
 #include "tests/lines/checked_lines.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "hsr/lines/hidden_tiles.h"
-#include "hsr/lines/plane_nearness.h"
+#include "hsr/hidden_tiles.h"
+#include "hsr/plane_nearness.h"
 
 namespace hsr {
 

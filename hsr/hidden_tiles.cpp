@@ -1,5 +1,5 @@
 // The grid of hidden tiles, and what is asked of it; hidden_tiles_cover.cpp covers it.
-#include "hsr/lines/hidden_tiles.h"
+#include "hsr/hidden_tiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "geometry/error_bounded.h"
-#include "hsr/lines/plane_nearness.h"
 #include "hsr/parallel.h"
+#include "hsr/plane_nearness.h"
 
 namespace hsr {
 
