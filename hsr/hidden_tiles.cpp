@@ -414,7 +414,7 @@ bool HiddenTiles::unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) cons
       hidden_least = std::min(hidden_least, least);
     } else {
       if (hidden_columns >= fewest)
-        parts.push_back({column->low, column->high, 0, std::min(before, least)});
+        parts.push_back({column->low, column->high, 0, 0, std::min(before, least)});
       else
         parts.back().hidden_from = std::min({parts.back().hidden_from, hidden_least, least});
       UnhiddenPart& part = parts.back();
@@ -448,18 +448,16 @@ bool HiddenTiles::unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) cons
   end_column();
   if (!parts.empty() && parts.front().from > parts.back().from) std::reverse(parts.begin(), parts.end());
   for (UnhiddenPart& part : parts) {
-    part.margin = widest / 4;
-    if (part.from <= 0) part.from = -HUGE_VAL;
-    if (part.to >= 1) part.to = HUGE_VAL;
+    // Never beyond an end: in perspective the edge may have its horizon there.
+    const auto share = [](double x) { return x <= 0 ? -HUGE_VAL : x >= 1 ? HUGE_VAL : x; };
+    part.low = share(part.from - widest / 4);
+    part.high = share(part.to + widest / 4);
+    part.from = share(part.from);
+    part.to = share(part.to);
     if (!sight_.is_perspective()) continue;
     part.hidden_from = part.hidden_from > 0 ? float_below(-1 / static_cast<double>(part.hidden_from)) : nowhere;
   }
   return true;
-}
-
-float HiddenTiles::hidden_from(const Edge& e) const {
-  if (levels_.empty() || sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return nowhere;
-  return hidden_from(sight_.image(e.a), sight_.image(e.b), sight_.image_error());
 }
 
 float HiddenTiles::hidden_from(const ImagePoint& p, const ImagePoint& q, double error) const {

@@ -14,11 +14,11 @@ namespace hsr {
 
 struct PlaneNearness;
 
-/// A part of an edge that may be seen, in shares of the way along its image.
+/// A part of an edge that may be seen, in shares of the way along its image; infinite: to an end of the edge.
 struct UnhiddenPart {
-  double from, to;    ///< infinite: to an end of the edge
-  double margin;      ///< at least as far beyond them all is hidden
-  float hidden_from;  ///< and what is less near than this is, too, in all of the part and its margin
+  double from, to;    ///< all beyond them is hidden, up to the next part
+  double low, high;   ///< a little beyond them, within the edge
+  float hidden_from;  ///< what is less near than this is hidden from low to high
 };
 
 /// A grid of tiles over the image, each with a depth beyond which everything is hidden: a conservative test that drops what is
@@ -53,9 +53,8 @@ class HiddenTiles {
   /// The parts of an edge that may be seen, in the order of the way from e.a to e.b. Between them, before the first and after
   /// the last all of it is hidden. False: nothing is known, and there are none.
   bool unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) const;
-  /// What is less near than this is hidden all along the edge, and just beside it; -infinity where nothing is known to be.
-  float hidden_from(const Edge& e) const;
-  /// The same for the segment from p to q of the image. @param error of each coordinate
+  /// What is less near than this is hidden all along the segment from p to q of the image, and just beside it; -infinity where
+  /// nothing is known to be. @param error of each coordinate
   float hidden_from(const ImagePoint& p, const ImagePoint& q, double error) const;
   /// Marks, by triangle, the faces that are certainly hidden. Whole faces: where the triangles of a planar face meet, the mesh
   /// has no edge.

@@ -226,6 +226,10 @@ bool Finder::certainly_no_segment(const std::array<NearPoint, 2>& x, const std::
     return part[0].p[axis] > part[1].p[axis] ? std::array{&part[1], &part[0]} : std::array{&part[0], &part[1]};
   };
   const auto a = ascending(x), b = ascending(y);
+  const auto is_ordered = [&](const std::array<const NearPoint*, 2>& part) {
+    return part[1]->p[axis] - part[0]->p[axis] > (part[0]->error + part[1]->error) * 1.01;
+  };
+  if (!is_ordered(a) || !is_ordered(b)) return false;
   const NearPoint &low = a[0]->p[axis] > b[0]->p[axis] ? *a[0] : *b[0], &high = a[1]->p[axis] < b[1]->p[axis] ? *a[1] : *b[1];
   if (low.p[axis] - high.p[axis] > (low.error + high.error) * 1.01) return true;
   return tiles_ != nullptr && tiles_->hides(low, high);

@@ -58,7 +58,6 @@ class Shadows {
   /// The ends of the part that is looked at: beyond the near plane.
   const Bound& first() const { return first_; }
   const Bound& last() const { return last_; }
-  bool covers_all(const Shadow& s) const { return s.from.cut == first_.cut && s.to.cut == last_.cut; }
 
   /// Which of two places comes first along the edge: negative, x; zero, they are one place.
   Sign order(const Bound& x, const Bound& y);

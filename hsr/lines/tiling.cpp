@@ -194,7 +194,7 @@ void Tiling::cast_all(const Tiled& line, const ImageBox& box, const Occluders& o
 }
 
 /// In perspective a share s of the way along the image is t = s m / (n + s (m - n)) along the edge, m and n the depths of its
-/// ends.
+/// ends. @pre shares from 0 to 1, or infinite
 Tiling::Stretch Tiling::stretch(const Edge& edge, double from_share, double to_share) const {
   if (!sight_.is_perspective()) return {from_share, to_share};
   const ErrorBounded m = sight_.depth(sight_.point(edge.a), 0), n = sight_.depth(sight_.point(edge.b), 0);
@@ -233,7 +233,7 @@ bool Tiling::cast_unhidden(const Tiled& line, const Occluders& occluders, const 
   looked_at_.clear();
   for (const UnhiddenPart& part : unhidden_) {
     unhidden_stretches_.push_back(stretch(edge, part.from, part.to));
-    looked_at_.push_back(stretch(edge, part.from - part.margin, part.to + part.margin));
+    looked_at_.push_back(stretch(edge, part.low, part.high));
     if (!(looked_at_.back().error < HUGE_VAL)) return false;
     ImageBox around = box_of(edge, looked_at_.back());
     around.farthest = std::max(around.farthest, part.hidden_from);
@@ -266,16 +266,15 @@ bool Tiling::close_gaps() {
   const Bound &first = shadows_.first(), &last = shadows_.last();
   if (cast_.empty()) return gap(first, last) == Gap::visible;
   // Into one what only a hidden gap parts.
-  const auto is_known = [&](Gap g) { return g != Gap::unknown; };
   if (cast_.front().from.cut != first.cut) {
     const Gap g = gap(first, cast_.front().from);
-    if (!is_known(g)) return false;
+    if (g == Gap::unknown) return false;
     if (g == Gap::hidden) cast_.front().from = first;
   }
   std::size_t kept = 0;
   for (std::size_t i = 1; i < cast_.size(); ++i) {
     const Gap g = gap(cast_[kept].to, cast_[i].from);
-    if (!is_known(g)) return false;
+    if (g == Gap::unknown) return false;
     if (g == Gap::hidden)
       cast_[kept].to = cast_[i].to;
     else
@@ -284,7 +283,7 @@ bool Tiling::close_gaps() {
   cast_.resize(kept + 1);
   if (cast_.back().to.cut != last.cut) {
     const Gap g = gap(cast_.back().to, last);
-    if (!is_known(g)) return false;
+    if (g == Gap::unknown) return false;
     if (g == Gap::hidden) cast_.back().to = last;
   }
   return true;

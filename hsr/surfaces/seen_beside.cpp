@@ -10,19 +10,10 @@
 
 namespace hsr {
 
-namespace {
-
-constexpr double u = ErrorBounded::u;
-
-double size(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
-
-}  // namespace
-
 NearPoint MapStretch::at(double t, double t_error) const {
-  const Point3 d = {b.p.x - a.p.x, b.p.y - a.p.y, b.p.z - a.p.z};
-  const double length = size(d), reach = 1 + std::fabs(t);
-  return {{a.p.x + t * d.x, a.p.y + t * d.y, a.p.z + t * d.z},
-          (length * (t_error + 4 * u * reach) + (a.error + b.error) * reach + 4 * u * size(a.p)) * 1.01};
+  NearPoint at = between(a.p, b.p, {t, t_error});
+  at.error += (a.error + b.error) * (1 + std::fabs(t) + t_error) * 1.01;
+  return at;
 }
 
 void SeenBeside::start(const MapStretch& stretch, Sign side) {
@@ -145,7 +136,7 @@ SeenBeside::Linear SeenBeside::along(const PlaneFilter& filter, bool zero_at_a, 
   return {zero_at_a ? ErrorBounded{} : value(stretch_->a), zero_at_b ? ErrorBounded{} : value(stretch_->b)};
 }
 
-/// -t(p) / t(E): how far toward the viewer from the stretch the plane is; see point of farthest().
+/// -t(p) / t(E): how far toward the viewer from the stretch the plane is; see bound().
 SeenBeside::Linear SeenBeside::nearness(const ImageFace& face) const {
   const auto is_corner = [&](VertexId v) { return v.is_valid() && face.has(v); };
   const Linear value = along(face.plane, is_corner(stretch_->at_a), is_corner(stretch_->at_b));

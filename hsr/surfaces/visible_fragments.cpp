@@ -66,7 +66,7 @@ class SideFinder {
   TriangleId only_triangle(EdgeId e, Sign side) const;
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
   NearPoint place_of(const Edge& edge, const Cut& cut) const;
-  NearPoint end_of(const Intersection& crossing, const Cut& cut) const;
+  NearPoint end_of(const Intersection& crossing, const Cut& cut, const MapPoint& seen) const;
   void add(MapStretch stretch, TriangleId left, TriangleId right);
   Sign runs_along(const Intersection& crossing, const MapStretch& stretch);
   void add_meeting(const MapStretch& stretch, std::span<const SeenPart> left);
@@ -152,7 +152,7 @@ void SideFinder::add_intersection(const Intersection& crossing) {
     return MapPoint::crossing(line, is_near ? MapLine::near(crossing.s) : MapLine::edge(VertexId(cut.u), VertexId(cut.v)));
   };
   const MapPoint from = point(crossing.from), to = point(crossing.to);
-  MapStretch stretch{line, from, to, end_of(crossing, crossing.from), end_of(crossing, crossing.to)};
+  MapStretch stretch{line, from, to, end_of(crossing, crossing.from, from), end_of(crossing, crossing.to, to)};
   if (runs_along(crossing, stretch) == Sign::negative) {
     std::swap(stretch.from, stretch.to);
     std::swap(stretch.a, stretch.b);
@@ -201,8 +201,8 @@ void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart
   }
 }
 
-/// Where an intersection ends in space: where an edge of one triangle meets the plane of the other.
-NearPoint SideFinder::end_of(const Intersection& crossing, const Cut& cut) const {
+/// Where an intersection ends in space: where an edge of one triangle meets the plane of the other. @param seen where
+NearPoint SideFinder::end_of(const Intersection& crossing, const Cut& cut, const MapPoint& seen) const {
   if (cut.kind == Cut::Kind::sight) {
     const VertexId u(cut.u), v(cut.v);
     const auto has = [&](TriangleId t, VertexId x) {
@@ -217,11 +217,7 @@ NearPoint SideFinder::end_of(const Intersection& crossing, const Cut& cut) const
     const double size = std::max({std::fabs(end.p.x), std::fabs(end.p.y), std::fabs(end.p.z)});
     if (end.error < size * 0x1p-20) return end;
   }
-  const MapLine line = MapLine::meet(crossing.s, crossing.t);
-  const bool is_near = cut.kind == Cut::Kind::near;
-  return map_.point(
-      MapPoint::crossing(line, is_near ? MapLine::near(crossing.s) : MapLine::edge(VertexId(cut.u), VertexId(cut.v))),
-      crossing.s);
+  return map_.point(seen, crossing.s);
 }
 
 /// The part of a triangle in the near plane, where it has been cut; or its side there, which may be a diagonal of its face.
