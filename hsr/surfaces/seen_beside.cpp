@@ -45,10 +45,10 @@ void SeenBeside::start(const MapStretch& stretch, Sign side) {
 /// False: no other face changes anything.
 bool SeenBeside::look_at(const ImageFace& face) {
   if (face.is_beside(image_) || face.triangle == stretch_->elsewhere) return true;
-  const Linear of_t = nearness(face);
-  if (of_t.at_a.value + of_t.at_a.error < least_ && of_t.at_b.value + of_t.at_b.error < least_) return true;
   const ImageFace::Overlap overlap = face.overlap(image_);
   if (overlap.is_none) return true;
+  const Linear of_t = nearness(face);
+  if (of_t.at_a.value + of_t.at_a.error < least_ && of_t.at_b.value + of_t.at_b.error < least_) return true;
   const std::size_t before = parts_.size();
   const TriangleId first = parts_.front().seen;
   insert(face, of_t, overlap);
