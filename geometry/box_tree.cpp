@@ -7,7 +7,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace hsr {
 
@@ -148,13 +147,13 @@ BoxTree::BoxTree(std::span<const ImageBox> boxes) : order_(hilbert_order(boxes))
         const auto box = [&](std::uint32_t k) -> const ImageBox& {
           return leaves ? boxes[order_[first + k]] : level_boxes[first + k];
         };
-        std::array<std::uint32_t, width> by_nearness;
-        std::iota(by_nearness.begin(), by_nearness.end(), 0U);
-        std::sort(by_nearness.begin(), by_nearness.begin() + static_cast<std::ptrdiff_t>(filled),
-                  [&](std::uint32_t j, std::uint32_t k) {
-                    const float a = box(j).nearest, b = box(k).nearest;
-                    return a != b ? a > b : j < k;
-                  });
+        // The nearest first, of equals the first.
+        std::array<std::uint32_t, width> by_nearness = {0, 1, 2, 3, 4, 5, 6, 7};
+        for (std::uint32_t k = 1; k < filled; ++k) {
+          std::size_t at = k;
+          for (; at > 0 && box(by_nearness[at - 1]).nearest < box(k).nearest; --at) by_nearness[at] = by_nearness[at - 1];
+          by_nearness[at] = k;
+        }
         std::uint32_t children = 0;
         for (std::uint32_t k = 0; k < width; ++k) {
           children |= by_nearness[k] << 3 * k;
