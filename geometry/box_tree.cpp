@@ -148,6 +148,7 @@ BoxTree::BoxTree(std::span<const ImageBox> boxes) : order_(hilbert_order(boxes))
           return leaves ? boxes[order_[first + k]] : level_boxes[first + k];
         };
         // The nearest first, of equals the first.
+        static_assert(width == 8, "children_ has three bits for each");
         std::array<std::uint32_t, width> by_nearness = {0, 1, 2, 3, 4, 5, 6, 7};
         for (std::uint32_t k = 1; k < filled; ++k) {
           std::size_t at = k;

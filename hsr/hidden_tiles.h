@@ -32,7 +32,7 @@ struct UnhiddenPart {
 /// Depths are kept as numbers that are affine over the image of a plane: parallel, the nearness of boxes; perspective, the
 /// reciprocal of the depth.
 ///
-///   (1) what `hides` says yes to is hidden at every point
+///   (1) what `hides` says yes to, and what `unhidden` leaves out, is hidden at every point
 ///   (2) the same for any number of threads
 ///
 /// Cost: O(n + tiles covered), parallel; a query O(tiles touched), less where all of them hide alike.

@@ -4,31 +4,16 @@
 #include <cmath>
 
 #include "geometry/plane_filter.h"
+#include "hsr/image_segment.h"
 #include "hsr/sight.h"
 #include "hsr/two_doubles.h"
 
 namespace hsr {
 
-/// A segment of the image prepared for the many triangles it is asked about.
-struct ImageSegment {
-  ImagePoint p = {0, 0}, q = {0, 0};
-  double error = 0;  ///< of each coordinate of these points
-  double dx = 0, dy = 0;
-  double least = 0, slope = 0;  ///< of the determinant of p, q and r: its error is at most least + slope |r - p|_1
-
-  ImageSegment() = default;
-  ImageSegment(const ImagePoint& from, const ImagePoint& to, double e)
-      : p(from), q(to), error(e), dx(q.x - p.x), dy(q.y - p.y) {
-    const double length = std::fabs(dx) + std::fabs(dy);
-    least = 9.1 * e * e + 0x1p-1000 + 2.2 * e * length;
-    slope = 2.2 * e + 4.2 * ErrorBounded::u * length;
-  }
-};
-
 /// A triangle prepared for the many lines that it is asked about: its image, and its plane.
 ///
-/// A determinant of image points that are known within E has the bound of ImageLine. What is not known is not a number, or has
-/// an unbounded error, and decides nothing.
+/// A determinant of image points that are known within E has the bound of ImageSegment. What is not known is not a number, or
+/// has an unbounded error, and decides nothing.
 struct ImageFace {
   TriangleId triangle;
   std::array<VertexId, 3> corners;
@@ -61,9 +46,8 @@ struct ImageFace {
   /// Whether the triangle certainly lies on one side of the line of the segment.
   bool is_beside(const ImageSegment& s) const {
     const auto side = [&](std::size_t k) {
-      const double px = x[k] - s.p.x, py = y[k] - s.p.y;
-      const double det = s.dx * py - s.dy * px, bound = s.least + s.slope * (std::fabs(px) + std::fabs(py));
-      return det > bound ? 1 : det < -bound ? -1 : 0;
+      const ErrorBounded turn = s.turn({x[k], y[k]});
+      return turn.value > turn.error ? 1 : turn.value < -turn.error ? -1 : 0;
     };
     const int first = side(0);
     return first != 0 && side(1) == first && side(2) == first;

@@ -3,45 +3,24 @@
 #include <cmath>
 #include <optional>
 
+#include "hsr/image_segment.h"
 #include "hsr/sight.h"
 
 namespace hsr {
 
-/// Twice the area of the triangle of three images, positive where they turn left: O of what they are images of has its sign.
-/// @param error of each coordinate @see ImageLine for the bound
-inline ErrorBounded image_turn(const ImagePoint& p, const ImagePoint& q, const ImagePoint& r, double error) {
-  const double dx = q.x - p.x, dy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
-  const double d = std::fabs(dx) + std::fabs(dy), l = std::fabs(rx) + std::fabs(ry);
-  return {dx * ry - dy * rx, 2.2 * error * (d + l) + 9.1 * error * error + 4.2 * ErrorBounded::u * d * l + 0x1p-1000};
-}
-
-/// The line through the images of two vertices a and b, prepared for many points: the sign of O(a, b, p).
-///
-/// With E = image_error(), r = p - a and d = b - a as computed: every entry of r and d is off by at most 2 E and one rounding u
-/// of its own; the two products and their difference round three times. So |det - exact| <= 2.1 E (|d|_1 + |r|_1) + 9 E^2 +
-/// 4.1 u (|d_x r_y| + |d_y r_x|) + 2^-1073, and the last sum is at most |d|_1 |r|_1. The bound is computed with constants a
-/// little larger, which pays for its own roundings. An image that is not known is NaN and never certain.
+/// The line through the images of two vertices a and b, prepared for many points: the sign of O(a, b, p), by the bound of
+/// ImageSegment.
 class ImageLine {
  public:
   ImageLine(const Sight& sight, VertexId a, VertexId b) : sight_(sight), a_(a), b_(b) {
-    if (!(sight.image_error() < HUGE_VAL)) return;
-    const ImagePoint &p = sight.image(a), &q = sight.image(b);
-    ax_ = p.x;
-    ay_ = p.y;
-    dx_ = q.x - p.x;
-    dy_ = q.y - p.y;
-    const double error = sight.image_error(), length = std::fabs(dx_) + std::fabs(dy_);
-    least_ = 2.2 * error * length + 9.1 * error * error + 0x1p-1000;
-    slope_ = 2.2 * error + 4.2 * ErrorBounded::u * length;
+    if (is_known()) image_ = {sight.image(a), sight.image(b), sight.image_error()};
   }
 
   /// Zero: doubles cannot tell.
   Sign certain_side(VertexId p) const {
-    if (!(least_ < HUGE_VAL)) return Sign::zero;
-    const ImagePoint& c = sight_.image(p);
-    const double rx = c.x - ax_, ry = c.y - ay_;
-    const double det = dx_ * ry - dy_ * rx, bound = least_ + slope_ * (std::fabs(rx) + std::fabs(ry));
-    return det > bound ? Sign::positive : det < -bound ? Sign::negative : Sign::zero;
+    if (!is_known()) return Sign::zero;
+    const ErrorBounded turn = image_.turn(sight_.image(p));
+    return turn.value > turn.error ? Sign::positive : turn.value < -turn.error ? Sign::negative : Sign::zero;
   }
 
   /// The sign of O(a, b, p) where doubles tell it, a zero too: exact images on a line along an axis need only comparisons, and
@@ -49,9 +28,9 @@ class ImageLine {
   std::optional<Sign> side_by_doubles(VertexId p) const {
     const Sign certain = certain_side(p);
     if (certain != Sign::zero) return certain;
-    if (sight_.image_error() != 0 || (dx_ != 0 && dy_ != 0)) return std::nullopt;
+    if (sight_.image_error() != 0 || (image_.dx != 0 && image_.dy != 0)) return std::nullopt;
     const ImagePoint& c = sight_.image(p);
-    return dx_ == 0 ? -sign_of(dy_) * sign_of(c.x - ax_) : sign_of(dx_) * sign_of(c.y - ay_);
+    return image_.dx == 0 ? -sign_of(image_.dy) * sign_of(c.x - image_.p.x) : sign_of(image_.dx) * sign_of(c.y - image_.p.y);
   }
 
   /// The sign of O(a, b, p). Exact.
@@ -65,7 +44,7 @@ class ImageLine {
 
   /// Whether a and b are seen as one point, so that there is no line. Exact.
   bool is_point(Predicates& exact) const {
-    if (least_ < HUGE_VAL && std::fabs(dx_) + std::fabs(dy_) > 9 * sight_.image_error() + 0x1p-900) return false;
+    if (is_known() && std::fabs(image_.dx) + std::fabs(image_.dy) > 9 * sight_.image_error() + 0x1p-900) return false;
     // Iff every plane of the line of sight of a contains b.
     for (int axis = 0; axis < 3; ++axis)
       if (exact.side(Plane::of_sight_along_axis(sight_.eye(), sight_.point(a_), axis), sight_.point(b_)) != Sign::zero)
@@ -74,26 +53,25 @@ class ImageLine {
   }
 
   /// For points on the line: whether p certainly lies before a, as seen on the way from a to b; after a; after b; before b.
-  bool certainly_before_start(VertexId p) const { return along(p, ax_, ay_) == Sign::negative; }
-  bool certainly_after_start(VertexId p) const { return along(p, ax_, ay_) == Sign::positive; }
-  bool certainly_before_end(VertexId p) const { return along(p, ax_ + dx_, ay_ + dy_) == Sign::negative; }
-  bool certainly_after_end(VertexId p) const { return along(p, ax_ + dx_, ay_ + dy_) == Sign::positive; }
+  bool certainly_before_start(VertexId p) const { return along(p, image_.p) == Sign::negative; }
+  bool certainly_after_start(VertexId p) const { return along(p, image_.p) == Sign::positive; }
+  bool certainly_before_end(VertexId p) const { return along(p, image_.q) == Sign::negative; }
+  bool certainly_after_end(VertexId p) const { return along(p, image_.q) == Sign::positive; }
 
  private:
-  /// The sign of (p - o) . (b - a) in the image, or zero where doubles cannot tell: the same bound as for O, with o = b off by
-  /// one rounding more.
-  Sign along(VertexId p, double ox, double oy) const {
-    if (!(least_ < HUGE_VAL)) return Sign::zero;
+  /// The sign of (p - o) . (b - a) in the image, or zero where doubles cannot tell: twice the bound for O.
+  Sign along(VertexId p, const ImagePoint& o) const {
+    if (!is_known()) return Sign::zero;
     const ImagePoint& c = sight_.image(p);
-    const double rx = c.x - ox, ry = c.y - oy, dot = dx_ * rx + dy_ * ry;
-    const double bound = 2 * (least_ + slope_ * (std::fabs(rx) + std::fabs(ry) + std::fabs(ox) + std::fabs(oy)));
+    const double rx = c.x - o.x, ry = c.y - o.y, dot = image_.dx * rx + image_.dy * ry;
+    const double bound = 2 * (image_.least + image_.slope * (std::fabs(rx) + std::fabs(ry)));
     return dot > bound ? Sign::positive : dot < -bound ? Sign::negative : Sign::zero;
   }
+  bool is_known() const { return sight_.image_error() < HUGE_VAL; }
 
   const Sight& sight_;
   VertexId a_, b_;
-  double ax_ = 0, ay_ = 0, dx_ = 0, dy_ = 0;
-  double least_ = HUGE_VAL, slope_ = 0;
+  ImageSegment image_;
 };
 
 }  // namespace hsr

@@ -78,7 +78,7 @@ class Tiling {
   Shadows shadows_;
   std::vector<Shadow> cast_, by_face_, one_face_;
   std::vector<UnhiddenPart> unhidden_;
-  std::vector<Stretch> unhidden_stretches_, looked_at_;  // each a little longer than what may be seen
+  std::vector<Stretch> unhidden_stretches_, looked_at_;  // what may be seen; each a little longer
   VisibleLines result_;
 };
 

@@ -36,7 +36,7 @@ struct VisibleFragments {
 struct FragmentOptions {
   Arithmetic arithmetic = Arithmetic::staged;
   /// Whether visible_fragments() leaves out, before any exact test, the far sides of closed bodies and what lies behind large
-  /// faces; automatic: where it pays. Changes no result.
+  /// faces; automatic: where it pays. Changes no ring.
   When stages = When::automatic;
   std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel
 };

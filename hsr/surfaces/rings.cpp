@@ -7,7 +7,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
-#include "hsr/image_line.h"
+#include "hsr/image_segment.h"
 
 namespace hsr {
 
@@ -141,7 +141,7 @@ void RingLinker::Linker::clear() {
 bool RingLinker::Linker::certainly_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
   const MapPlace &p = places_[i], &q = places_[j], &r = places_[k];
   const double error = std::max({p.error_x, p.error_y, q.error_x, q.error_y, r.error_x, r.error_y});
-  return image_turn({p.x, p.y}, {q.x, q.y}, {r.x, r.y}, error).is_certain();
+  return ImageSegment({p.x, p.y}, {q.x, q.y}, error).turn({r.x, r.y}).is_certain();
 }
 
 /// Gives each point of the image one number.

@@ -10,7 +10,7 @@
 #include "hsr/cut_plane.h"
 #include "hsr/facet.h"
 #include "hsr/hidden_tiles.h"
-#include "hsr/image_line.h"
+#include "hsr/image_segment.h"
 #include "hsr/lines/bodies.h"
 #include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
@@ -174,11 +174,12 @@ void SideFinder::add_intersection(const Intersection& crossing) {
 /// left O is negative.
 Sign SideFinder::runs_along(const Intersection& crossing, const MapStretch& stretch) {
   const NearImage a = sight_.image(stretch.a.p, 3 * stretch.a.error), b = sight_.image(stretch.b.p, 3 * stretch.b.error);
+  const ImageSegment image(a.at, b.at, std::max({a.error, b.error, sight_.image_error()}));
   const PlaneFilter plane = sight_.filter(sight_.face_plane(crossing.t));
   for (const VertexId v : mesh_.triangles[crossing.s]) {
     const ErrorBounded at_v = plane(sight_.point(v));
     if (!at_v.is_certain() || !(sight_.image_error() < HUGE_VAL)) continue;
-    const ErrorBounded turn = image_turn(a.at, b.at, sight_.image(v), std::max({a.error, b.error, sight_.image_error()}));
+    const ErrorBounded turn = image.turn(sight_.image(v));
     if (turn.is_certain()) return sign_of(at_v.value) * sign_of(turn.value) * sight_.facing(crossing.s);
   }
   return -map_.order(stretch.line, stretch.from, stretch.to);

@@ -9,7 +9,8 @@ namespace hsr {
 ///   (1) fragments of different faces do not overlap, and together they cover the union of all images
 ///   (2) of two faces in one plane the one with the lower index is visible; a face seen edge-on has no fragment
 ///   (3) a face that is cut into triangles has the fragments of its triangles
-///   (4) the result does not depend on the number of threads; roberts_surfaces() gives the same
+///   (4) the result does not depend on the number of threads; roberts_surfaces(), and other stages, give the same rings, but in
+///       each facet perhaps in another order, from another corner on, and with corners by other names
 ///
 /// Built from the visible lines: each visible part of an edge, of a line where two faces pierce and of a cut by the near plane
 /// bounds what is seen just to its left and just to its right (SeenBeside); where these differ it is a side of both fragments.
