@@ -43,6 +43,7 @@ PixelSize default_size(const Drawing& drawing) {
 }
 
 void add_ring(cairo_t* c, std::span<const PaperPoint> ring) {
+  cairo_new_sub_path(c);  // closing a path leaves its first point as the current one, from which a line would begin
   for (const PaperPoint& p : ring) cairo_line_to(c, static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000);
   cairo_close_path(c);
 }

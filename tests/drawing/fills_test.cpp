@@ -103,6 +103,36 @@ TEST_CASE("no seam shows between fills of one colour", "[drawing][fills]") {
   }
 }
 
+TEST_CASE("PNG fills what SVG fills: the holes stay open, and nothing joins rings that are apart", "[drawing][fills][png]") {
+  scenes::TestScene scene;
+  scene.view = parallel_view({0, 0, 1}, {0, 1, 0});
+  const auto at = [](double x, double y) { return Point3{x, y, 0}; };
+  // A frame whose window is joined to its rim by a bridge, and a square apart from it.
+  scene.add_face(
+      {at(0, 0), at(30, 0), at(30, 20), at(0, 20), at(0, 0), at(10, 5), at(10, 15), at(24, 15), at(24, 5), at(10, 5)});
+  scene.add_face({at(34, 12), at(40, 12), at(40, 18), at(34, 18)});
+  const Drawing drawing = filled(scene, std::vector<Colour>(2, Colour{0, 0, 0, 255}), Merge::none);
+  for (const int width : {210, 1050}) {
+    const Image<std::uint8_t> theirs = rendered(svg(drawing), width);
+    const Image<std::uint8_t> ours = read_grey(png(drawing, PixelSize{theirs.width, theirs.height}));
+    std::size_t compared = 0, differing = 0, white_inside = 0;
+    for (int j = 1; j + 1 < ours.height; ++j)
+      for (int i = 1; i + 1 < ours.width; ++i) {
+        bool is_inner = true;  // no border runs through the pixel or beside it
+        for (int v = -1; v <= 1; ++v)
+          for (int u = -1; u <= 1; ++u) is_inner = is_inner && theirs.at(i + u, j + v) == theirs.at(i, j);
+        if (!is_inner) continue;
+        ++compared;
+        if (ours.at(i, j) != theirs.at(i, j)) ++differing;
+        if (theirs.at(i, j) == 255 && std::abs(i - ours.width * 17 / 40) < 9 && std::abs(j - ours.height / 2) < 9)
+          ++white_inside;
+      }
+    CHECK(compared > static_cast<std::size_t>(ours.width) * static_cast<std::size_t>(ours.height) * 9 / 10);
+    CHECK(differing == 0);
+    CHECK(white_inside > 0);
+  }
+}
+
 /// Black paint, no lines.
 std::string painted(const scenes::TestScene& scene, const PaintersOrder& order) {
   LineOptions lines;
