@@ -11,37 +11,13 @@
 #include "hsr/read/byte_scanner.h"
 #include "hsr/read/formats.h"
 #include "hsr/read/gltf_file.h"
+#include "hsr/read/json_depth.h"
 
 namespace hsr::read {
 
 namespace {
 
 using Json = nlohmann::json;
-
-/// Both JSON parsers are without recursion, but not what walks over their result.
-constexpr int deepest = 100;
-
-void check_depth(const Source& source, std::string_view text, std::size_t first_byte) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\')
-        ++i;
-      else if (c == '"')
-        in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > deepest)
-        source.refuse("byte " + std::to_string(first_byte + i),
-                      "found more than 100 brackets inside each other, expected fewer");
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
-  }
-}
 
 /// The parts of a GLB file.
 struct Chunks {
@@ -87,7 +63,7 @@ std::string first_line(std::string text) {
 }
 
 Json parse_json(const Source& source, std::string_view text, std::size_t first_byte) {
-  check_depth(source, text, first_byte);
+  check_json_depth(source, text, first_byte);
   try {
     Json json = Json::parse(text.begin(), text.end());
     if (!json.is_object()) source.refuse("byte " + std::to_string(first_byte), "found JSON that is no object, expected glTF");

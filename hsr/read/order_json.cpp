@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
+#include "hsr/read/json_depth.h"
 #include "hsr/read/source.h"
 
 namespace hsr {
@@ -116,6 +117,7 @@ class OrderReader {
 PaintingFile read_order(const std::string& path) {
   const read::Bytes bytes = read::read_file(path);
   const read::Source source{path, bytes.view()};
+  read::check_json_depth(source, bytes.view());
   Json json;
   try {
     json = Json::parse(bytes.view());

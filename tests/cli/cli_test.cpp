@@ -403,6 +403,10 @@ TEST_CASE("an order that is none is refused in one line", "[cli][order]") {
   const std::string head =
       R"({"format": "hsr-order/1", "view": {"eye": [0, 0, 1, 0], "target": [0, 0, 0], "up": [0, 1, 0]}, "pieces": )";
   refused("{", {"byte"});
+  const std::string deep(200'000, '[');
+  refused(head + deep, {"byte", "100 brackets"});
+  refused(head + deep + std::string(200'000, ']') + "}", {"byte", "100 brackets"});
+  refused(R"({"format": )" + deep + std::string(200'000, ']') + "}", {"byte", "100 brackets"});
   refused("[]", {"hsr-order/1"});
   refused(R"({"format": "hsr-lines/1"})", {"hsr-lines/1", "hsr-order/1"});
   refused(head + "3}", {"pieces", "3"});
