@@ -9,6 +9,7 @@
 #include "hsr/check/comparison.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/directory.h"
+#include "hsr/cli/messages.h"
 #include "hsr/cli/page_arguments.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
@@ -117,8 +118,8 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
   drawing_options.field_of_view = chosen.field_of_view;
   progress.clear();
   if (!a.quiet) {
-    for (const std::string& note : model.notes) fmt::print(stderr, "hsr: note: {}\n", note);
-    if (!chosen.note.empty()) fmt::print(stderr, "hsr: note: {}\n", chosen.note);
+    for (const std::string& note : model.notes) tell("hsr: note: {}\n", note);
+    if (!chosen.note.empty()) tell("hsr: note: {}\n", chosen.note);
   }
 
   ComparisonOptions options;
@@ -162,13 +163,12 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
   report["machine"] = machine_and_date();
   directory.write("report.json", report.text());
   progress.clear();
-  if (!a.quiet) fmt::print(stderr, "hsr: compared: open {}\n", directory.path("index.html"));
+  if (!a.quiet) tell("hsr: compared: open {}\n", directory.path("index.html"));
 
   // An exact method that shows another face than the caster is a defect of hsr, and never goes unsaid.
   for (const ComparedMethod& m : comparison.methods)
     if (m.is_exact && m.wrong > 0) {
-      fmt::print(stderr, "hsr: compare: {} shows another face than the nearest at {} samples: please report it\n", m.name(),
-                 m.wrong);
+      tell("hsr: compare: {} shows another face than the nearest at {} samples: please report it\n", m.name(), m.wrong);
       throw CheckFailed();
     }
 }

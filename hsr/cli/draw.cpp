@@ -15,6 +15,7 @@
 #include "hsr/check/z_buffer_check.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
+#include "hsr/cli/messages.h"
 #include "hsr/cli/outputs.h"
 #include "hsr/cli/page_arguments.h"
 #include "hsr/cli/progress.h"
@@ -148,15 +149,14 @@ void say(const Check& check) {
   const auto name = [](FaceId face) { return face.is_valid() ? "face " + std::to_string(face.value) : std::string("nothing"); };
   const auto say_samples = [&](const std::vector<WrongSample>& samples) {
     for (const WrongSample& w : samples)
-      fmt::print(stderr, "hsr: check failed: at sample {}, {}: found {}, expected {}\n", w.i, w.j, name(w.painted),
-                 name(w.cast));
+      tell("hsr: check failed: at sample {}, {}: found {}, expected {}\n", w.i, w.j, name(w.painted), name(w.cast));
   };
   if (f.is_right()) {
-    fmt::print(stderr, "hsr: check: the fragments show the nearest face at each of {} samples, {} of them on the model\n",
-               f.samples, f.covered);
+    tell("hsr: check: the fragments show the nearest face at each of {} samples, {} of them on the model\n", f.samples,
+         f.covered);
   } else {
-    fmt::print(stderr, "hsr: check failed: {} of {} samples show another face than the nearest, {} are painted twice\n",
-               f.wrong, f.samples, f.overlapping);
+    tell("hsr: check failed: {} of {} samples show another face than the nearest, {} are painted twice\n", f.wrong, f.samples,
+         f.overlapping);
     say_samples(f.first_wrong);
   }
   for (const auto& [numbers, z] : {std::pair("floats", check.single), std::pair("doubles", check.twice)}) {
@@ -168,8 +168,8 @@ void say(const Check& check) {
     add(z.edge, "at edges");
     add(z.unbounded, "of faces that have no area in its numbers");
     add(z.other, "unexplained");
-    fmt::print(stderr, "hsr: check{}: a z-buffer of {} shows another face at {} samples{}\n", z.is_explained() ? "" : " failed",
-               numbers, z.wrong, why);
+    tell("hsr: check{}: a z-buffer of {} shows another face at {} samples{}\n", z.is_explained() ? "" : " failed", numbers,
+         z.wrong, why);
     say_samples(z.first_other);
   }
 }
@@ -178,7 +178,7 @@ void say(const Check& check) {
 void note_idle_options(const DrawArguments& a, const std::vector<Format>& formats) {
   const auto any = [&](Format f) { return std::find(formats.begin(), formats.end(), f) != formats.end(); };
   const auto note = [](const char* option, const char* format) {
-    fmt::print(stderr, "hsr: note: {} has no effect without an output that ends in .{}\n", option, format);
+    tell("hsr: note: {} has no effect without an output that ends in .{}\n", option, format);
   };
   if (a.why && !any(Format::json)) note("--why", "json");
   if (a.exact && !any(Format::json)) note("--exact", "json");
@@ -242,9 +242,9 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   if (!a.quiet) {
     progress.clear();
     note_idle_options(a, formats);
-    for (const std::string& note : model.notes) fmt::print(stderr, "hsr: note: {}\n", note);
-    if (!chosen.note.empty()) fmt::print(stderr, "hsr: note: {}\n", chosen.note);
-    if (mesh.edges.empty()) fmt::print(stderr, "hsr: note: {}: every face has no area, the drawing is empty\n", a.model);
+    for (const std::string& note : model.notes) tell("hsr: note: {}\n", note);
+    if (!chosen.note.empty()) tell("hsr: note: {}\n", chosen.note);
+    if (mesh.edges.empty()) tell("hsr: note: {}: every face has no area, the drawing is empty\n", a.model);
   }
 
   progress.stage("visible lines");
@@ -298,7 +298,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
     });
     const bool is_explained = std::all_of(errors.begin(), errors.end(), [](const auto& e) { return e.samples.is_explained(); });
     progress.clear();
-    if (!is_explained) fmt::print(stderr, "hsr: check failed: differences in the table are unexplained\n");
+    if (!is_explained) tell("hsr: check failed: differences in the table are unexplained\n");
     is_right = is_right && is_explained;
   }
 
@@ -325,11 +325,10 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
                          {"scale_mm_per_unit", drawing->scale}};
     progress.clear();
     if (drawing->polylines.empty() && !a.quiet && !mesh.edges.empty())
-      fmt::print(stderr, "hsr: note: the drawing is empty: {}\n",
-                 empty_drawing(a, line_options.frame.has_value(), lines, *drawing));
+      tell("hsr: note: the drawing is empty: {}\n", empty_drawing(a, line_options.frame.has_value(), lines, *drawing));
     if (!drawing->fits && !a.quiet)
-      fmt::print(stderr, "hsr: note: at scale {} the drawing is larger than the page {}: --scale fit makes it fit\n",
-                 a.page.scale, a.page.page);
+      tell("hsr: note: at scale {} the drawing is larger than the page {}: --scale fit makes it fit\n", a.page.scale,
+           a.page.page);
   }
   report.set_decisions(decisions);
   if (!chosen.view.is_perspective()) report.leave_out("near plane", "a parallel view has none");

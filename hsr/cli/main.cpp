@@ -10,6 +10,7 @@
 #include "geometry/error.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/memory_limit.h"
+#include "hsr/cli/messages.h"
 
 namespace {
 
@@ -25,7 +26,7 @@ extern "C" void on_interrupt(int signal) {
 }
 
 int fail(const std::string& message) {
-  fmt::print(stderr, "hsr: {}\n", message);
+  hsr::cli::tell("hsr: {}\n", message);
   return 2;
 }
 

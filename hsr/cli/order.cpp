@@ -11,6 +11,7 @@
 #include "hsr/check/order_check.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
+#include "hsr/cli/messages.h"
 #include "hsr/cli/outputs.h"
 #include "hsr/cli/page_arguments.h"
 #include "hsr/cli/progress.h"
@@ -118,8 +119,8 @@ void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
   drawing_options.field_of_view = chosen.field_of_view;
   progress.clear();
   if (!a.quiet) {
-    for (const std::string& note : model.notes) fmt::print(stderr, "hsr: note: {}\n", note);
-    if (!chosen.note.empty()) fmt::print(stderr, "hsr: note: {}\n", chosen.note);
+    for (const std::string& note : model.notes) tell("hsr: note: {}\n", note);
+    if (!chosen.note.empty()) tell("hsr: note: {}\n", chosen.note);
   }
 
   progress.stage("order");
@@ -160,13 +161,11 @@ void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
     is_right = check.wrong == 0;
     progress.clear();
     if (!is_right)
-      fmt::print(
-          stderr,
-          "hsr: check: the painting shows another face than the nearest at {} of {} samples, first at column {}, row {}\n",
-          check.wrong, check.samples, check.first_wrong[0], check.first_wrong[1]);
+      tell("hsr: check: the painting shows another face than the nearest at {} of {} samples, first at column {}, row {}\n",
+           check.wrong, check.samples, check.first_wrong[0], check.first_wrong[1]);
     else if (!a.quiet)
-      fmt::print(stderr, "hsr: check: the painting shows the nearest face at each of {} samples, {} of them on the model\n",
-                 check.samples, check.covered);
+      tell("hsr: check: the painting shows the nearest face at each of {} samples, {} of them on the model\n", check.samples,
+           check.covered);
   }
 
   progress.stage("writing");

@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "hsr/cli/messages.h"
+
 namespace hsr::cli {
 
 namespace {
@@ -58,16 +60,16 @@ void ProgressLine::show(const std::string& name, double done) {
 void ProgressLine::print() {
   const double spent = seconds_since(stage_start_), done = done_;
   if (done > 0)
-    fmt::print(stderr, "\r\033[K{}: {:.0f} %, {} left", stage_, done * 100, duration(spent / done * (1 - done)));
+    tell("\r\033[K{}: {:.0f} %, {} left", stage_, done * 100, duration(spent / done * (1 - done)));
   else
-    fmt::print(stderr, "\r\033[K{}: {} so far", stage_, duration(spent));
+    tell("\r\033[K{}: {} so far", stage_, duration(spent));
   std::fflush(stderr);
   shown_ = true;
 }
 
 void ProgressLine::clear() {
   const std::lock_guard lock(mutex_);
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (shown_) tell("\r\033[K");
   shown_ = false;
 }
 

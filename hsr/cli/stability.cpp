@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/directory.h"
+#include "hsr/cli/messages.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
 #include "hsr/write/stability_csv.h"
@@ -124,11 +125,11 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
   describe(report, result);
   directory.write("report.json", report.text());
   progress.clear();
-  if (!a.quiet) fmt::print(stderr, "hsr: stability: open {}\n", directory.path("index.html"));
+  if (!a.quiet) tell("hsr: stability: open {}\n", directory.path("index.html"));
 
   // A wrong sample of an exact method is a defect of hsr, and never goes unsaid.
   const std::vector<std::string> defects = result.defects();
-  for (const std::string& d : defects) fmt::print(stderr, "hsr: stability: {}: please report it\n", d);
+  for (const std::string& d : defects) tell("hsr: stability: {}: please report it\n", d);
   if (!defects.empty()) throw CheckFailed();
 }
 

@@ -11,6 +11,7 @@
 
 #include "geometry/error.h"
 #include "hsr/cli/commands.h"
+#include "hsr/cli/messages.h"
 #include "hsr/cli/outputs.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
@@ -167,7 +168,7 @@ Input from_model(const VerifyArguments& a, Report& report, ProgressLine& progres
   const Mesh mesh = make_mesh(model.points, model.polygons);
   const ChosenView chosen = choose_view(a.view, mesh);
   progress.clear();
-  if (!a.quiet && !chosen.note.empty()) fmt::print(stderr, "hsr: note: {}\n", chosen.note);
+  if (!a.quiet && !chosen.note.empty()) tell("hsr: note: {}\n", chosen.note);
   Input in{{}, chosen.view, chosen.title};
   for (std::size_t f = 0; f < model.polygons.size(); ++f) {
     PaintedPolygon p;

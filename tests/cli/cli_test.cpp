@@ -313,6 +313,23 @@ TEST_CASE("a full disk is an error, not a success", "[cli]") {
   }
 }
 
+TEST_CASE("messages that cannot be written are no reason to die", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  for (const char* error : {" 2> /dev/full", " 2>&-"}) {
+    const std::string svg = d / "a.svg";
+    const std::string eye = " --eye 0.25,0.5,0.75";  // makes a note
+    const int status = std::system((HSR_COMMAND + (" draw " + model) + eye + " -o " + svg + error).c_str());
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+    CHECK(contents(svg).rfind("<?xml", 0) == 0);
+    const int refused = std::system((HSR_COMMAND + (" draw " + (d / "none.obj")) + " -o " + (d / "b.svg") + error).c_str());
+    REQUIRE(WIFEXITED(refused));
+    CHECK(WEXITSTATUS(refused) == 2);
+    fs::remove(svg);
+  }
+}
+
 TEST_CASE("an eye inside the model frames 90 degrees and says so", "[cli]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube);

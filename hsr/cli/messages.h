@@ -1,0 +1,18 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace hsr::cli {
+
+/// Writes a message to standard error. A message that cannot be written is no reason to die: it is lost. (fmt::print throws.)
+template <class... Arguments>
+void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  const std::string text = fmt::format(format, std::forward<Arguments>(arguments)...);
+  (void)std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+}  // namespace hsr::cli
