@@ -15,4 +15,8 @@ void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   (void)std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+/// Sees to it that no file that is opened later becomes standard input, output or error, where the caller closed one of them.
+/// The closed ones are filled so that using them still fails. Call it before anything is opened.
+void reserve_standard_streams();
+
 }  // namespace hsr::cli

@@ -330,6 +330,23 @@ TEST_CASE("messages that cannot be written are no reason to die", "[cli]") {
   }
 }
 
+TEST_CASE("a closed standard output is not taken for a file", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube), lines = d / "c.json";
+  for (const char* closed : {" >&-", " >&- <&-", " <&- >&- 2>&-"}) {
+    const int status = std::system((HSR_COMMAND + (" draw " + model) + " -o " + lines + " --report -" + closed).c_str());
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 2);
+    CHECK_FALSE(fs::exists(lines));  // complete or absent
+    // Where nothing is written to it, it is not missed.
+    const int drawn = std::system((HSR_COMMAND + (" draw " + model) + " -o " + lines + closed).c_str());
+    REQUIRE(WIFEXITED(drawn));
+    CHECK(WEXITSTATUS(drawn) == 0);
+    CHECK(json::parse(contents(lines))["format"] == "hsr-lines/1");
+    fs::remove(lines);
+  }
+}
+
 TEST_CASE("an eye inside the model frames 90 degrees and says so", "[cli]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube);
