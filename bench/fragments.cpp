@@ -18,7 +18,7 @@
 #include "geometry/mesh.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr::bench {
 namespace {

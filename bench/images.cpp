@@ -11,9 +11,9 @@
 #include "bench/scenes.h"
 #include "bench/seconds.h"
 #include "bench/views.h"
-#include "hsr/image/caster.h"
-#include "hsr/image/rasterizer.h"
-#include "hsr/image/z_buffer.h"
+#include "hsr/raster/caster.h"
+#include "hsr/raster/rasterizer.h"
+#include "hsr/raster/z_buffer.h"
 
 // Seconds of each way to make a picture of samples, on one scene.
 

@@ -21,7 +21,7 @@
 #include "geometry/error.h"
 #include "geometry/mesh.h"
 #include "hsr/lines/visible_lines.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr::bench {
 namespace {

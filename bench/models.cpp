@@ -14,8 +14,8 @@
 #include "bench/seconds.h"
 #include "bench/views.h"
 #include "geometry/error.h"
+#include "hsr/io/read/read.h"
 #include "hsr/lines/visible_lines.h"
-#include "hsr/read/read.h"
 
 namespace hsr::bench {
 namespace {

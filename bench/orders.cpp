@@ -19,8 +19,8 @@
 #include "bench/seconds.h"
 #include "bench/views.h"
 #include "geometry/error.h"
-#include "hsr/painter/bsp.h"
-#include "hsr/painter/depth_sort.h"
+#include "hsr/painter/bsp/bsp.h"
+#include "hsr/painter/sort/depth_sort.h"
 
 namespace hsr::bench {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/certificate.h"
+#include "geometry/bit_range.h"
 #include "geometry/error.h"
 #include "geometry/error_bounded.h"
 #include "geometry/plane.h"

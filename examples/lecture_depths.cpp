@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "hsr/image/alpha_buffer.h"
-#include "hsr/image/depth_buffer.h"
-#include "hsr/image/row_z_buffer.h"
+#include "hsr/raster/alpha_buffer.h"
+#include "hsr/raster/depth_buffer.h"
+#include "hsr/raster/row_z_buffer.h"
 
 namespace {
 

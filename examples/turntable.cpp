@@ -5,8 +5,8 @@
 #include <iostream>
 #include <numbers>
 
-#include "hsr/painter/bsp.h"
-#include "hsr/read/read.h"
+#include "hsr/io/read/read.h"
+#include "hsr/painter/bsp/bsp.h"
 
 int main(int argc, char** argv) try {
   const hsr::Model model = hsr::read_model(argc > 1 ? argv[1] : "part.obj");

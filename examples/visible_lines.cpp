@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "geometry/mesh.h"
-#include "hsr/read/read.h"
-#include "hsr/view.h"
+#include "hsr/io/read/read.h"
+#include "hsr/view/view.h"
 
 int main(int argc, char** argv) try {
   const hsr::Model model = hsr::read_model(argc > 1 ? argv[1] : "part.obj");

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "geometry/certificate.h"
+#include "geometry/bit_range.h"
 #include "geometry/error.h"
 #include "geometry/flat_orientation.h"
 #include "geometry/merge_points.h"

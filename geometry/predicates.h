@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "geometry/certificate.h"
+#include "geometry/bit_range.h"
 #include "geometry/number.h"
 #include "geometry/plane.h"
 #include "geometry/point.h"

@@ -5,7 +5,7 @@
 
 #include "geometry/mesh.h"
 #include "geometry/number.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr::bench {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/point.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr::bench {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "geometry/mesh.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr::bench {
 

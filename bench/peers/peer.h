@@ -7,7 +7,7 @@
 #include "bench/seconds.h"
 #include "geometry/mesh.h"
 #include "hsr/model.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr::bench {
 

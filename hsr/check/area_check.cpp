@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "hsr/facet.h"
-#include "hsr/image/sample_signs.h"
-#include "hsr/map/map_sight.h"
-#include "hsr/sight.h"
+#include "hsr/raster/sample_signs.h"
+#include "hsr/scene/facet.h"
+#include "hsr/scene/projected_mesh.h"
+#include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr {
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "geometry/mesh.h"
-#include "hsr/image/image.h"
-#include "hsr/image/samples.h"
+#include "hsr/raster/image.h"
+#include "hsr/raster/samples.h"
 #include "hsr/surfaces/fragments.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

@@ -7,8 +7,8 @@
 
 #include "hsr/check/fragment_check.h"
 #include "hsr/check/measure.h"
-#include "hsr/image/caster.h"
-#include "hsr/image/z_buffer.h"
+#include "hsr/raster/caster.h"
+#include "hsr/raster/z_buffer.h"
 #include "hsr/surfaces/visible_fragments.h"
 
 namespace hsr {

@@ -7,9 +7,9 @@
 
 #include "hsr/check/area_check.h"
 #include "hsr/check/z_buffer_check.h"
-#include "hsr/image/samples.h"
+#include "hsr/raster/samples.h"
 #include "hsr/surfaces/fragments.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

@@ -5,9 +5,9 @@
 
 #include "geometry/error_bounded.h"
 #include "geometry/number.h"
-#include "hsr/image/projection.h"
-#include "hsr/image/samples.h"
-#include "hsr/view.h"
+#include "hsr/raster/projection.h"
+#include "hsr/raster/samples.h"
+#include "hsr/view/view.h"
 
 // What the checks of pictures hold against them: triangles in the coordinates of the samples, in rationals.
 

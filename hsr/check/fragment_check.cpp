@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hsr/facet.h"
-#include "hsr/image/caster.h"
-#include "hsr/image/rasterizer.h"
-#include "hsr/map/map_sight.h"
-#include "hsr/sight.h"
+#include "hsr/raster/caster.h"
+#include "hsr/raster/rasterizer.h"
+#include "hsr/scene/facet.h"
+#include "hsr/scene/projected_mesh.h"
+#include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr {
 

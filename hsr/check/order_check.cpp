@@ -1,8 +1,8 @@
 #include "hsr/check/order_check.h"
 
-#include "hsr/facet.h"
-#include "hsr/image/caster.h"
-#include "hsr/image/painted_order.h"
+#include "hsr/raster/caster.h"
+#include "hsr/raster/painted_order.h"
+#include "hsr/scene/facet.h"
 
 namespace hsr {
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdint>
 
-#include "hsr/image/samples.h"
 #include "hsr/painter/painters_order.h"
-#include "hsr/view.h"
+#include "hsr/raster/samples.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

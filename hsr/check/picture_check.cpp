@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hsr/check/exact_triangle.h"
-#include "hsr/facet.h"
+#include "hsr/scene/facet.h"
 
 namespace hsr {
 

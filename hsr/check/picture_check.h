@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "hsr/image/depth_format.h"
-#include "hsr/image/image.h"
-#include "hsr/image/samples.h"
-#include "hsr/view.h"
+#include "hsr/raster/depth_format.h"
+#include "hsr/raster/image.h"
+#include "hsr/raster/samples.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

@@ -12,8 +12,8 @@
 #include <unordered_map>
 
 #include "hsr/check/exact_triangle.h"
-#include "hsr/facet.h"
-#include "hsr/image/scanned_triangle.h"
+#include "hsr/raster/scanned_triangle.h"
+#include "hsr/scene/facet.h"
 
 namespace hsr {
 

@@ -5,9 +5,9 @@
 
 #include "geometry/mesh.h"
 #include "hsr/check/fragment_check.h"
-#include "hsr/image/caster.h"
-#include "hsr/image/z_buffer.h"
-#include "hsr/view.h"
+#include "hsr/raster/caster.h"
+#include "hsr/raster/z_buffer.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

@@ -2,7 +2,7 @@
 
 #include <CLI/App.hpp>
 
-#include "hsr/write/output_file.h"
+#include "hsr/io/write/output_file.h"
 
 namespace hsr::cli {
 

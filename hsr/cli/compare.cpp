@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "geometry/error.h"
-#include "hsr/check/comparison.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/directory.h"
 #include "hsr/cli/messages.h"
@@ -15,10 +14,11 @@
 #include "hsr/cli/report.h"
 #include "hsr/cli/view_options.h"
 #include "hsr/drawing/shading.h"
-#include "hsr/read/read.h"
-#include "hsr/write/comparison_csv.h"
-#include "hsr/write/comparison_page.h"
-#include "hsr/write/comparison_plots.h"
+#include "hsr/io/read/read.h"
+#include "study/comparison.h"
+#include "study/comparison_csv.h"
+#include "study/comparison_page.h"
+#include "study/comparison_plots.h"
 
 namespace hsr::cli {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "hsr/write/output_file.h"
+#include "hsr/io/write/output_file.h"
 
 namespace hsr::cli {
 

@@ -10,10 +10,10 @@
 #include "hsr/cli/report.h"
 #include "hsr/cli/view_options.h"
 #include "hsr/drawing/drawing.h"
+#include "hsr/io/read/read.h"
+#include "hsr/io/write/mesh_json.h"
 #include "hsr/lines/plan.h"
-#include "hsr/read/read.h"
-#include "hsr/scene_facts.h"
-#include "hsr/write/mesh_json.h"
+#include "hsr/scene/scene_facts.h"
 
 namespace hsr::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hsr/write/output_file.h"
+#include "hsr/io/write/output_file.h"
 
 namespace hsr::cli {
 

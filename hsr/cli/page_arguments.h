@@ -6,7 +6,7 @@
 #include "geometry/error.h"
 #include "geometry/mesh.h"
 #include "hsr/drawing/drawing.h"
-#include "hsr/image/samples.h"
+#include "hsr/raster/samples.h"
 
 namespace hsr::cli {
 

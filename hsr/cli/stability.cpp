@@ -1,4 +1,4 @@
-#include "hsr/check/stability.h"
+#include "study/stability.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include "hsr/cli/messages.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
-#include "hsr/write/stability_csv.h"
-#include "hsr/write/stability_page.h"
-#include "hsr/write/stability_plots.h"
+#include "study/stability_csv.h"
+#include "study/stability_page.h"
+#include "study/stability_plots.h"
 
 namespace hsr::cli {
 

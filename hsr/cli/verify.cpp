@@ -1,4 +1,4 @@
-#include "hsr/painter/verify.h"
+#include "hsr/painter/verify/verify.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -16,10 +16,10 @@
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
 #include "hsr/cli/view_options.h"
-#include "hsr/read/order_json.h"
-#include "hsr/read/read.h"
-#include "hsr/write/format.h"
-#include "hsr/write/verdict_svg.h"
+#include "hsr/io/read/order_json.h"
+#include "hsr/io/read/read.h"
+#include "hsr/io/write/format.h"
+#include "hsr/io/write/verdict_svg.h"
 
 namespace hsr::cli {
 

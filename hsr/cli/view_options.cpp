@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "geometry/error.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "geometry/mesh.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr::cli {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "geometry/certificate.h"
+#include "geometry/bit_range.h"
 #include "geometry/error.h"
 #include "hsr/drawing/fills.h"
 #include "hsr/drawing/image_lines.h"
@@ -16,7 +16,7 @@
 #include "hsr/drawing/near_lines.h"
 #include "hsr/drawing/overlay.h"
 #include "hsr/drawing/placement.h"
-#include "hsr/outside_frame.h"
+#include "hsr/view/frustum.h"
 
 namespace hsr {
 

@@ -5,8 +5,8 @@
 
 #include <numeric>
 
+#include "geometry/parallel.h"
 #include "hsr/lines/edge_class.h"
-#include "hsr/parallel.h"
 
 namespace hsr {
 

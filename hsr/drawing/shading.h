@@ -4,7 +4,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/model.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

@@ -7,16 +7,16 @@
 #include <span>
 
 #include "geometry/error.h"
-#include "hsr/lines/crossings.h"
-#include "hsr/lines/layer_count.h"
-#include "hsr/lines/layers.h"
+#include "geometry/weighted_disjoint_sets.h"
+#include "hsr/lines/classified_edges.h"
+#include "hsr/lines/hidden_intervals.h"
+#include "hsr/lines/invisibility_count.h"
+#include "hsr/lines/invisibility_events.h"
 #include "hsr/lines/line_progress.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/relative_counts.h"
-#include "hsr/lines/requested_edges.h"
-#include "hsr/lines/tiling.h"
-#include "hsr/occluders.h"
-#include "hsr/sight.h"
+#include "hsr/lines/occluding_edges.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/projected_mesh.h"
 
 namespace hsr {
 

@@ -2,10 +2,10 @@
 #include <numeric>
 #include <vector>
 
-#include "hsr/image_line.h"
-#include "hsr/lines/bodies.h"
+#include "hsr/lines/hidden_intervals.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/tiling.h"
+#include "hsr/scene/closed_bodies.h"
+#include "hsr/scene/line_filter.h"
 
 namespace hsr {
 

@@ -9,7 +9,7 @@
 #include "geometry/plane_filter.h"
 #include "geometry/polynomials.h"
 #include "geometry/rational_arithmetic.h"
-#include "hsr/contacts/half_space.h"
+#include "hsr/scene/half_space.h"
 
 namespace hsr {
 

@@ -8,7 +8,7 @@
 
 #include "geometry/predicates.h"
 #include "hsr/lines/visible_lines.h"
-#include "hsr/sight.h"
+#include "hsr/scene/projected_mesh.h"
 
 namespace hsr {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "hsr/facet.h"
+#include "hsr/scene/facet.h"
 
 namespace hsr {
 

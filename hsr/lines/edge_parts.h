@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "hsr/lines/edge_class.h"
-#include "hsr/lines/shadows.h"
-#include "hsr/occluders.h"
+#include "hsr/lines/triangle_occlusion.h"
+#include "hsr/scene/occluders.h"
 
 namespace hsr {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/box_tree.h"
+#include "hsr/scene/box_tree.h"
 
 namespace hsr {
 

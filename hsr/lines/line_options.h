@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "geometry/predicates.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

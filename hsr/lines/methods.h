@@ -1,10 +1,10 @@
 #pragma once
 
+#include "hsr/lines/classified_edges.h"
 #include "hsr/lines/line_options.h"
-#include "hsr/lines/requested_edges.h"
 #include "hsr/lines/visible_lines.h"
-#include "hsr/occluders.h"
-#include "hsr/sight.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/projected_mesh.h"
 
 // The methods over what they share, for visible_lines() to choose from.
 

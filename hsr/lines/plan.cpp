@@ -10,18 +10,18 @@
 #include <string>
 
 #include "geometry/error.h"
-#include "hsr/contacts/intersections.h"
-#include "hsr/hidden_tiles.h"
-#include "hsr/image_line.h"
-#include "hsr/lines/bodies.h"
+#include "geometry/parallel.h"
+#include "hsr/lines/classified_edges.h"
 #include "hsr/lines/image_mask.h"
-#include "hsr/lines/layers.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/requested_edges.h"
-#include "hsr/occluders.h"
-#include "hsr/outside_frame.h"
-#include "hsr/parallel.h"
-#include "hsr/sight.h"
+#include "hsr/lines/occluding_edges.h"
+#include "hsr/scene/closed_bodies.h"
+#include "hsr/scene/intersections.h"
+#include "hsr/scene/line_filter.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/occlusion_pyramid.h"
+#include "hsr/scene/projected_mesh.h"
+#include "hsr/view/frustum.h"
 
 // What a scene does not need is left out here, before the methods, and the method is chosen.
 

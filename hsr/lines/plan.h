@@ -5,7 +5,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/lines/line_options.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

@@ -1,10 +1,10 @@
 #include "hsr/lines/roberts.h"
 
+#include "hsr/lines/classified_edges.h"
+#include "hsr/lines/hidden_intervals.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/requested_edges.h"
-#include "hsr/lines/tiling.h"
-#include "hsr/occluders.h"
-#include "hsr/sight.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/projected_mesh.h"
 
 namespace hsr {
 

@@ -8,11 +8,11 @@
 #include "geometry/mesh.h"
 #include "geometry/number.h"
 #include "geometry/predicates.h"
-#include "hsr/contacts/intersection.h"
-#include "hsr/cut.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/lines/plan.h"
-#include "hsr/view.h"
+#include "hsr/symbols/cut.h"
+#include "hsr/symbols/intersection.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

@@ -9,8 +9,8 @@
 #include "geometry/mesh.h"
 #include "geometry/number.h"
 #include "geometry/predicates.h"
-#include "hsr/cut.h"
-#include "hsr/view.h"
+#include "hsr/symbols/cut.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "geometry/box_tree.h"
 #include "geometry/error.h"
-#include "hsr/map/map_sight.h"
+#include "hsr/scene/box_tree.h"
+#include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr {
 

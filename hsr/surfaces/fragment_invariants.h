@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hsr/sight.h"
+#include "hsr/scene/projected_mesh.h"
 #include "hsr/surfaces/fragments.h"
 
 namespace hsr {

@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "hsr/facet.h"
 #include "hsr/lines/line_progress.h"
-#include "hsr/map/map_sight.h"
+#include "hsr/scene/facet.h"
 #include "hsr/surfaces/fragments.h"
 #include "hsr/surfaces/rings.h"
+#include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr {
 

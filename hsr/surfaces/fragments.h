@@ -10,8 +10,8 @@
 #include "geometry/number.h"
 #include "geometry/predicates.h"
 #include "hsr/lines/line_options.h"
-#include "hsr/map/map_point.h"
-#include "hsr/view.h"
+#include "hsr/symbols/map_point.h"
+#include "hsr/view/view.h"
 
 namespace hsr {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/box_tree.h"
 #include "geometry/disjoint_sets.h"
-#include "hsr/facet.h"
-#include "hsr/map/map_sight.h"
+#include "hsr/scene/box_tree.h"
+#include "hsr/scene/facet.h"
 #include "hsr/surfaces/rings.h"
+#include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr {
 

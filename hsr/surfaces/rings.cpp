@@ -7,7 +7,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
-#include "hsr/image_segment.h"
+#include "hsr/scene/segment_filter.h"
 
 namespace hsr {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "hsr/map/map_sight.h"
+#include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr {
 

@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <optional>
 
-#include "hsr/facet.h"
-#include "hsr/map/convex_piece.h"
-#include "hsr/map/map_sight.h"
-#include "hsr/map/triangle_sides.h"
-#include "hsr/occluders.h"
-#include "hsr/parallel.h"
-#include "hsr/sight.h"
+#include "geometry/parallel.h"
+#include "hsr/scene/facet.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/projected_mesh.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/rings.h"
+#include "hsr/visibility_map/convex_piece.h"
+#include "hsr/visibility_map/map_predicates.h"
+#include "hsr/visibility_map/triangle_sides.h"
 
 namespace hsr {
 

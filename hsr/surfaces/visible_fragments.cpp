@@ -6,20 +6,20 @@
 #include <cmath>
 #include <optional>
 
-#include "hsr/contacts/intersections.h"
-#include "hsr/cut_plane.h"
-#include "hsr/facet.h"
-#include "hsr/hidden_tiles.h"
-#include "hsr/image_segment.h"
-#include "hsr/lines/bodies.h"
-#include "hsr/lines/layers.h"
+#include "geometry/parallel.h"
+#include "hsr/lines/classified_edges.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/requested_edges.h"
-#include "hsr/occluders.h"
-#include "hsr/parallel.h"
+#include "hsr/lines/occluding_edges.h"
+#include "hsr/scene/closed_bodies.h"
+#include "hsr/scene/cut_plane.h"
+#include "hsr/scene/facet.h"
+#include "hsr/scene/intersections.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/occlusion_pyramid.h"
+#include "hsr/scene/segment_filter.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
-#include "hsr/surfaces/seen_beside.h"
+#include "hsr/surfaces/line_envelope.h"
 
 namespace hsr {
 

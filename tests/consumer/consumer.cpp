@@ -1,16 +1,16 @@
 // Every public header compiles alone in this order, and the library links: a cube seen from the front shows four lines.
 #include <cstdio>
 
-#include "geometry/box_tree.h"
 #include "geometry/constructed_point.h"
 #include "geometry/plane_filter.h"
 #include "geometry/predicates.h"
 #include "hsr/drawing/drawing.h"
+#include "hsr/io/read/read.h"
+#include "hsr/io/write/svg.h"
 #include "hsr/lines/visible_lines.h"
-#include "hsr/read/read.h"
-#include "hsr/scene_facts.h"
-#include "hsr/view.h"
-#include "hsr/write/svg.h"
+#include "hsr/scene/box_tree.h"
+#include "hsr/scene/scene_facts.h"
+#include "hsr/view/view.h"
 
 #ifdef CGAL_VERSION
 #error "a public header includes CGAL"

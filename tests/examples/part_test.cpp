@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "geometry/certificate.h"
+#include "geometry/bit_range.h"
 #include "geometry/number.h"
 
 using hsr::Model;

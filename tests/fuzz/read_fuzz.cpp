@@ -7,8 +7,8 @@
 #include <string>
 
 #include "geometry/error.h"
-#include "hsr/read/read.h"
-#include "tests/read/small_files.h"
+#include "hsr/io/read/read.h"
+#include "tests/io/read/small_files.h"
 
 namespace {
 

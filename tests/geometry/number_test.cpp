@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "geometry/certificate.h"
+#include "geometry/bit_range.h"
 #include "geometry/error.h"
 #include "geometry/fixed_integer.h"
 

@@ -4,9 +4,9 @@
 #include <random>
 #include <vector>
 
-#include "hsr/hidden_tiles.h"
 #include "hsr/lines/image_mask.h"
-#include "hsr/sight.h"
+#include "hsr/scene/occlusion_pyramid.h"
+#include "hsr/scene/projected_mesh.h"
 #include "tests/lines/checked_lines.h"
 #include "tests/scenes/random_scenes.h"
 

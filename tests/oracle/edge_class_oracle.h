@@ -5,7 +5,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/lines/visible_lines.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 #include "tests/oracle/visible_lines_oracle.h"
 
 namespace hsr::oracle {

@@ -5,7 +5,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/painter/painters_order.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 #include "tests/oracle/exact_vector.h"
 
 namespace hsr::oracle {

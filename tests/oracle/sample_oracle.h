@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "hsr/image/image.h"
-#include "hsr/image/samples.h"
-#include "hsr/view.h"
+#include "hsr/raster/image.h"
+#include "hsr/raster/samples.h"
+#include "hsr/view/view.h"
 
 namespace hsr::oracle {
 

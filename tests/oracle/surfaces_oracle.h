@@ -6,7 +6,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/surfaces/fragments.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 #include "tests/oracle/exact_vector.h"
 
 namespace hsr::oracle {

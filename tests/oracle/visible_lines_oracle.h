@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "hsr/view.h"
+#include "hsr/view/view.h"
 #include "tests/oracle/exact_vector.h"
 
 namespace hsr::oracle {

@@ -1,10 +1,10 @@
-#include "hsr/painter/clusters.h"
+#include "hsr/painter/sort/clusters.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "hsr/painter/depth_sort.h"
+#include "hsr/painter/sort/depth_sort.h"
 #include "tests/oracle/painting_oracle.h"
 #include "tests/scenes/random_scenes.h"
 

@@ -1,4 +1,4 @@
-#include "hsr/painter/components.h"
+#include "hsr/painter/sort/components.h"
 
 #include <catch2/catch.hpp>
 

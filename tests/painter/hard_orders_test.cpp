@@ -7,10 +7,10 @@
 
 #include "geometry/error.h"
 #include "hsr/check/order_check.h"
-#include "hsr/image/painted_order.h"
-#include "hsr/painter/bsp.h"
-#include "hsr/painter/depth_sort.h"
-#include "hsr/painter/z_sort.h"
+#include "hsr/painter/bsp/bsp.h"
+#include "hsr/painter/sort/depth_sort.h"
+#include "hsr/painter/sort/z_sort.h"
+#include "hsr/raster/painted_order.h"
 #include "tests/oracle/painting_oracle.h"
 #include "tests/scenes/random_scenes.h"
 

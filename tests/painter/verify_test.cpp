@@ -1,4 +1,4 @@
-#include "hsr/painter/verify.h"
+#include "hsr/painter/verify/verify.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,8 +7,8 @@
 
 #include "geometry/error.h"
 #include "geometry/rational_vector.h"
-#include "hsr/painter/depth_sort.h"
-#include "hsr/painter/z_sort.h"
+#include "hsr/painter/sort/depth_sort.h"
+#include "hsr/painter/sort/z_sort.h"
 #include "tests/oracle/painting_oracle.h"
 #include "tests/scenes/random_scenes.h"
 

@@ -5,10 +5,10 @@
 
 #include "geometry/error.h"
 #include "hsr/check/error_against_time.h"
+#include "hsr/check/error_csv.h"
 #include "hsr/check/fragment_check.h"
-#include "hsr/image/caster.h"
+#include "hsr/raster/caster.h"
 #include "hsr/surfaces/visible_fragments.h"
-#include "hsr/write/error_csv.h"
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {

@@ -5,7 +5,7 @@
 
 #include "geometry/error.h"
 #include "hsr/check/fragment_check.h"
-#include "hsr/image/samples.h"
+#include "hsr/raster/samples.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "tests/oracle/surfaces_oracle.h"

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "hsr/image/caster.h"
-#include "hsr/image/depth_buffer.h"
+#include "hsr/raster/caster.h"
+#include "hsr/raster/depth_buffer.h"
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hsr/painter/verify/verify.h"
+#include "hsr/view/view.h"
+
+namespace hsr {
+
+/// A painting order by anyone.
+struct PaintingFile {
+  std::vector<PaintedPolygon> far_to_near;
+  std::optional<View> view;
+};
+
+/// Reads "hsr-order/1" (docs/conventions.md, "JSON"): `face`, `original` and `view` may be missing. Coordinates are numbers,
+/// rounded correctly, or strings "p/q".
+/// @throws InputError in one line: the file, the piece and point, what was found and what was expected
+PaintingFile read_order(const std::string& path);
+
+}  // namespace hsr

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "hsr/model.h"
+#include "hsr/raster/image.h"
+
+namespace hsr {
+
+/// The bytes of a PNG file: 8 bits each of red, green, blue and opacity, sRGB.
+/// @throws InputError if the picture is empty, or too large for the format or for memory
+std::string image_png(const Image<Colour>& image);
+
+}  // namespace hsr

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "hsr/io/write/json_text.h"
+#include "hsr/lines/visible_lines.h"
+#include "hsr/surfaces/fragments.h"
+
+namespace hsr {
+
+/// "outline", "sharp", "boundary", "intersection", "wire", "smooth"
+const char* name_of(EdgeClass edge_class);
+
+struct JsonOptions {
+  Numbers numbers = Numbers::rounded;
+  const VisibleFragments* fragments = nullptr;  ///< written beside the lines
+  bool why = false;                             ///< with "by", the faces that hide: only if the lines have their occluders
+};
+
+/// Visible lines as JSON, "hsr-lines/1" (docs/conventions.md, "JSON").
+///
+///   (1) one object for each line, in the order of `lines`
+///   (2) t is the correctly rounded double of the exact parameter, or with Numbers::exact the parameter itself, "p/q"
+///   (3) the same text for any number of threads
+std::string lines_json(const Mesh& mesh, const View& view, const VisibleLines& lines, const JsonOptions& options = {});
+
+/// The view as it stands in every JSON file.
+std::string view_json(const View& view, Numbers numbers = Numbers::rounded);
+
+}  // namespace hsr

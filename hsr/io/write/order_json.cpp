@@ -1,0 +1,69 @@
+#include "hsr/io/write/order_json.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "hsr/io/write/json.h"
+
+namespace hsr {
+
+namespace {
+
+void append_coordinate(std::string& out, const Rational& x, Numbers numbers) {
+  // Of most corners of cut pieces the denominator is no power of two: then x is no double.
+  const mpz_srcptr denominator = mpq_denref(x.get());
+  const bool is_dyadic = mpz_scan1(denominator, 0) + 1 == mpz_sizeinbase(denominator, 2);
+  const double rounded = is_dyadic ? x.to_double() : 0;
+  const bool is_double = is_dyadic && std::isfinite(rounded) && Rational(rounded) == x;
+  append_rational(out, x, is_double ? numbers : Numbers::exact);
+}
+
+void append_piece(std::string& out, const Mesh& mesh, const View& view, const PaintersOrder& order, const OrderedPiece& piece,
+                  Numbers numbers) {
+  out += "{\"face\": ";
+  append_integer(out, mesh.face_of[piece.facet].value);
+  out += ", \"points\": [";
+  const char* comma = "";
+  for (const PieceCorner& corner : order.corners_of(piece)) {
+    out += comma;
+    comma = ", ";
+    if (corner.vertex.is_valid()) {
+      append_point(out, mesh.points[corner.vertex], numbers);
+      continue;
+    }
+    const auto p = exact_point(mesh, view, piece.facet, corner);
+    for (std::size_t k = 0; k < 3; ++k) {
+      out += k == 0 ? "[" : ", ";
+      append_coordinate(out, p[k], numbers);
+    }
+    out += ']';
+  }
+  out += "], \"original\": [";
+  comma = "";
+  for (const PieceCorner& corner : order.corners_of(piece)) {
+    out += comma;
+    comma = ", ";
+    out += corner.original ? "true" : "false";
+  }
+  out += "]}";
+}
+
+}  // namespace
+
+std::string order_json(const Mesh& mesh, const View& view, const PaintersOrder& order, Numbers numbers) {
+  constexpr std::size_t chunk = 1024;
+  std::vector<std::string> parts((order.pieces.size() + chunk - 1) / chunk);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    for (std::size_t i = p * chunk; i < std::min(order.pieces.size(), (p + 1) * chunk); ++i) {
+      if (i > 0) parts[p] += ",\n";
+      append_piece(parts[p], mesh, view, order, order.pieces[i], numbers);
+    }
+  });
+  std::string out = "{\"format\": \"hsr-order/1\", \"view\": " + view_json(view, numbers) + ", \"pieces\": [\n";
+  for (const std::string& part : parts) out += part;
+  out += "\n]}\n";
+  return out;
+}
+
+}  // namespace hsr

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "hsr/io/write/json_text.h"
+#include "hsr/painter/painters_order.h"
+
+namespace hsr {
+
+/// A painting order as JSON, "hsr-order/1" (docs/conventions.md, "JSON"). A coordinate that is no double is written "p/q" with
+/// either kind of numbers, so that the order survives the file; Numbers::exact writes all of them so.
+std::string order_json(const Mesh& mesh, const View& view, const PaintersOrder& order, Numbers numbers = Numbers::rounded);
+
+}  // namespace hsr

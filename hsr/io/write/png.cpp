@@ -1,0 +1,120 @@
+#include "hsr/io/write/png.h"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+
+#include "geometry/error.h"
+#include "hsr/io/write/line_style.h"
+
+namespace hsr {
+
+namespace {
+
+struct Destroy {
+  void operator()(cairo_t* c) const { cairo_destroy(c); }
+  void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+};
+
+void expect_success(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS) throw InputError(std::string("png: ") + cairo_status_to_string(status));
+}
+
+cairo_status_t append(void* out, const unsigned char* bytes, unsigned int n) {
+  try {
+    static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(bytes), n);
+  } catch (...) {
+    return CAIRO_STATUS_NO_MEMORY;
+  }
+  return CAIRO_STATUS_SUCCESS;
+}
+
+constexpr int widest = 32767;  // cairo's limit
+constexpr double widest_default = 16384;
+constexpr double dots_per_mm = 150 / 25.4;
+
+PixelSize default_size(const Drawing& drawing) {
+  const double scale = std::min(dots_per_mm, widest_default / std::max(drawing.width, drawing.height));
+  const auto pixels = [&](double mm) { return std::max(1, static_cast<int>(std::lround(mm * scale))); };
+  return {pixels(drawing.width), pixels(drawing.height)};
+}
+
+void add_ring(cairo_t* c, std::span<const PaperPoint> ring) {
+  cairo_new_sub_path(c);  // closing a path leaves its first point as the current one, from which a line would begin
+  for (const PaperPoint& p : ring) cairo_line_to(c, static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000);
+  cairo_close_path(c);
+}
+
+/// As the SVG has them: with a pen of their own colours within the outline of all, then as they are.
+void paint_fills(cairo_t* c, const Fills& fills) {
+  if (fills.fills.empty()) return;
+  cairo_set_fill_rule(c, CAIRO_FILL_RULE_EVEN_ODD);
+  for (const double width : {underlay_widths[0], underlay_widths[1], underlay_widths[2], 0.0}) {
+    const bool is_underlay = width > 0;
+    cairo_save(c);
+    cairo_set_line_width(c, width);
+    if (is_underlay) {
+      for (std::uint32_t r = fills.first_outline_ring; r < fills.rings(); ++r) add_ring(c, fills.ring(r));
+      cairo_clip(c);
+    }
+    for (const Fill& fill : fills.fills) {
+      cairo_set_source_rgb(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0);
+      for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
+      if (is_underlay) cairo_stroke_preserve(c);
+      cairo_fill(c);
+    }
+    cairo_restore(c);
+  }
+}
+
+}  // namespace
+
+PixelSize parse_size(const std::string& text) {
+  PixelSize size;
+  const char *begin = text.data(), *end = begin + text.size();
+  const auto [x, first] = std::from_chars(begin, end, size.width);
+  if (first == std::errc{} && x != end && *x == 'x') {
+    const auto [rest, second] = std::from_chars(x + 1, end, size.height);
+    if (second == std::errc{} && rest == end && size.width > 0 && size.height > 0 && size.width <= widest &&
+        size.height <= widest)
+      return size;
+  }
+  throw InputError("size: found \"" + text + "\", expected pixels like 1600x1200, at most 32767 either way");
+}
+
+std::string png(const Drawing& drawing, std::optional<PixelSize> size) {
+  const PixelSize pixels = size ? *size : default_size(drawing);
+  const std::unique_ptr<cairo_surface_t, Destroy> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels.width, pixels.height));
+  expect_success(cairo_surface_status(surface.get()));
+  const std::unique_ptr<cairo_t, Destroy> c(cairo_create(surface.get()));
+  cairo_set_source_rgb(c.get(), 1, 1, 1);
+  cairo_paint(c.get());
+  cairo_set_source_rgb(c.get(), 0, 0, 0);
+  const double scale = std::min(pixels.width / drawing.width, pixels.height / drawing.height);
+  cairo_translate(c.get(), (pixels.width - scale * drawing.width) / 2, (pixels.height - scale * drawing.height) / 2);
+  cairo_scale(c.get(), scale, scale);
+  cairo_set_line_join(c.get(), CAIRO_LINE_JOIN_ROUND);
+  paint_fills(c.get(), drawing.fills);
+  cairo_set_source_rgb(c.get(), 0, 0, 0);
+  for (const Polyline& p : drawing.polylines) {
+    const LineStyle style = line_style(p.hidden, p.edge_class, drawing.hidden);
+    cairo_set_line_width(c.get(), style.width);
+    cairo_set_line_cap(c.get(), style.is_dashed() ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+    const double dashes[] = {style.dash, style.gap};
+    cairo_set_dash(c.get(), dashes, style.is_dashed() ? 2 : 0, 0);
+    for (const PaperPoint& point : drawing.points_of(p))
+      cairo_line_to(c.get(), static_cast<double>(point.x) / 1000, static_cast<double>(point.y) / 1000);
+    if (p.closed) cairo_close_path(c.get());
+    cairo_stroke(c.get());
+  }
+  expect_success(cairo_status(c.get()));
+  std::string out;
+  expect_success(cairo_surface_write_to_png_stream(surface.get(), append, &out));
+  return out;
+}
+
+}  // namespace hsr

@@ -1,0 +1,114 @@
+#include "hsr/io/write/svg.h"
+
+#include <span>
+
+#include "hsr/io/write/json.h"
+#include "hsr/io/write/json_text.h"
+#include "hsr/io/write/line_style.h"
+#include "hsr/io/write/svg_text.h"
+
+namespace hsr {
+
+namespace {
+
+void append_faces(std::string& out, std::span<const std::uint32_t> faces) {
+  out += "\" data-face=\"";
+  const char* comma = "";
+  for (const std::uint32_t f : faces) {
+    out += comma;
+    comma = ",";
+    append_integer(out, f);
+  }
+}
+
+/// The fills, and under them again, with pens of their own colours, cut to the outline of all: what the pens add lies under the
+/// fills, but where two meet within a pixel.
+void append_fills(std::string& out, const Fills& fills) {
+  if (fills.fills.empty()) return;
+  out += "<clipPath id=\"outline\"><path clip-rule=\"evenodd\" d=\"";
+  for (std::uint32_t r = fills.first_outline_ring; r < fills.rings(); ++r) {
+    if (fills.ring(r).empty()) continue;
+    append_points(out, fills.ring(r));
+    out += 'Z';
+  }
+  out += "\"/></clipPath>\n<g class=\"underlay\" clip-path=\"url(#outline)\">\n";
+  for (const double width : underlay_widths) {
+    out += "<use href=\"#fills\" xlink:href=\"#fills\" stroke-width=\"";
+    append_length(out, width);
+    out += "\"/>\n";
+  }
+  out +=
+      "</g>\n<g class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-width=\"0\">"
+      "<g id=\"fills\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
+  for (const Fill& fill : fills.fills) {
+    out += "<path d=\"";
+    for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
+      if (fills.ring(r).empty()) continue;
+      append_points(out, fills.ring(r));
+      out += 'Z';
+    }
+    out += "\" fill=\"";
+    append_colour(out, fill.colour);
+    out += "\" stroke=\"";
+    append_colour(out, fill.colour);
+    append_faces(out, {fills.faces.data() + fill.first_face, fills.faces.data() + fill.end_face});
+    out += "\"/>\n";
+  }
+  out += "</g></g>\n";
+}
+
+void append_path(std::string& out, const Drawing& drawing, const Polyline& p) {
+  out += "<path d=\"";
+  append_points(out, drawing.points_of(p));
+  if (p.closed) out += 'Z';
+  const char* comma = "\" data-edge=\"";  // where faces pierce each other there is no edge
+  for (const auto& [i, j] : drawing.edges_of(p)) {
+    out += comma;
+    comma = ",";
+    append_integer(out, i);
+    out += '-';
+    append_integer(out, j);
+  }
+  append_faces(out, drawing.faces_of(p));
+  out += "\"/>\n";
+}
+
+void append_layer_start(std::string& out, const Polyline& p, HiddenLines hidden_lines) {
+  const std::string visibility = p.hidden ? "hidden" : "visible", edge_class = name_of(p.edge_class);
+  const LineStyle style = line_style(p.hidden, p.edge_class, hidden_lines);
+  out += "<g id=\"" + visibility + '-' + edge_class + "\" class=\"" + visibility + ' ' + edge_class;
+  out += "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + visibility + ' ' + edge_class;
+  out += "\" fill=\"none\" stroke=\"#000\" stroke-linejoin=\"round\" stroke-linecap=\"";
+  out += style.is_dashed() ? "butt" : "round";
+  out += "\" stroke-width=\"";
+  append_length(out, style.width);
+  if (style.is_dashed()) {
+    out += "\" stroke-dasharray=\"";
+    append_length(out, style.dash);
+    out += ' ';
+    append_length(out, style.gap);
+  }
+  out += "\">\n";
+}
+
+}  // namespace
+
+std::string svg(const Drawing& drawing, const SvgOptions& options) {
+  std::string out;
+  append_svg_start(out, drawing.width, drawing.height, options, !drawing.fills.fills.empty());
+  append_fills(out, drawing.fills);
+  const Polyline* last = nullptr;
+  for (const Polyline& p : drawing.polylines) {
+    if (last == nullptr || last->hidden != p.hidden || last->edge_class != p.edge_class) {
+      if (last != nullptr) out += "</g>\n";
+      append_layer_start(out, p, drawing.hidden);
+    }
+    last = &p;
+    append_path(out, drawing, p);
+  }
+  if (last != nullptr) out += "</g>\n";
+  out += "</svg>\n";
+  return out;
+}
+
+}  // namespace hsr

@@ -1,0 +1,115 @@
+#include "hsr/lines/classified_edges.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "geometry/parallel.h"
+#include "hsr/lines/edge_class.h"
+#include "hsr/lines/edge_parts.h"
+#include "hsr/view/frustum.h"
+
+namespace hsr {
+
+RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options, const OutsideFrame* outside,
+                               const Occluders* occluders, const std::vector<std::uint8_t>& has_contact) {
+  using Range = tbb::blocked_range<std::size_t>;
+  const Mesh& mesh = sight.mesh();
+  const Crease crease(options.crease);
+  constexpr std::uint8_t none = 0xff;
+  struct PartOfEdge {
+    EdgeId edge;
+    EdgePart part;
+  };
+  std::vector<std::uint8_t> edge_classes(mesh.edges.size(), none);
+  std::vector<DecisionCounts> counts((mesh.edges.size() + edges_of_block - 1) / edges_of_block);
+  std::vector<std::vector<PartOfEdge>> parts(counts.size());  // of edges that have several
+  const auto is_requested = [&](const std::optional<EdgeClass>& c) {
+    return c && options.classes[static_cast<std::size_t>(*c)];
+  };
+  tbb::parallel_for(Range(0, counts.size(), 1), [&](const Range& range) {
+    for (std::size_t block = range.begin(); block < range.end(); ++block) {
+      Shadows shadows(sight);
+      const std::size_t end = std::min((block + 1) * edges_of_block, mesh.edges.size());
+      for (std::size_t e = block * edges_of_block; e < end; ++e) {
+        const EdgeId id(e);
+        if (outside != nullptr && outside->contains(mesh.edges[id])) continue;
+        std::optional<EdgeClass> found;
+        if (has_contact.empty() || has_contact[e] == 0) {
+          found = edge_class(sight, shadows.exact(), id, crease);
+        } else {
+          const auto of_edge = edge_parts(sight, shadows, id, crease, *occluders);
+          if (of_edge.size() > 1) {
+            for (const EdgePart& p : of_edge)
+              if (is_requested(p.edge_class)) parts[block].push_back({id, p});
+            continue;
+          }
+          found = of_edge.front().edge_class;
+        }
+        if (is_requested(found)) edge_classes[e] = static_cast<std::uint8_t>(*found);
+      }
+      counts[block] = shadows.exact().counts();
+    }
+  });
+  for (const DecisionCounts& c : counts) decisions += c;
+  edges = collected<EdgeId>(edge_classes.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
+    for (std::size_t e = begin; e < end; ++e)
+      if (edge_classes[e] != none) part.emplace_back(e);
+  });
+  classes.resize(edges.size());
+  for_each(edges.size(), [&](std::size_t i) { classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]); });
+  std::vector<PartOfEdge> several;
+  for (const auto& block : parts) several.insert(several.end(), block.begin(), block.end());
+  if (!several.empty()) {
+    std::vector<EdgeId> all_edges;
+    std::vector<EdgeClass> all_classes;
+    std::size_t next = 0;
+    const auto add_parts_before = [&](EdgeId e) {
+      for (; next < several.size() && several[next].edge < e; ++next) {
+        const auto& [edge, part] = several[next];
+        parts_.push_back({all_edges.size(), part.from, part.to});
+        all_edges.push_back(edge);
+        all_classes.push_back(*part.edge_class);
+      }
+    };
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      add_parts_before(edges[i]);
+      all_edges.push_back(edges[i]);
+      all_classes.push_back(classes[i]);
+    }
+    add_parts_before(EdgeId());
+    edges = std::move(all_edges);
+    classes = std::move(all_classes);
+  }
+  find_boxes(sight);
+}
+
+const RequestedEdges::Part* RequestedEdges::part(std::size_t i) const {
+  const auto at = std::lower_bound(parts_.begin(), parts_.end(), i, [](const Part& p, std::size_t k) { return p.index < k; });
+  return at != parts_.end() && at->index == i ? &*at : nullptr;
+}
+
+bool RequestedEdges::is_part(std::size_t i) const { return part(i) != nullptr; }
+
+RequestedPart RequestedEdges::operator[](std::size_t i) const {
+  RequestedPart r{edges[i], classes[i]};
+  if (const Part* p = part(i)) {
+    r.from = p->from;
+    r.to = p->to;
+  }
+  return r;
+}
+
+RequestedEdges::RequestedEdges(const Sight& sight, std::vector<EdgeId> ascending) : edges(std::move(ascending)) {
+  classes.resize(edges.size(), EdgeClass::smooth);
+  find_boxes(sight);
+}
+
+void RequestedEdges::find_boxes(const Sight& sight) {
+  const Mesh& mesh = sight.mesh();
+  boxes.resize(edges.size());
+  for_each(edges.size(), [&](std::size_t i) { boxes[i] = sight.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b); });
+}
+
+}  // namespace hsr

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "hsr/lines/classified_edges.h"
+#include "hsr/lines/line_options.h"
+#include "hsr/lines/triangle_occlusion.h"
+#include "hsr/lines/visible_lines.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/occlusion_pyramid.h"
+
+namespace hsr {
+
+/// What is tiled: an edge, or the part of one that is of one class; or where two faces pierce each other.
+struct Tiled {
+  EdgeId edge;
+  EdgeClass edge_class = EdgeClass::smooth;
+  Cut from{Cut::Kind::start}, to{Cut::Kind::end};
+  std::uint32_t intersection = 0;
+
+  Tiled(const RequestedPart& p)
+      : edge(p.edge), edge_class(p.edge_class), from(p.from), to(p.to) {}  // NOLINT(google-explicit-constructor)
+  Tiled(std::uint32_t i, const Intersection& meet)
+      : edge_class(EdgeClass::intersection), from(meet.from), to(meet.to), intersection(i) {}
+};
+
+/// Sorts the shadows of one line at a time along it, and of these makes the hidden and visible intervals. One object for each
+/// block of lines.
+class Tiling {
+ public:
+  Tiling(const Sight& sight, const LineOptions& options) : sight_(sight), options_(options), shadows_(sight) {}
+
+  /// The line as all the triangles that overlap it in the image leave it. @param tiles none: nothing is known to be hidden
+  void add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders,
+                      const HiddenTiles* tiles = nullptr);
+  void add_by_casting(std::uint32_t i, const Intersection& meet, const ImageBox& box, const Occluders& occluders);
+  /// The line with these shadows, which are sorted and united here. @pre shadows().start() of it was true
+  void add(const Tiled& line, std::vector<Shadow>& shadows);
+  /// A line wholly beyond the near plane that is hidden, or visible, all along.
+  void add_whole(const Tiled& line, bool is_hidden);
+  /// An edge without parts: seen as a point, or before the near plane.
+  void add_nothing(const Tiled& line);
+
+  Shadows& shadows() { return shadows_; }
+  Predicates& exact() { return shadows_.exact(); }
+  std::uint64_t& pairs() { return result_.pairs; }
+  VisibleLines take() {
+    result_.decisions = exact().counts();
+    return std::move(result_);
+  }
+
+ private:
+  /// A part of the line, in parameters that are known within `error`; infinite: to an end of the line.
+  struct Stretch {
+    double from, to;
+    double error = 0;
+  };
+
+  void unite(std::vector<Shadow>& cast);
+  void check_ascending(std::span<const Shadow> hidden);
+  void sort_by_face();
+  void name_occluders(std::span<const Shadow> hidden, std::span<const Shadow> by_face);
+  Line begun(const Tiled& tiled) const;
+  void cast_all(const Tiled& line, const ImageBox& box, const Occluders& occluders);
+  Stretch stretch(const Edge& edge, double from_share, double to_share) const;
+  ImageBox box_of(const Edge& edge, const Stretch& stretch) const;
+  void cast_on(const Stretch& stretch, const ImageBox& box, const Occluders& occluders);
+  bool covers(const Shadow& s, const Stretch& stretch) const;
+  bool cast_unhidden(const Tiled& line, const Occluders& occluders, const HiddenTiles& tiles);
+  bool close_gaps();
+  void end(Line line);
+
+  const Sight& sight_;
+  const LineOptions& options_;
+  Shadows shadows_;
+  std::vector<Shadow> cast_, by_face_, one_face_;
+  std::vector<UnhiddenPart> unhidden_;
+  std::vector<Stretch> unhidden_stretches_, looked_at_;  // what may be seen; each a little longer
+  VisibleLines result_;
+};
+
+/// The lines of edges that do not depend on one another, in blocks in parallel. @param order the edges to tile, near ones near
+/// @param add tiles one of them
+VisibleLines tiled_in_blocks(const Sight& sight, const LineOptions& options, std::span<const std::uint32_t> order,
+                             const std::function<void(Tiling&, std::uint32_t)>& add);
+
+/// The lines of all parts in order. @param place where each line is: part, and line in it
+/// @throws InputError beyond 2^32 - 1 interval ends
+VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<std::array<std::uint32_t, 2>>& place);
+
+}  // namespace hsr

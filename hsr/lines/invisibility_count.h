@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hsr/lines/occluding_edges.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/projected_mesh.h"
+
+namespace hsr {
+
+/// Quantitative invisibility just inside an edge: how many counted triangles lie strictly before a point of the edge next to
+/// its vertex v, moved a little to one side. First along the edge, then, much less, to the side: so nothing is ever seen on the
+/// border of a triangle.
+/// Exact: yes, where the edge touches nothing in space.
+class LayerCount {
+ public:
+  LayerCount(const Sight& sight, const Layers& layers) : sight_(sight), layers_(layers), exact_(sight.predicates()) {}
+
+  /// Of the triangles at v. @param to the other vertex of the edge @param side positive, moved to the left of v -> to
+  std::int32_t at_vertex(VertexId v, VertexId to, Sign side);
+  /// Of all others.
+  std::int32_t before(VertexId v, VertexId to, Sign side, const Occluders& occluders);
+
+  const DecisionCounts& decisions() const { return exact_.counts(); }
+
+ private:
+  bool hides(TriangleId t, VertexId p);
+
+  const Sight& sight_;
+  const Layers& layers_;
+  Predicates exact_;
+};
+
+}  // namespace hsr

@@ -1,0 +1,148 @@
+#include "hsr/lines/invisibility_events.h"
+
+#include "hsr/scene/line_filter.h"
+
+namespace hsr {
+
+void Crossings::add(LayerChange change, std::vector<LayerChange>& changes) {
+  course_.left += change.left;
+  course_.right += change.right;
+  changes.push_back(change);
+}
+
+void Crossings::turn_to(std::span<const ImageBox> boxes) {
+  constexpr std::size_t limit = 64;  // more of them cost an edge more than its own way down the tree
+  ImageBox all = ImageBox::nothing();
+  for (const ImageBox& box : boxes) all.add(box);
+  edge_leaves_.clear();
+  face_leaves_.clear();
+  shares_edge_leaves_ = layers_.tree().leaves<BoxTree::Depth::hiding>(all, limit, edge_leaves_);
+  shares_face_leaves_ = occluders_.tree.leaves<BoxTree::Depth::touching>(all, limit, face_leaves_);
+}
+
+Course Crossings::find(EdgeId id, const ImageBox& box, std::vector<LayerChange>& changes) {
+  const Edge& edge = sight_.mesh().edges[id];
+  course_ = {};
+  if (sight_.beyond_near(edge.a) == Sign::negative || sight_.beyond_near(edge.b) == Sign::negative) {
+    course_.is_degenerate = true;
+    return course_;
+  }
+  const ImageLine line(sight_, edge.a, edge.b);
+  line_ = &line;
+  if (line.is_point(exact_)) {
+    course_.is_point = true;
+    return course_;
+  }
+  const std::size_t before = changes.size();
+  using Depth = BoxTree::Depth;
+  const auto visit = [&]<Depth depth>(const BoxTree& tree, bool shares, const std::vector<std::uint32_t>& leaves,
+                                      const auto& f) {
+    if (shares) {
+      for (const std::uint32_t leaf : leaves)
+        if (!tree.visit_leaf<depth>(leaf, box, f)) return;
+    } else if constexpr (depth == Depth::hiding) {
+      tree.visit(box, f);
+    } else {
+      tree.visit_touching(box, f);
+    }
+  };
+  visit.operator()<Depth::hiding>(layers_.tree(), shares_edge_leaves_, edge_leaves_, [&](std::uint32_t i) {
+    const OccludingEdge& occluding = layers_.edges()[i];
+    if (occluding.edge != id) cross(edge, occluding, changes);
+    return !course_.is_degenerate;
+  });
+  if (!course_.is_degenerate)
+    visit.operator()<Depth::touching>(occluders_.tree, shares_face_leaves_, face_leaves_, [&](std::uint32_t i) {
+      if (layers_.counts(occluders_.triangles[i])) pierce(edge, occluders_.triangles[i], changes);
+      return !course_.is_degenerate;
+    });
+  if (course_.is_degenerate) changes.resize(before);
+  return course_;
+}
+
+void Crossings::cross(const Edge& edge, const OccludingEdge& occluding, std::vector<LayerChange>& changes) {
+  const Edge& f = sight_.mesh().edges[occluding.edge];
+  const bool at_start = f.a == edge.a || f.b == edge.a, at_end = f.a == edge.b || f.b == edge.b;
+  if (at_start || at_end) {
+    // It crosses only in the common vertex. Seen along the edge, it may cover the other end.
+    const VertexId other = f.a == edge.a || f.a == edge.b ? f.b : f.a;
+    if (at_start && course_.end_is_clean && !line_->certainly_before_start(other) && line_->side(other, exact_) == Sign::zero)
+      course_.end_is_clean = false;
+    if (at_end && course_.start_is_clean && !line_->certainly_after_end(other) && line_->side(other, exact_) == Sign::zero)
+      course_.start_is_clean = false;
+    return;
+  }
+  ++pairs_;
+  const Sign s0 = line_->side(f.a, exact_), s1 = line_->side(f.b, exact_);
+  if (s0 == s1 && s0 != Sign::zero) return;
+  if (s0 == s1) {
+    // Seen along the edge: it crosses nowhere, but it may lie before the ends, or touch them.
+    if (!(line_->certainly_before_start(f.a) && line_->certainly_before_start(f.b)) &&
+        !(line_->certainly_after_start(f.a) && line_->certainly_after_start(f.b)))
+      course_.start_is_clean = false;
+    if (!(line_->certainly_before_end(f.a) && line_->certainly_before_end(f.b)) &&
+        !(line_->certainly_after_end(f.a) && line_->certainly_after_end(f.b)))
+      course_.end_is_clean = false;
+    return;
+  }
+  const ImageLine other(sight_, f.a, f.b);
+  const Sign sa = other.side(edge.a, exact_), sb = other.side(edge.b, exact_);
+  if (sa == sb) return;  // not both zero: the lines differ
+  if (sa * sb == Sign::positive) return;
+  // The plane of the edge and of an end of f that is not seen on the edge: f crosses behind it iff the other end lies on the
+  // side that is turned away from the eye.
+  const bool by_first = s0 != Sign::zero;
+  const VertexId c = by_first ? f.a : f.b, d = by_first ? f.b : f.a;
+  const Plane plane = Plane::of_face(sight_.point(edge.a), sight_.point(edge.b), sight_.point(c));
+  const Sign behind = sight_.side(plane, d, exact_) * (by_first ? s0 : s1);
+  if (behind == Sign::positive) return;
+  if (sa == Sign::zero) course_.start_is_clean = false;
+  if (sb == Sign::zero) course_.end_is_clean = false;
+  if (sa == Sign::zero || sb == Sign::zero) return;
+  if (behind == Sign::zero) {
+    course_.is_degenerate = true;
+    return;
+  }
+  // From the left of f to its right the layers change by minus its weight.
+  const std::int32_t change = sa == Sign::positive ? -occluding.weight : occluding.weight;
+  const bool on_left = (s0 == Sign::positive) != (s1 == Sign::positive);   // zero counts as right
+  const bool on_right = (s0 == Sign::negative) != (s1 == Sign::negative);  // zero counts as left
+  add({occluding.edge.value, false, on_left ? change : 0, on_right ? change : 0}, changes);
+}
+
+void Crossings::pierce(const Edge& edge, TriangleId t, std::vector<LayerChange>& changes) {
+  const auto& c = sight_.mesh().triangles[t];
+  for (const VertexId v : c)
+    if (v == edge.a || v == edge.b) return;  // it meets the plane there, or lies in it
+  ++pairs_;
+  const Sign first = line_->certain_side(c[0]);
+  if (first != Sign::zero && line_->certain_side(c[1]) == first && line_->certain_side(c[2]) == first) return;
+  const Plane plane = sight_.face_plane(t);
+  const Sign at_a = sight_.side(plane, edge.a, exact_), at_b = sight_.side(plane, edge.b, exact_);
+  if (at_a == at_b) return;  // wholly on one side, or in the plane, where nothing hides
+  const Sign facing = sight_.facing(t);
+  if (at_a == Sign::zero || at_b == Sign::zero) {
+    const VertexId v = at_a == Sign::zero ? edge.a : edge.b;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (ImageLine(sight_, c[k], c[(k + 1) % 3]).side(v, exact_) * facing == Sign::negative) return;
+    course_.is_degenerate = true;
+    return;
+  }
+  // The line of the edge passes the three sides of the triangle in one sense iff it goes through the inside.
+  bool positive = false, negative = false, zero = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Sign s =
+        sight_.side(Plane::of_face(sight_.point(edge.a), sight_.point(edge.b), sight_.point(c[k])), c[(k + 1) % 3], exact_);
+    (s == Sign::zero ? zero : s == Sign::positive ? positive : negative) = true;
+  }
+  if (positive && negative) return;
+  if (zero) {
+    course_.is_degenerate = true;
+    return;
+  }
+  // The eye lies on the side -facing.
+  const std::int32_t change = at_b == facing ? 1 : -1;
+  add({t.value, true, change, change}, changes);
+}
+
+}  // namespace hsr

@@ -1,0 +1,221 @@
+// How a BspTree is walked for a view.
+#include "hsr/painter/bsp/bsp.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/error.h"
+#include "geometry/parallel.h"
+#include "hsr/scene/cut_plane.h"
+#include "hsr/scene/projected_mesh.h"
+
+namespace hsr {
+
+void BspTree::prepare_planes() {
+  certificate_ = hsr::certificate(mesh_->points);
+  std::vector<std::uint32_t> filtered;
+  for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
+    if (nodes_[k].is_leaf() || nodes_[k].plane.kind != Cut::Kind::face) continue;
+    nodes_[k].filter = static_cast<std::uint32_t>(filtered.size());
+    filtered.push_back(k);
+  }
+  filters_.resize(filtered.size());
+  for_each(filtered.size(), [&](std::size_t i) {
+    const auto& c = mesh_->triangles[TriangleId(nodes_[filtered[i]].plane.u)];
+    const Plane plane = Plane::of_face(mesh_->points[c[0]], mesh_->points[c[1]], mesh_->points[c[2]]);
+    filters_[i] = PlaneFilter(plane, Arithmetic::staged);
+  });
+}
+
+PieceCorner BspTree::corner(const BspBounds::Corner& c) const {
+  PieceCorner out;
+  if (c.is_vertex()) {
+    out.vertex = VertexId(c.a);
+  } else {
+    out.a = cut_of(c.a, bounds_.sides, bounds_.acrosses);
+    out.b = cut_of(c.b, bounds_.sides, bounds_.acrosses);
+  }
+  out.side = cut_of(c.side, bounds_.sides, bounds_.acrosses);
+  out.original = BspBounds::is_side(c.side) && bounds_.sides[BspBounds::place(c.side)].original;
+  return out;
+}
+
+namespace {
+
+/// On which side of a plane of the tree the viewpoint lies.
+class EyeSide {
+ public:
+  EyeSide(const Mesh& mesh, const View& view, const Certificate& points, std::span<const PlaneFilter> filters)
+      : mesh_(mesh), eye_(view.viewpoint), filters_(filters), exact_(predicates(points, view.viewpoint)) {}
+
+  /// @param filter of the plane, if it is that of a facet
+  Sign operator()(const Cut& plane, std::uint32_t filter) {
+    const Point3& e = eye_.at;
+    if (plane.kind == Cut::Kind::across) {
+      const double at = eye_.is_direction ? 0 : mesh_.points[VertexId(plane.u)][plane.axis];
+      return e[plane.axis] > at ? Sign::positive : e[plane.axis] < at ? Sign::negative : Sign::zero;
+    }
+    const PlaneFilter& f = filters_[filter];
+    // The bound of a PlaneFilter at o + D is that of n . D.
+    const ErrorBounded x = eye_.is_direction
+                               ? ErrorBounded{f.nx * e.x + f.ny * e.y + f.nz * e.z,
+                                              f.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + f.least}
+                               : f(e);
+    if (x.is_certain() && exact_.filter_is_proven()) return sign_of(x.value);
+    // O(a, b, c) is negative where the eye lies on the positive side of the plane of a, b and c.
+    const auto& c = mesh_.triangles[TriangleId(plane.u)];
+    return -exact_.side(Plane::of_sight(eye_, mesh_.points[c[0]], mesh_.points[c[1]]), mesh_.points[c[2]]);
+  }
+
+ private:
+  static Predicates predicates(Certificate points, const Viewpoint& eye) {
+    Certificate direction;
+    (eye.is_direction ? direction : points).add(eye.at);
+    return Predicates(points, direction);
+  }
+
+  const Mesh& mesh_;
+  const Viewpoint& eye_;
+  std::span<const PlaneFilter> filters_;
+  Predicates exact_;
+};
+
+/// Visits the pieces of nodes from far to near, those of one node as a range. The sides of all planes are asked first, in the
+/// order of memory: on the way through the tree each would be waited for.
+template <class Nodes, class Visit>
+void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
+  if (nodes.empty()) return;
+  std::vector<std::uint8_t> eye_is_before(nodes.size(), 0);
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    if (!nodes[k].is_leaf()) eye_is_before[k] = side_of(nodes[k].plane, nodes[k].filter) == Sign::positive ? 1 : 0;
+  // What comes later: the pieces of a node on the way down, then what is before its plane.
+  struct Step {
+    std::uint32_t first_piece, end_piece, near;
+  };
+  std::vector<Step> waiting;
+  std::uint32_t at = 0;
+  while (true) {
+    const auto& node = nodes[at];
+    if (node.is_leaf()) {
+      visit(node.first_piece, node.end_piece);
+      at = 0;
+    } else {
+      const bool is_before = eye_is_before[at] != 0;
+      waiting.push_back({node.first_piece, node.end_piece, is_before ? node.before : node.behind});
+      at = is_before ? node.behind : node.before;
+    }
+    while (at == 0) {
+      if (waiting.empty()) return;
+      const Step step = waiting.back();
+      waiting.pop_back();
+      visit(step.first_piece, step.end_piece);
+      at = step.near;
+    }
+  }
+}
+
+}  // namespace
+
+void BspTree::walk(const View& view, std::vector<std::uint32_t>& far_to_near) const {
+  far_to_near.clear();
+  if (nodes_.empty()) return;
+  far_to_near.reserve(pieces_.size());
+  walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](std::uint32_t first, std::uint32_t end) {
+    // Of coplanar pieces the higher facet comes first.
+    for (std::uint32_t k = end; k-- > first;) far_to_near.push_back(k);
+  });
+}
+
+namespace {
+
+/// A piece as seen: counter-clockwise, and cut by the near plane.
+class PieceWriter {
+ public:
+  PieceWriter(const Sight& sight, PaintersOrder& order) : sight_(sight), exact_(sight.predicates()), order_(order) {}
+
+  /// @param ring its corners as the face runs
+  void append(TriangleId facet, std::vector<PieceCorner>& ring) {
+    if (sight_.facing(facet) == Sign::zero) return;
+    ring_.swap(ring);
+    if (sight_.facing(facet) == Sign::positive) reverse();
+    if (sight_.is_perspective() && !clip_near(facet)) return;
+    const auto first = static_cast<std::uint32_t>(order_.corners.size());
+    order_.corners.insert(order_.corners.end(), ring_.begin(), ring_.end());
+    check_countable(order_.corners.size(), "corners of a painting order");
+    order_.pieces.push_back({facet, first, static_cast<std::uint32_t>(order_.corners.size())});
+  }
+  const DecisionCounts& decisions() const { return exact_.counts(); }
+
+ private:
+  void reverse() {
+    std::reverse(ring_.begin(), ring_.end());
+    // The side that left a corner now arrives there.
+    const PieceCorner first = ring_.front();
+    for (std::size_t k = 0; k < ring_.size(); ++k) {
+      const PieceCorner& next = k + 1 < ring_.size() ? ring_[k + 1] : first;
+      ring_[k].side = next.side;
+      ring_[k].original = next.original;
+    }
+  }
+
+  Sign beyond(TriangleId facet, const PieceCorner& c) {
+    if (c.vertex.is_valid()) return sight_.beyond_near(c.vertex);
+    return exact_.side(sight_.near_plane(), sight_.face_plane(facet), cut_plane(sight_, c.a), cut_plane(sight_, c.b));
+  }
+
+  bool clip_near(TriangleId facet) {
+    signs_.clear();
+    bool is_cut = false;
+    for (const PieceCorner& c : ring_) {
+      signs_.push_back(beyond(facet, c));
+      is_cut = is_cut || signs_.back() == Sign::negative;
+    }
+    if (!is_cut) return true;
+    const Cut near{Cut::Kind::near, 0, 0, 0};
+    const std::vector<PieceCorner> all = ring_;
+    ring_.clear();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const Sign here = signs_[k], next = signs_[(k + 1) % all.size()];
+      PieceCorner border = all[k];
+      border.side = near;
+      border.original = false;
+      if (here == Sign::positive) {
+        ring_.push_back(all[k]);
+        if (next == Sign::negative) ring_.push_back({{}, all[k].side, near, near, false});
+      } else if (here == Sign::zero) {
+        ring_.push_back(next == Sign::positive ? all[k] : border);
+      } else if (next == Sign::positive) {
+        ring_.push_back({{}, all[k].side, near, all[k].side, all[k].original});
+      }
+    }
+    return ring_.size() > 2 && std::any_of(signs_.begin(), signs_.end(), [](Sign s) { return s == Sign::positive; });
+  }
+
+  const Sight& sight_;
+  Predicates exact_;
+  PaintersOrder& order_;
+  std::vector<PieceCorner> ring_;
+  std::vector<Sign> signs_;
+};
+
+}  // namespace
+
+PaintersOrder BspTree::order(const View& view) const {
+  PaintersOrder order;
+  if (nodes_.empty()) return order;
+  const Sight sight(*mesh_, view, Arithmetic::staged);
+  PieceWriter writer(sight, order);
+  std::vector<PieceCorner> ring;
+  walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t k = end; k-- > first;) {
+      const OrderedPiece& p = pieces_[k];
+      ring.clear();
+      for (std::uint32_t c = p.first_corner; c < p.end_corner; ++c) ring.push_back(corner(corners_[c]));
+      writer.append(p.facet, ring);
+    }
+  });
+  order.decisions = writer.decisions();
+  return order;
+}
+
+}  // namespace hsr

@@ -1,0 +1,46 @@
+#include "hsr/painter/sort/cluster_boxes.h"
+
+#include "geometry/parallel.h"
+#include "hsr/visibility_map/map_predicates.h"
+
+namespace hsr {
+
+namespace {
+
+ImageBox box_of(const MapSight& map, const FacePieces& pieces, std::size_t i) {
+  ImageBox box = ImageBox::nothing();
+  for (const VertexId v : pieces.ring(i)) box.add(map.sight().box(v, v));
+  if (!pieces.ring(i).empty()) return box;
+  for (const MapPoint& p : pieces.shape(map.sight(), i).points) {
+    if (p.is_vertex) {
+      box.add(map.sight().box(p.vertex, p.vertex));
+    } else {
+      const NearPoint at = map.point(p, pieces.facet[i]);
+      box.add(map.sight().box(at.p, 3 * at.error));
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+ClusterBoxes::ClusterBoxes(const Sight& sight, const FacePieces& pieces, const Clusters& clusters, InDepth looked_for)
+    : clusters_(clusters), looked_for_(looked_for), boxes_(pieces.size()), tree_of_(clusters.size(), nullptr) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes_.size(), 1024), [&](const auto& range) {
+    const MapSight map(sight);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) boxes_[i] = box_of(map, pieces, clusters.pieces[i]);
+  });
+  std::vector<ImageBox> flat;
+  if (looked_for == InDepth::apart) {
+    flat = boxes_;
+    for (ImageBox& box : flat) box.farthest = box.nearest = 0;
+  }
+  const std::span<const ImageBox> boxes = looked_for == InDepth::apart ? flat : boxes_;
+  constexpr std::size_t small = 64;
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    const std::size_t first = clusters.first[c], count = clusters.first[c + 1] - first;
+    if (count > small) tree_of_[c] = &trees_.emplace_back(boxes.subspan(first, count));
+  }
+}
+
+}  // namespace hsr

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "hsr/painter/painters_order.h"
+#include "hsr/symbols/map_point.h"
+
+namespace hsr {
+
+/// Faces each of which hides a part of the one before it, and the first a part of the last: no order of whole faces is right.
+struct PaintersCycle {
+  std::vector<TriangleId> facets;
+  std::vector<std::vector<MapPoint>>
+      common;  ///< by face, the corners of a convex part of the image where the next is before it
+};
+
+/// A point on each face of the cycle where the next is before it, exactly.
+std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& view, const PaintersCycle& cycle);
+
+struct DepthSortCounts {
+  std::uint64_t clusters = 0;    ///< groups that planes part: only within them pieces
+                                 ///< are compared
+  std::uint64_t candidates = 0;  ///< pairs of pieces that are compared
+  std::uint64_t apart = 0, by_depth = 0, by_plane = 0, coplanar = 0, by_overlap = 0;  ///< of them, by the test that decided
+  std::uint64_t overlapping = 0, piercing = 0;
+  std::uint64_t cuts_at_intersections = 0, cuts_in_cycles = 0;
+  std::uint64_t cyclic_components = 0, largest_component = 0;
+};
+
+struct DepthSort {
+  PaintersOrder order;
+  DepthSortCounts counts;
+  std::vector<PaintersCycle> cycles;  ///< those that were found, and cut
+};
+
+struct DepthSortOptions {
+  Arithmetic arithmetic = Arithmetic::staged;
+  bool classic = false;         ///< cut every pair that the planes of the two do not separate, as the paper does
+  std::size_t most_pieces = 0;  ///< beyond it the scene is refused; 0: 250 000, or 64 a face
+  std::function<void(double done)> progress;
+};
+
+/// Depth sort: the faces from far to near, with as few cuts as needed.
+///
+/// The relation of every two faces whose images overlap is found by the tests of Newell, Newell & Sancha. Faces that pierce
+/// each other are cut along their intersection; then, where the relations have cycles, only faces in these are cut: at a side
+/// of a neighbour that parts what comes before from what comes after, and where that leads nowhere at planes.
+///
+///   (1) along every line of sight through the interiors of two pieces the farther comes first; of coplanar ones the higher
+///   face (2) the pieces of a face cover it exactly once, beyond the near plane; faces seen edge-on have none (3) a face that
+///   is in no cycle and pierces none is one piece, if it is convex (4) the same for any number of threads
+///
+/// @throws InputError beyond the most pieces
+/// Exact: yes. Cost: O(n log n + k) for k pairs whose boxes overlap in the image, and the cuts.
+/// Source: Newell, Newell & Sancha 1972; the graph: de Berg, van Kreveld & Schwarzkopf 1992.
+DepthSort depth_sort(const Mesh& mesh, const View& view, const DepthSortOptions& options = {});
+
+}  // namespace hsr

@@ -1,0 +1,85 @@
+#include "hsr/painter/sort/face_pieces.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "geometry/error.h"
+#include "hsr/scene/facet.h"
+#include "hsr/visibility_map/convex_ring.h"
+
+namespace hsr {
+
+namespace {
+
+void add_ring(FacePieces& pieces, TriangleId facet, std::span<const VertexId> ring) {
+  pieces.facet.push_back(facet);
+  pieces.corners.insert(pieces.corners.end(), ring.begin(), ring.end());
+  pieces.first_corner.push_back(static_cast<std::uint32_t>(pieces.corners.size()));
+}
+
+void add(FacePieces& pieces, MapSight& map, TriangleId facet) {
+  const Sight& sight = map.sight();
+  const Mesh& mesh = map.mesh();
+  const TriangleId end = facet_end(mesh, facet);
+  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
+    if (!sight.reaches_before_near(t)) continue;
+    for (ConvexPiece& shape : convex_pieces(map, facet)) {
+      pieces.cut.push_back(static_cast<std::uint32_t>(pieces.size()));
+      pieces.cut_shape.push_back(std::move(shape));
+      add_ring(pieces, facet, {});
+    }
+    return;
+  }
+  if (end.value - facet.value > 1) {
+    const std::vector<VertexId> ring = convex_ring(sight, facet, map.exact());
+    if (!ring.empty()) {
+      add_ring(pieces, facet, ring);
+      return;
+    }
+  }
+  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U))
+    if (sight.reaches_beyond_near(t)) add_ring(pieces, facet, mesh.triangles[t]);
+}
+
+void append(FacePieces& all, FacePieces& part) {
+  const auto first_piece = static_cast<std::uint32_t>(all.size());
+  const auto first = static_cast<std::uint32_t>(all.corners.size());
+  all.facet.insert(all.facet.end(), part.facet.begin(), part.facet.end());
+  all.corners.insert(all.corners.end(), part.corners.begin(), part.corners.end());
+  check_countable(all.corners.size(), "corners of faces");
+  for (std::size_t k = 1; k < part.first_corner.size(); ++k) all.first_corner.push_back(first + part.first_corner[k]);
+  for (const std::uint32_t piece : part.cut) all.cut.push_back(first_piece + piece);
+  std::move(part.cut_shape.begin(), part.cut_shape.end(), std::back_inserter(all.cut_shape));
+}
+
+}  // namespace
+
+ConvexPiece FacePieces::shape(const Sight& sight, std::size_t piece) const {
+  const std::span<const VertexId> whole = ring(piece);
+  if (!whole.empty()) return convex_piece(sight, facet[piece], whole);
+  return cut_shape[static_cast<std::size_t>(std::lower_bound(cut.begin(), cut.end(), piece) - cut.begin())];
+}
+
+FacePieces face_pieces(const Sight& sight) {
+  const Mesh& mesh = sight.mesh();
+  constexpr std::size_t block = 4096;
+  const std::size_t n = mesh.triangles.size();
+  std::vector<FacePieces> parts((n + block - 1) / block);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), 1), [&](const auto& range) {
+    MapSight map(sight);
+    for (std::size_t k = range.begin(); k != range.end(); ++k)
+      for (std::size_t i = k * block; i < std::min(n, (k + 1) * block); ++i) {
+        const TriangleId t(i);
+        if (facet_of(mesh, t) == t && sight.facing(t) != Sign::zero) add(parts[k], map, t);
+      }
+  });
+  FacePieces all;
+  all.facet.reserve(n);
+  all.first_corner.reserve(n + 1);
+  all.corners.reserve(3 * n);
+  for (FacePieces& part : parts) append(all, part);
+  return all;
+}
+
+}  // namespace hsr

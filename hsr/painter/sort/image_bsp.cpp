@@ -1,0 +1,125 @@
+#include "hsr/painter/sort/image_bsp.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "geometry/error.h"
+
+namespace hsr {
+
+namespace {
+
+enum class Where { far, near, in_plane, both };
+
+class Divider {
+ public:
+  explicit Divider(MapSight& map) : map_(map), sight_(map.sight()) {}
+
+  /// Where a piece lies as seen from the plane of a facet.
+  Where where(const PieceOfFacet& piece, TriangleId plane) {
+    if (piece.facet == plane) return Where::in_plane;
+    const auto& c = map_.mesh().triangles[plane];
+    bool near = false, far = false;
+    for (const MapPoint& p : piece.shape.points) {
+      Sign nearer = Sign::zero;
+      if (!p.is_vertex)
+        nearer = map_.nearer(piece.facet, plane, p);
+      else if (p.vertex != c[0] && p.vertex != c[1] && p.vertex != c[2])
+        nearer = -(sight_.side(sight_.face_plane(plane), p.vertex, map_.exact()) * sight_.facing(plane));
+      near = near || nearer == Sign::positive;
+      far = far || nearer == Sign::negative;
+    }
+    return near && far ? Where::both : near ? Where::near : far ? Where::far : Where::in_plane;
+  }
+
+  /// The part of the piece before the plane, of one that it passes through; what is behind it stays.
+  PieceOfFacet cut_off_near(PieceOfFacet& piece, TriangleId plane) {
+    piece.near.clear();  // of what it was
+    const MapLine meet = MapLine::meet(piece.facet, plane);
+    const Sign nearer = sight_.facing(piece.facet) * sight_.facing(plane);
+    const Sign inner = meet.u == piece.facet.value ? nearer : -nearer;  // of where the piece is the nearer one
+    auto front = cut(map_, piece.shape, {meet, -inner});
+    if (!front) throw InvariantError("image_bsp: a plane passes through a piece and does not cut it");
+    return {piece.facet, std::move(*front)};
+  }
+
+  /// Of a few facets the one whose plane cuts little and divides evenly.
+  TriangleId choose(std::span<const PieceOfFacet> pieces) {
+    constexpr std::size_t candidates = 8, tested = 64;
+    TriangleId best;
+    std::size_t best_score = ~std::size_t{0};
+    for (std::size_t i = 0; i < std::min(candidates, pieces.size()); ++i) {
+      const TriangleId plane = pieces[i * pieces.size() / std::min(candidates, pieces.size())].facet;
+      std::array<std::size_t, 4> count = {0, 0, 0, 0};
+      for (std::size_t k = 0; k < std::min(tested, pieces.size()); ++k)
+        ++count[static_cast<std::size_t>(where(pieces[k * pieces.size() / std::min(tested, pieces.size())], plane))];
+      const auto [far, near, in_plane, both] = count;
+      const std::size_t score = 4 * both + (far > near ? far - near : near - far);
+      if (score < best_score) {
+        best = plane;
+        best_score = score;
+      }
+    }
+    return best;
+  }
+
+ private:
+  MapSight& map_;
+  const Sight& sight_;
+};
+
+}  // namespace
+
+std::vector<PieceOfFacet> ordered_by_planes(MapSight& map, std::vector<PieceOfFacet> pieces, std::size_t most,
+                                            std::uint64_t& cuts) {
+  Divider divider(map);
+  std::vector<PieceOfFacet> done;
+  std::vector<std::vector<PieceOfFacet>> waiting;  // the farthest last
+  std::size_t count = pieces.size();
+  waiting.push_back(std::move(pieces));
+  while (!waiting.empty()) {
+    std::vector<PieceOfFacet> all = std::move(waiting.back());
+    waiting.pop_back();
+    if (all.empty()) continue;
+    if (all.size() == 1) {
+      done.push_back(std::move(all.front()));
+      continue;
+    }
+    const TriangleId plane = divider.choose(all);
+    std::vector<PieceOfFacet> far, near, in_plane;
+    for (PieceOfFacet& piece : all) {
+      switch (divider.where(piece, plane)) {
+        case Where::both:
+          near.push_back(divider.cut_off_near(piece, plane));
+          ++cuts;
+          if (++count > most)
+            throw InputError("the order of this scene would take more than " + std::to_string(most) +
+                             " pieces: expected fewer, see --method depth-sort");
+          [[fallthrough]];
+        case Where::far:
+          far.push_back(std::move(piece));
+          break;
+        case Where::near:
+          near.push_back(std::move(piece));
+          break;
+        case Where::in_plane:
+          in_plane.push_back(std::move(piece));
+          break;
+      }
+    }
+    if (far.empty() && near.empty()) {
+      // Coplanar pieces: of two that overlap the higher facet comes first.
+      std::stable_sort(in_plane.begin(), in_plane.end(),
+                       [](const PieceOfFacet& x, const PieceOfFacet& y) { return x.facet > y.facet; });
+      std::move(in_plane.begin(), in_plane.end(), std::back_inserter(done));
+      continue;
+    }
+    waiting.push_back(std::move(near));
+    waiting.push_back(std::move(in_plane));
+    waiting.push_back(std::move(far));
+  }
+  return done;
+}
+
+}  // namespace hsr

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hsr/painter/sort/overlap.h"
+
+namespace hsr {
+
+/// Orders pieces from far to near by the planes of some of them, cutting what a plane passes through: always possible. For the
+/// pieces that are in cycles; bsp.h has the tree that is kept.
+///
+/// @param cuts gets the number of cuts added @throws InputError if there are more than `most` pieces
+/// Exact: yes. Deterministic. Cost: O(n log n) where the planes divide well, O(n^2) pieces at worst. Never recursive.
+/// Source: Fuchs, Kedem & Naylor 1980.
+std::vector<PieceOfFacet> ordered_by_planes(MapSight& map, std::vector<PieceOfFacet> pieces, std::size_t most,
+                                            std::uint64_t& cuts);
+
+}  // namespace hsr

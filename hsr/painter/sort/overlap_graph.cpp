@@ -1,0 +1,106 @@
+#include "hsr/painter/sort/overlap_graph.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "hsr/painter/sort/piece_relations.h"
+
+namespace hsr {
+
+namespace {
+
+/// Finds the overlapping pairs of some clusters.
+class Finder {
+ public:
+  Finder(const Sight& sight, const FacePieces& pieces, const ImageTriangles& images, bool classic)
+      : pieces_(pieces), relations_(sight, pieces, images, classic) {}
+
+  void look_at(std::uint32_t i, std::uint32_t k) {
+    if (pieces_.facet[i] == pieces_.facet[k]) return;
+    ++found_.candidates;
+    const Overlap how = relations_.relation(i, k);
+    if (how == Overlap::none) return;
+    if (how == Overlap::second_behind) std::swap(i, k);
+    pairs_.push_back({i, k});
+    if (how == Overlap::piercing) found_.piercing.push_back({i, k});
+  }
+  OverlapGraph take() {
+    found_.overlapping = pairs_.size();
+    if (!pairs_.empty()) found_.pairs.push_back(std::move(pairs_));
+    found_.counts = relations_.counts();
+    found_.decisions = relations_.decisions();
+    return std::move(found_);
+  }
+
+ private:
+  const FacePieces& pieces_;
+  PieceRelations relations_;
+  OverlapGraph found_;
+  std::vector<Overlapping> pairs_;
+};
+
+/// Leaves of the tree of a large cluster, or some small clusters.
+struct Work {
+  std::size_t first_cluster = 0, end_cluster = 0;
+  const BoxTree* tree = nullptr;
+  std::uint32_t first_leaf = 0, end_leaf = 0;
+};
+
+}  // namespace
+
+void OverlapGraph::add(OverlapGraph&& more) {
+  for (std::vector<Overlapping>& part : more.pairs) pairs.push_back(std::move(part));
+  piercing.insert(piercing.end(), more.piercing.begin(), more.piercing.end());
+  candidates += more.candidates;
+  overlapping += more.overlapping;
+  counts += more.counts;
+  decisions += more.decisions;
+}
+
+OverlapGraph overlap_graph(const Sight& sight, const FacePieces& pieces, const ClusterBoxes& boxes,
+                           const ImageTriangles& images, bool classic) {
+  constexpr std::size_t block = 64, leaves = 64;  // block: of small clusters
+  const Clusters& clusters = boxes.clusters();
+  const bool touching = boxes.looked_for() == InDepth::touching;
+  std::vector<Work> work;
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    const BoxTree* const tree = boxes.tree(c);
+    if (tree == nullptr) {
+      if (work.empty() || work.back().tree != nullptr || c - work.back().first_cluster == block) work.push_back({c, c});
+      work.back().end_cluster = c + 1;
+      continue;
+    }
+    for (std::uint32_t leaf = 0; leaf < tree->leaf_count(); leaf += leaves)
+      work.push_back({c, c + 1, tree, leaf, std::min<std::uint32_t>(leaf + leaves, tree->leaf_count())});
+  }
+  std::vector<OverlapGraph> parts(work.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), 1), [&](const auto& range) {
+    for (std::size_t part = range.begin(); part != range.end(); ++part) {
+      const Work& w = work[part];
+      Finder finder(sight, pieces, images, classic);
+      const auto look_at = [&](std::size_t i, std::size_t k) { finder.look_at(clusters.pieces[i], clusters.pieces[k]); };
+      BoxTree::PairSearch search;
+      const std::size_t first = clusters.first[w.first_cluster];
+      for (std::uint32_t leaf = w.first_leaf; leaf < w.end_leaf; ++leaf) {
+        if (touching)
+          w.tree->visit_pairs<BoxTree::Depth::touching>(
+              leaf, search, [&](std::uint32_t i, std::uint32_t k) { look_at(first + i, first + k); });
+        else
+          w.tree->visit_pairs<BoxTree::Depth::any>(leaf, search, [&](std::uint32_t i, std::uint32_t k) {
+            if (!touch_in_depth(boxes[first + i], boxes[first + k])) look_at(first + i, first + k);
+          });
+      }
+      for (std::size_t c = w.first_cluster; w.tree == nullptr && c < w.end_cluster; ++c)
+        for (std::size_t i = clusters.first[c]; i < clusters.first[c + 1]; ++i)
+          for (std::size_t k = i + 1; k < clusters.first[c + 1]; ++k)
+            if (touch_in_image(boxes[i], boxes[k]) && touch_in_depth(boxes[i], boxes[k]) == touching) look_at(i, k);
+      parts[part] = finder.take();
+    }
+  });
+  OverlapGraph all;
+  for (OverlapGraph& part : parts) all.add(std::move(part));
+  return all;
+}
+
+}  // namespace hsr

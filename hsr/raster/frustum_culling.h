@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+
+#include "hsr/raster/culled.h"
+#include "hsr/raster/samples.h"
+#include "hsr/view/view.h"
+
+namespace hsr {
+
+/// What bounds some triangles.
+enum class Bounds : std::uint8_t {
+  boxes,   ///< along the axes: tight for most, eight corners to test
+  spheres  ///< around the middle of the box: one distance to test
+};
+
+struct FrustumOptions {
+  Bounds bounds = Bounds::boxes;
+  std::size_t block = 64;  ///< so many triangles that follow one another are bounded together
+};
+
+/// The triangles that are not certainly out of the picture: their bounds lie wholly beyond one of its four sides, a sample off
+/// so that rounding cannot draw them, or before the near plane.
+///
+///   (1) no picture changes, of any method
+///   (2) where doubles cannot tell, triangles are kept
+///
+/// Exact: conservative. Cost: O(n).
+/// Source: Clark 1976; Assarsson & Möller 2000.
+Culled frustum_culled(const Mesh& mesh, const View& view, const SampleGrid& samples, const FrustumOptions& options = {});
+
+}  // namespace hsr

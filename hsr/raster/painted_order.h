@@ -1,0 +1,23 @@
+#pragma once
+
+#include "hsr/model.h"
+#include "hsr/painter/painters_order.h"
+#include "hsr/raster/image.h"
+#include "hsr/raster/samples.h"
+#include "hsr/view/view.h"
+
+namespace hsr {
+
+/// Paints the pieces one over the other, far to near: the piece that each sample shows in the end, or no_piece.
+///
+/// @throws PreconditionError as cast() does (caster.h), and if a corner is not in front of the eye as the samples are
+/// Exact: yes, with the rule for samples on edges (samples.h). Cost: O(pieces + samples painted).
+/// Source: Newell, Newell & Sancha 1972.
+Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples);
+constexpr std::uint32_t no_piece = 0xffffffffU;
+
+/// The same in colours, on white: of each piece the colour of its face, its opacity times `opacity`. Composited in floats.
+Image<Colour> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples,
+                    const std::vector<Colour>& colours, double opacity);
+
+}  // namespace hsr

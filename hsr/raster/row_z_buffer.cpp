@@ -1,0 +1,101 @@
+#include "hsr/raster/row_z_buffer.h"
+
+#include <algorithm>
+
+#include "hsr/raster/drawn_triangles.h"
+
+namespace hsr {
+
+namespace {
+
+constexpr std::uint32_t nothing = 0xffffffffU;
+
+template <class Real>
+class RowDrawer {
+ public:
+  RowDrawer(const Mesh& mesh, const View& view, const SampleGrid& samples)
+      : triangles_(mesh, view, samples), row_(static_cast<std::size_t>(samples.width)) {
+    result_.image = DepthImage<Real>(samples.width, samples.height);
+    first_.resize(static_cast<std::size_t>(samples.height), nothing);
+    next_.resize(triangles_.size(), nothing);
+    // From the last, each in front of its bucket's list: so the lists ascend.
+    for (std::size_t k = triangles_.size(); k-- > 0;) {
+      int top = samples.height;
+      triangles_.visit(TriangleId(k), [&](const auto& a, const auto& b, const auto& c) {
+        const auto box = ScannedTriangle<Real>::box(a, b, c, samples.width, samples.height);
+        if (!box.is_empty()) top = std::min(top, box.top);
+      });
+      if (top == samples.height) continue;
+      next_[k] = first_[static_cast<std::size_t>(top)];
+      first_[static_cast<std::size_t>(top)] = static_cast<std::uint32_t>(k);
+    }
+  }
+
+  RowZBuffer<Real> drawn() && {
+    for (int j = 0; j < result_.image.height; ++j) {
+      activate(j);
+      std::fill(row_.begin(), row_.end(), DepthPixel<Real>{});
+      for (const Active& a : active_) draw(a, j);
+      std::copy(row_.begin(), row_.end(), result_.image.row(j));
+      std::erase_if(active_, [&](const Active& a) { return a.scanned.bottom() == j + 1; });
+    }
+    result_.bytes = triangles_.memory() + row_.capacity() * sizeof(row_[0]) + active_.capacity() * sizeof(Active) +
+                    (first_.capacity() + next_.capacity()) * sizeof(std::uint32_t);
+    return std::move(result_);
+  }
+
+ private:
+  struct Active {
+    TriangleId triangle;
+    ScannedTriangle<Real> scanned;
+  };
+
+  template <class Visit>
+  void visit(TriangleId t, const Visit& found) const {
+    triangles_.visit(t, [&](const auto& a, const auto& b, const auto& c) {
+      ScannedTriangle<Real> scanned;
+      if (scanned.set(a, b, c, result_.image.width, result_.image.height)) found(scanned);
+    });
+  }
+
+  /// Active triangles ascend: of equal depths the lowest index is shown.
+  void activate(int j) {
+    const auto before = static_cast<std::ptrdiff_t>(active_.size());
+    for (std::uint32_t k = first_[static_cast<std::size_t>(j)]; k != nothing; k = next_[k])
+      visit(TriangleId(k), [&](const ScannedTriangle<Real>& scanned) { active_.push_back({TriangleId(k), scanned}); });
+    std::inplace_merge(active_.begin(), active_.begin() + before, active_.end(),
+                       [](const Active& a, const Active& b) { return a.triangle < b.triangle; });
+    result_.most_active = std::max(result_.most_active, active_.size());
+  }
+
+  void draw(const Active& a, int j) {
+    // One of two parts of a triangle may begin later.
+    if (j < a.scanned.top()) return;
+    const auto [begin, end] = a.scanned.span(j);
+    const auto nearness_at = a.scanned.row(j);
+    for (int i = begin; i < end; ++i) {
+      const Real nearness = nearness_at(i);
+      DepthPixel<Real>& pixel = row_[static_cast<std::size_t>(i)];
+      if (nearness > pixel.nearness) pixel = {nearness, a.triangle};
+    }
+  }
+
+  DrawnTriangles<Real> triangles_;
+  std::vector<std::uint32_t> first_;  // by row: of the triangles that begin there
+  std::vector<std::uint32_t> next_;   // by triangle: the next that begins in the same row
+  std::vector<Active> active_;
+  std::vector<DepthPixel<Real>> row_;
+  RowZBuffer<Real> result_;
+};
+
+}  // namespace
+
+template <class Real>
+RowZBuffer<Real> row_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples) {
+  return RowDrawer<Real>(mesh, view, samples).drawn();
+}
+
+template RowZBuffer<float> row_z_buffer(const Mesh&, const View&, const SampleGrid&);
+template RowZBuffer<double> row_z_buffer(const Mesh&, const View&, const SampleGrid&);
+
+}  // namespace hsr

@@ -1,0 +1,103 @@
+#include "hsr/raster/samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "geometry/error.h"
+
+namespace hsr {
+
+namespace {
+
+Point3 sum(const Point3& a, double s, const Point3& b) { return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z}; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double largest(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
+
+/// The multiple of 2^power next to x. @pre |x| < 2^(power + 52)
+double snapped(double x, int power) { return std::ldexp(std::round(std::ldexp(x, -power)), power) + 0.0; }
+Point3 snapped(const Point3& p, int power) { return {snapped(p.x, power), snapped(p.y, power), snapped(p.z, power)}; }
+
+}  // namespace
+
+Certificate SampleGrid::certificate() const {
+  Certificate c;
+  for (const Point3& p : {origin, right, down}) c.add(p);
+  // Sums of at most 2^17 of each: no coordinate has more than 2^50 units, or the corners would show it.
+  for (const int i : {0, width})
+    for (const int j : {0, height}) {
+      const Point3 p = at(i, j);
+      require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "SampleGrid: samples are not finite");
+      c.add(p);
+    }
+  require(c.bits() <= 51, "SampleGrid: samples are no doubles");
+  return c;
+}
+
+SampleGrid sample_grid(const View& view, const PaperRectangle& part, int width, int height) {
+  if (width < 1 || height < 1 || width > 65536 || height > 65536)
+    throw InputError("samples: found " + std::to_string(width) + "x" + std::to_string(height) +
+                     ", expected 1 to 65536 either way");
+  const Frame& frame = view.frame;
+  double pixel = std::max((part.right - part.left) / width, (part.top - part.bottom) / height);
+  if (pixel == 0) pixel = 1;
+  const Point3 middle =
+      sum(sum(frame.origin, part.left / 2 + part.right / 2, frame.right), part.bottom / 2 + part.top / 2, frame.up);
+  const double most = largest(middle) + (width + height) * pixel;
+  if (!(pixel > 0 && most < 0x1p1020))
+    throw InputError("samples: found a part of the paper that is not finite, expected a picture of one that is");
+  // A step that is off by half a unit puts the farthest sample off by half the picture's units: a 16th of a pixel at most.
+  // And the plane of the samples is off by less than 2^-20 from that of the paper.
+  const int digits = std::max(std::ilogb(32.0 * std::max(width, height)) + 1, 21);
+  int power = std::max(std::ilogb(pixel) - digits, std::ilogb(most) - 49);
+  power = std::max(power, -1074);
+  for (;; ++power) {
+    pixel = std::max(pixel, std::ldexp(16.0, power));
+    const Point3 right = snapped(sum({}, pixel, frame.right), power), down = snapped(sum({}, -pixel, frame.up), power);
+    const Point3 corner = sum(sum(middle, -(width - 1) / 2.0 * pixel, frame.right), (height - 1) / 2.0 * pixel, frame.up);
+    if (!(largest(corner) + width * largest(right) + height * largest(down) < std::ldexp(1.0, power + 50))) continue;
+    return {snapped(corner, power), right, down, width, height};
+  }
+}
+
+SampleGrid sample_grid(const View& view, const FrameSize& size, int width, int height) {
+  return sample_grid(view, PaperRectangle{-size.half_width, size.half_width, -size.half_height, size.half_height}, width,
+                     height);
+}
+
+/// With n the normal of the paper, toward the viewer: what is seen at p is at p itself, or at (p - e) (o - e).n / (p - e).n.
+PaperRectangle paper_rectangle(const Mesh& mesh, const View& view) {
+  const Frame& f = view.frame;
+  const Point3 n = {f.right.y * f.up.z - f.right.z * f.up.y, f.right.z * f.up.x - f.right.x * f.up.z,
+                    f.right.x * f.up.y - f.right.y * f.up.x};
+  const Point3 &e = view.viewpoint.at, to_paper = sum(f.origin, -1, e), to_target = sum(view.target, -1, e);
+  PaperRectangle all = {HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
+  const auto add = [&](const Point3& p) {
+    const Point3 from_origin = sum(p, -1, f.origin);
+    Point3 at = from_origin;
+    if (view.is_perspective()) {
+      const Point3 to_p = sum(p, -1, e);
+      at = sum(sum({}, dot(to_paper, n) / dot(to_p, n), to_p), -1, to_paper);
+    }
+    const double x = dot(at, f.right), y = dot(at, f.up);
+    all = {std::min(all.left, x), std::max(all.right, x), std::min(all.bottom, y), std::max(all.top, y)};
+  };
+  // In the range of long doubles: lengths of 1e300 have squares.
+  const auto beyond_near = [&](const Point3& p) {
+    using Wide = long double;
+    const auto product = [&](const Point3& d) {
+      return Wide(d.x) * to_target.x + Wide(d.y) * to_target.y + Wide(d.z) * to_target.z;
+    };
+    return product(sum(p, -1, e)) - view.near * product(to_target);
+  };
+  for (const Edge& edge : mesh.edges) {
+    const Point3 &a = mesh.points[edge.a], &b = mesh.points[edge.b];
+    const long double at_a = view.is_perspective() ? beyond_near(a) : 1, at_b = view.is_perspective() ? beyond_near(b) : 1;
+    if (at_a > 0) add(a);
+    if (at_b > 0) add(b);
+    if ((at_a > 0) != (at_b > 0)) add(sum(a, static_cast<double>(at_a / (at_a - at_b)), sum(b, -1, a)));
+  }
+  return all.left <= all.right ? all : PaperRectangle{};
+}
+
+}  // namespace hsr

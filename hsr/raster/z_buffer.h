@@ -1,0 +1,47 @@
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "geometry/mesh.h"
+#include "hsr/raster/image.h"
+#include "hsr/raster/samples.h"
+#include "hsr/view/view.h"
+
+namespace hsr {
+
+/// What a z-buffer holds at a sample. Larger is nearer: Seen::nearness (projection.h).
+template <class Real>
+struct DepthPixel {
+  Real nearness = -std::numeric_limits<Real>::infinity();
+  TriangleId triangle;  ///< not valid: none
+
+  friend bool operator==(const DepthPixel&, const DepthPixel&) = default;
+};
+
+template <class Real>
+using DepthImage = Image<DepthPixel<Real>>;
+
+/// The plain z-buffer, with coordinates and depths in `Real` (float, double): the image-space method that the exact ones are
+/// compared with, and that may be wrong. Each triangle beyond the near plane is drawn by scanlines; the depth at a sample is
+/// that of the triangle's plane.
+///
+///   (1) a sample has the triangle nearest there, as exactly as Real tells; of equally near ones the lowest index
+///   (2) a sample on an edge is decided as samples.h says, as exactly as Real tells; triangles that share an edge leave no gap
+///       and share no sample
+///   (3) triangles with a corner that Real cannot hold, or that is seen 2^60 samples away, are not drawn
+///
+/// Exact: no. Cost: O(n + samples drawn); one thread, but for the corners.
+/// Source: Catmull 1974.
+template <class Real>
+DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples);
+/// The same of some triangles only: what culling leaves. @pre ascending
+template <class Real>
+DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, std::span<const TriangleId> triangles);
+
+extern template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&);
+extern template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&);
+extern template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&, std::span<const TriangleId>);
+extern template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&, std::span<const TriangleId>);
+
+}  // namespace hsr

@@ -1,0 +1,402 @@
+#include "hsr/scene/intersections.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "geometry/bounded_point.h"
+#include "geometry/constructed_point.h"
+#include "geometry/parallel.h"
+#include "geometry/plane_intersection.h"
+#include "hsr/scene/cut_plane.h"
+#include "hsr/scene/facet.h"
+#include "hsr/scene/half_space.h"
+#include "hsr/scene/occlusion_pyramid.h"
+
+namespace hsr {
+
+namespace {
+
+class Finder {
+ public:
+  Finder(const Sight& sight, const Occluders& occluders, const HiddenTiles* tiles, std::vector<std::uint8_t>& has_contact)
+      : sight_(sight),
+        mesh_(sight.mesh()),
+        occluders_(occluders),
+        tiles_(tiles),
+        exact_(sight.predicates()),
+        has_contact_(has_contact) {}
+
+  /// Looks at the triangles of a leaf of the tree, with those that come later.
+  void look_around(std::uint32_t leaf, std::vector<Intersection>& found);
+  const DecisionCounts& decisions() { return exact_.counts(); }
+
+ private:
+  PlaneFilter filter(std::uint32_t i) const;
+  std::array<Sign, 3> sides(const PlaneFilter& filter, TriangleId s, TriangleId t);
+  void look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<Intersection>& found);
+  bool is_single(TriangleId t) const { return facet_end(mesh_, t).value - facet_of(mesh_, t).value == 1; }
+  bool meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId t) const;
+  void mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at);
+  bool may_lie_in(VertexId u, VertexId v, TriangleId t);
+  bool passes_through(TriangleId t, const std::array<Sign, 3>& at) const;
+  bool cross_beyond_common_corner(TriangleId s, TriangleId t);
+  std::array<NearPoint, 2> chord(TriangleId t, const std::array<Sign, 3>& at, const PlaneFilter& plane) const;
+  bool certainly_no_segment(const std::array<NearPoint, 2>& x, const std::array<NearPoint, 2>& y) const;
+  std::optional<Intersection> segment(TriangleId s, TriangleId t);
+
+  const Sight& sight_;
+  const Mesh& mesh_;
+  const Occluders& occluders_;
+  const HiddenTiles* tiles_;
+  Predicates exact_;
+  std::vector<std::uint8_t>& has_contact_;
+  BoxTree::PairSearch search_;
+};
+
+/// The plane of an occluder.
+PlaneFilter Finder::filter(std::uint32_t i) const {
+  return occluders_.faces.empty() ? sight_.filter(sight_.face_plane(occluders_.triangles[i])) : occluders_.face(i).plane;
+}
+
+/// On which sides of the plane of s the corners of t are.
+std::array<Sign, 3> Finder::sides(const PlaneFilter& filter, TriangleId s, TriangleId t) {
+  const auto &c = mesh_.triangles[s], &d = mesh_.triangles[t];
+  std::array<Sign, 3> at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexId v = d[k];
+    if (v == c[0] || v == c[1] || v == c[2]) {
+      at[k] = Sign::zero;
+      continue;
+    }
+    const ErrorBounded x = filter(sight_.point(v));
+    at[k] = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(sight_.face_plane(s), sight_.point(v));
+  }
+  return at;
+}
+
+bool straddles(const std::array<Sign, 3>& at) {
+  const auto any = [&](Sign s) { return at[0] == s || at[1] == s || at[2] == s; };
+  return any(Sign::positive) && any(Sign::negative);
+}
+
+void Finder::look_around(std::uint32_t leaf, std::vector<Intersection>& found) {
+  TriangleId turned_to;
+  PlaneFilter of_s;
+  occluders_.tree.visit_pairs(leaf, search_, [&](std::uint32_t i, std::uint32_t k) {
+    const TriangleId s = occluders_.triangles[i], t = occluders_.triangles[k];
+    if (facet_of(mesh_, s) == facet_of(mesh_, t)) return;
+    if (s != turned_to) {
+      turned_to = s;
+      of_s = filter(i);
+    }
+    look_at(s, of_s, k, found);
+  });
+}
+
+/// Most pairs that touch are neighbours: two triangles with a common side, certainly not in one plane, have no more in common.
+bool Finder::meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId t) const {
+  const auto &c = mesh_.triangles[s], &d = mesh_.triangles[t];
+  std::size_t common = 0;
+  VertexId apex;
+  for (const VertexId v : d) {
+    if (v == c[0] || v == c[1] || v == c[2])
+      ++common;
+    else
+      apex = v;
+  }
+  return common == 2 && filter(sight_.point(apex)).is_certain() && is_single(s) && is_single(t);
+}
+
+void Finder::look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<Intersection>& found) {
+  const TriangleId t = occluders_.triangles[k];
+  if (meet_in_an_edge(s, of_s, t)) return;
+  const std::array<Sign, 3> at_t = sides(of_s, s, t);
+  const auto zeros = [](const std::array<Sign, 3>& at) { return std::count(at.begin(), at.end(), Sign::zero); };
+  if (!straddles(at_t) && zeros(at_t) < 2) return;  // on one side but for a point
+  const PlaneFilter of_t = filter(k);
+  const std::array<Sign, 3> at_s = sides(of_t, t, s);
+  if (zeros(at_t) >= 2) mark_contacts(s, t, at_t);
+  if (zeros(at_s) >= 2) mark_contacts(t, s, at_s);
+  if (!passes_through(t, at_t) || !passes_through(s, at_s)) return;
+  if (straddles(at_t) && straddles(at_s)) {
+    if (!cross_beyond_common_corner(s, t)) return;
+    if (certainly_no_segment(chord(s, at_s, of_t), chord(t, at_t, of_s))) return;
+  }
+  if (const auto crossing = segment(std::min(s, t), std::max(s, t))) found.push_back(*crossing);
+}
+
+/// Marks the sides of t that lie in the plane of `flat` and may overlap it.
+void Finder::mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at) {
+  const auto &c = mesh_.triangles[t], &d = mesh_.triangles[flat];
+  const auto is_corner = [&](VertexId v) { return v == d[0] || v == d[1] || v == d[2]; };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (at[k] != Sign::zero || at[(k + 1) % 3] != Sign::zero) continue;
+    const VertexId u = c[k], v = c[(k + 1) % 3];
+    if (is_corner(u) && is_corner(v) && is_single(flat)) continue;
+    if (!may_lie_in(u, v, flat)) continue;
+    // A diagonal inside a planar face is no edge of the mesh; an edge of `flat` is no contact with it.
+    const EdgeId e = mesh_.find_edge(u, v);
+    if (!e.is_valid()) continue;
+    const auto own = mesh_.triangles_at(e);
+    if (std::find(own.begin(), own.end(), flat) != own.end()) continue;
+    std::atomic_ref<std::uint8_t>(has_contact_[e.value]).store(1, std::memory_order_relaxed);
+  }
+}
+
+/// Whether the segment uv, in the plane of t, may have more than a point in common with t.
+bool Finder::may_lie_in(VertexId u, VertexId v, TriangleId t) {
+  const auto side = [&](const Plane& plane, const Cut& cut, VertexId p) {
+    return p.value == cut.u || p.value == cut.v ? Sign::zero : sight_.side(plane, p, exact_);
+  };
+  const auto half_spaces = hsr::half_spaces(sight_, t, exact_);
+  for (const HalfSpace& h : half_spaces) {
+    const Sign a = side(h.plane, h.cut, u) * h.inner, b = side(h.plane, h.cut, v) * h.inner;
+    if (a != Sign::positive && b != Sign::positive && !(a == Sign::zero && b == Sign::zero)) return false;
+  }
+  // All of t on one side of the segment, but for a point.
+  Cut cut = half_spaces[0].cut;
+  cut.u = u.value;
+  cut.v = v.value;
+  const Plane line = cut_plane(sight_, cut);
+  bool positive = false, negative = false;
+  int zeros = 0;
+  for (const VertexId w : mesh_.triangles[t]) {
+    const Sign s = side(line, cut, w);
+    zeros += s == Sign::zero ? 1 : 0;
+    positive = positive || s == Sign::positive;
+    negative = negative || s == Sign::negative;
+  }
+  return (positive && negative) || zeros >= 2;
+}
+
+/// Whether the face of t has points on both sides of a plane around t, t being on the sides `at` of it: where a diagonal lies
+/// in the plane the face goes on behind it.
+bool Finder::passes_through(TriangleId t, const std::array<Sign, 3>& at) const {
+  if (straddles(at)) return true;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (at[k] == Sign::zero && at[(k + 1) % 3] == Sign::zero && at[(k + 2) % 3] != Sign::zero)
+      return is_inner_diagonal(mesh_, t, k);
+  return false;
+}
+
+/// Two triangles with a common corner v, each with points on both sides of the other's plane, pq and ab their other corners:
+/// both cross the line of both planes in a segment that starts at v, and they have more in common iff both run the same way.
+/// Where ab crosses the plane of vpq is on q's side of the line vp iff b is on q's side of the plane vpa.
+bool Finder::cross_beyond_common_corner(TriangleId s, TriangleId t) {
+  const auto &c = mesh_.triangles[s], &d = mesh_.triangles[t];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (c[i] != d[k]) continue;
+      const VertexId p = d[(k + 1) % 3], q = d[(k + 2) % 3], a = c[(i + 1) % 3], b = c[(i + 2) % 3];
+      const Plane plane = Plane::of_face(sight_.point(c[i]), sight_.point(p), sight_.point(a));
+      return sight_.side(plane, b, exact_) * sight_.side(plane, q, exact_) == Sign::positive;
+    }
+  return true;
+}
+
+/// The ends of what a plane cuts of a triangle, nearly. @pre it has corners on both sides: @param at on which sides
+std::array<NearPoint, 2> Finder::chord(TriangleId t, const std::array<Sign, 3>& at, const PlaneFilter& plane) const {
+  const auto& c = mesh_.triangles[t];
+  std::array<NearPoint, 2> ends;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3 &p = sight_.point(c[k]), &q = sight_.point(c[(k + 1) % 3]);
+    if (at[k] == Sign::zero) ends[n++] = {p, 0};
+    if (at[k] * at[(k + 1) % 3] != Sign::negative) continue;
+    const ErrorBounded x = plane(p), y = plane(q);
+    ends[n++] = between(p, q, quotient(x, x - y));
+  }
+  return ends;
+}
+
+/// Of two parts of one line, whether they have certainly nothing in common, or nothing that is not hidden.
+bool Finder::certainly_no_segment(const std::array<NearPoint, 2>& x, const std::array<NearPoint, 2>& y) const {
+  const auto length = [&](int k) { return std::fabs(x[1].p[k] - x[0].p[k]); };
+  int axis = 0;
+  for (const int k : {1, 2})
+    if (length(k) > length(axis)) axis = k;
+  const auto ascending = [&](const std::array<NearPoint, 2>& part) {
+    return part[0].p[axis] > part[1].p[axis] ? std::array{&part[1], &part[0]} : std::array{&part[0], &part[1]};
+  };
+  const auto a = ascending(x), b = ascending(y);
+  const auto is_ordered = [&](const std::array<const NearPoint*, 2>& part) {
+    return part[1]->p[axis] - part[0]->p[axis] > (part[0]->error + part[1]->error) * 1.01;
+  };
+  if (!is_ordered(a) || !is_ordered(b)) return false;
+  const NearPoint &low = a[0]->p[axis] > b[0]->p[axis] ? *a[0] : *b[0], &high = a[1]->p[axis] < b[1]->p[axis] ? *a[1] : *b[1];
+  if (low.p[axis] - high.p[axis] > (low.error + high.error) * 1.01) return true;
+  return tiles_ != nullptr && tiles_->hides(low, high);
+}
+
+/// A place on the line in which two planes meet, by name.
+struct Crossing {
+  Cut cut;
+  MeetLine::Place place;
+};
+
+/// Which comes first: negative, x.
+Sign order(const MeetLine& line, const Crossing& x, const Crossing& y) {
+  return x.cut == y.cut ? Sign::zero : line.order(x.place, y.place);
+}
+
+/// Clips the line in which both planes meet to both triangles. @pre the face of each passes through the other's plane
+std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
+  const MeetLine line(sight_.face_plane(s), sight_.face_plane(t), exact_);
+  struct Bound {
+    HalfSpace h;
+    bool goes_on;  // the face does, behind it
+  };
+  std::array<Bound, 7> bounds;
+  std::array<std::size_t, 7> parallel;
+  std::size_t n = 0, parallels = 0;
+  bool near_cuts = false;
+  for (const TriangleId x : {s, t}) {
+    const auto half_spaces = hsr::half_spaces(sight_, x, exact_);
+    for (std::size_t k = 0; k < 3; ++k) bounds[n++] = {half_spaces[k], is_inner_diagonal(mesh_, x, k)};
+    near_cuts = near_cuts || sight_.reaches_before_near(x);
+  }
+  if (near_cuts) bounds[n++] = {{{Cut::Kind::near, 0, 0, 0}, sight_.near_plane(), Sign::positive}, false};
+  std::optional<Crossing> low, high;
+  for (std::size_t i = 0; i < n; ++i) {
+    const HalfSpace& h = bounds[i].h;
+    const Crossing here{h.cut, line.place(h.plane)};
+    if (here.place.rise == Sign::zero) {
+      parallel[parallels++] = i;
+    } else if (here.place.rise * h.inner == Sign::positive) {
+      if (!low || order(line, *low, here) == Sign::negative) low = here;
+    } else {
+      if (!high || order(line, here, *high) == Sign::negative) high = here;
+    }
+    if (low && high && order(line, *low, *high) != Sign::negative) return std::nullopt;
+  }
+  if (!low || !high) return std::nullopt;
+  for (std::size_t i = 0; i < parallels; ++i) {
+    const auto& [h, goes_on] = bounds[parallel[i]];
+    const Sign at = line.side(h.plane, low->place) * h.inner;
+    if (at == Sign::negative || (at == Sign::zero && !goes_on)) return std::nullopt;
+  }
+  return Intersection{s, t, low->cut, high->cut};
+}
+
+}  // namespace
+
+Intersections find_intersections(const Sight& sight, const Occluders& occluders, const HiddenTiles* tiles) {
+  Intersections all;
+  all.has_contact.resize(sight.mesh().edges.size(), 0);
+  constexpr std::size_t block = 64;
+  const std::size_t n = occluders.tree.leaf_count();
+  std::vector<std::vector<Intersection>> parts((n + block - 1) / block);
+  std::vector<DecisionCounts> counts(parts.size());
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
+    for (std::size_t part = range.begin(); part < range.end(); ++part) {
+      Finder finder(sight, occluders, tiles, all.has_contact);
+      const std::size_t end = std::min((part + 1) * block, n);
+      for (std::size_t leaf = part * block; leaf < end; ++leaf)
+        finder.look_around(static_cast<std::uint32_t>(leaf), parts[part]);
+      counts[part] = finder.decisions();
+    }
+  });
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    all.segments.insert(all.segments.end(), parts[part].begin(), parts[part].end());
+    all.decisions += counts[part];
+  }
+  std::sort(all.segments.begin(), all.segments.end(),
+            [](const Intersection& x, const Intersection& y) { return std::pair(x.s, x.t) < std::pair(y.s, y.t); });
+  return all;
+}
+
+namespace {
+
+/// Whether the first place is the lexicographically smaller one.
+bool is_ascending(const MeetLine& line, const Crossing& from, const Crossing& to) {
+  const auto a = line.near_point(from.place), b = line.near_point(to.place);
+  std::optional<std::array<Rational, 3>> p, q;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ErrorBounded gap = b[k] - a[k];
+    if (gap.is_certain()) return gap.value > 0;
+    if (!p) {
+      p = line.exact_point(from.place);
+      q = line.exact_point(to.place);
+    }
+    if ((*p)[k] != (*q)[k]) return (*p)[k] < (*q)[k];
+  }
+  throw InvariantError("intersections: an empty segment");
+}
+
+struct Piece {
+  Crossing from, to;
+};
+
+/// A piece, running along the line.
+Piece piece(const Sight& sight, const MeetLine& line, const Intersection& x) {
+  const auto crossing = [&](const Cut& cut) { return Crossing{cut, line.place(cut_plane(sight, cut))}; };
+  Piece p{crossing(x.from), crossing(x.to)};
+  if (order(line, p.from, p.to) == Sign::positive) std::swap(p.from, p.to);
+  return p;
+}
+
+void unite(const MeetLine& line, std::vector<Piece>& parts) {
+  std::sort(parts.begin(), parts.end(),
+            [&](const Piece& x, const Piece& y) { return order(line, x.from, y.from) == Sign::negative; });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (order(line, parts[i].from, parts[last].to) == Sign::positive)
+      parts[++last] = parts[i];
+    else if (order(line, parts[last].to, parts[i].to) == Sign::negative)
+      parts[last].to = parts[i].to;
+  }
+  parts.resize(last + 1);
+  if (is_ascending(line, parts[0].from, parts[0].to)) return;
+  std::reverse(parts.begin(), parts.end());
+  for (Piece& p : parts) std::swap(p.from, p.to);
+}
+
+}  // namespace
+
+std::vector<Intersection> united(const Sight& sight, const std::vector<Intersection>& pieces) {
+  const Mesh& mesh = sight.mesh();
+  const auto facets = [&](const Intersection& x) { return std::pair(facet_of(mesh, x.s), facet_of(mesh, x.t)); };
+  std::vector<std::uint32_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), 0U);
+  tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) {
+    return std::pair(facets(pieces[i]), i) < std::pair(facets(pieces[k]), k);
+  });
+  std::vector<std::size_t> first;  // of each pair of facets
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (i == 0 || facets(pieces[order[i]]) != facets(pieces[order[i - 1]])) first.push_back(i);
+  first.push_back(order.size());
+  return collected<Intersection>(first.size() - 1, [&](std::size_t begin, std::size_t end, std::vector<Intersection>& out) {
+    Predicates exact = sight.predicates();
+    for (std::size_t g = begin; g < end; ++g) {
+      const auto [s, t] = facets(pieces[order[first[g]]]);
+      const MeetLine line(sight.face_plane(s), sight.face_plane(t), exact);
+      std::vector<Piece> parts;
+      for (std::size_t i = first[g]; i < first[g + 1]; ++i) parts.push_back(piece(sight, line, pieces[order[i]]));
+      unite(line, parts);
+      for (const Piece& p : parts) out.push_back({s, t, p.from.cut, p.to.cut});
+    }
+  });
+}
+
+ImageBox box_of(const Sight& sight, const Intersection& meet) {
+  const Plane s = sight.face_plane(meet.s), t = sight.face_plane(meet.t);
+  ImageBox box = ImageBox::nothing();
+  for (const Cut& cut : {meet.from, meet.to}) {
+    const auto p = near_meet(s, t, cut_plane(sight, cut));
+    const double error = (p[0].error + p[1].error + p[2].error) * 1.01;
+    // The triangles' boxes will not do: the segment may run through all of a face.
+    if (!(error < HUGE_VAL) || !sight.predicates().filter_is_proven()) return ImageBox::everything();
+    box.add(sight.box({p[0].value, p[1].value, p[2].value}, error));
+  }
+  return box;
+}
+
+}  // namespace hsr

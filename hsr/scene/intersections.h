@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/projected_mesh.h"
+#include "hsr/symbols/intersection.h"
+
+namespace hsr {
+
+class HiddenTiles;
+
+/// Where the faces meet other than in common edges.
+struct Intersections {
+  std::vector<Intersection> segments;     ///< ascending by (s, t)
+  std::vector<std::uint8_t> has_contact;  ///< by EdgeId: it may lie, in part, in a face that it is not an edge of
+  DecisionCounts decisions;
+};
+
+/// Finds all of them beyond the near plane among the triangles of `occluders`.
+///
+/// Piercing is to cross: each face has points strictly on both sides of the other's plane, at a segment of positive length that
+/// lies along no side of them. Touching is a contact, if it is along a line.
+/// @param tiles segments that they hide are left out; none: nothing is known to be hidden
+/// Exact: yes; contacts are marked generously. Cost: O(n log n + k) for k pairs whose boxes touch, parallel.
+/// Source: Guigue & Devillers 2003 (signs of degree 3 first).
+Intersections find_intersections(const Sight& sight, const Occluders& occluders, const HiddenTiles* tiles = nullptr);
+
+/// The pieces of one line in which two facets meet as one where they abut, named by the first triangles of the facets; each
+/// from the lexicographically smaller end to the other. Ascending by (s, t), then by place.
+std::vector<Intersection> united(const Sight& sight, const std::vector<Intersection>& pieces);
+
+/// A box of the image in which an intersection lies.
+ImageBox box_of(const Sight& sight, const Intersection& meet);
+
+}  // namespace hsr

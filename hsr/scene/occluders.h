@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hsr/scene/box_tree.h"
+#include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/triangle_filter.h"
+
+namespace hsr {
+
+/// The triangles that can hide something, in a tree of their image boxes: not those wholly before the near plane, nor those
+/// that are left out because they are hidden themselves.
+/// Cost: O(n log n), parallel.
+struct Occluders {
+  std::vector<TriangleId> triangles;
+  BoxTree tree;                      ///< over `triangles`
+  std::vector<ImageFace> faces;      ///< along the tree: near ones near; empty unless prepared
+  std::vector<std::uint32_t> place;  ///< of each of `triangles` in `faces`
+
+  /// @param boxes of all triangles @param left_out by triangle; empty: none
+  Occluders(const Sight& sight, const std::vector<ImageBox>& boxes, const std::vector<std::uint8_t>& left_out);
+  /// For many questions about each of them. Cost: O(n), parallel.
+  void prepare(const Sight& sight);
+  const ImageFace& face(std::uint32_t i) const { return faces[place[i]]; }
+};
+
+}  // namespace hsr

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/bounded_point.h"
+#include "hsr/scene/box_tree.h"
+#include "hsr/scene/projected_mesh.h"
+
+namespace hsr {
+
+struct PlaneNearness;
+
+/// A part of an edge that may be seen, in shares of the way along its image; infinite: to an end of the edge.
+struct UnhiddenPart {
+  double from, to;    ///< all beyond them is hidden, up to the next part
+  double low, high;   ///< a little beyond them, within the edge
+  float hidden_from;  ///< what is less near than this is hidden from low to high
+};
+
+/// A grid of tiles over the image, each with a depth beyond which everything is hidden: a conservative test that drops what is
+/// provably hidden, before anything exact is asked.
+///
+/// A tile is covered by a triangle, or by two that share an edge and lie on opposite sides of it, where it lies certainly
+/// within all their other sides. What lies beyond the farthest point of those triangles within the tile is then hidden in all
+/// of the closed tile. Every bound is rounded toward "not hidden". Where the images are exact (axis-parallel views), so are
+/// sides that run along an axis: in an elevation what ends exactly where the face before it ends is hidden, too.
+///
+/// Depths are kept as numbers that are affine over the image of a plane: parallel, the nearness of boxes; perspective, the
+/// reciprocal of the depth.
+///
+///   (1) what `hides` says yes to, and what `unhidden` leaves out, is hidden at every point
+///   (2) the same for any number of threads
+///
+/// Cost: O(n + tiles covered), parallel; a query O(tiles touched), less where all of them hide alike.
+/// Source: Greene, Kass & Miller 1993, "Hierarchical z-buffer visibility"; here with bounds instead of samples.
+class HiddenTiles {
+ public:
+  /// @param always even if there is little to hide
+  HiddenTiles(const Sight& sight, bool always);
+
+  /// No tile hides anything.
+  bool is_empty() const { return levels_.empty(); }
+
+  /// Whether the triangle, or the edge, is certainly hidden.
+  bool hides(TriangleId t) const;
+  bool hides(const Edge& e) const;
+  /// The same of the segment between two points.
+  bool hides(const NearPoint& a, const NearPoint& b) const;
+  /// The parts of an edge that may be seen, in the order of the way from e.a to e.b. Between them, before the first and after
+  /// the last all of it is hidden. False: nothing is known, and there are none.
+  bool unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) const;
+  /// What is less near than this is hidden all along the segment from p to q of the image, and just beside it; -infinity where
+  /// nothing is known to be. @param error of each coordinate
+  float hidden_from(const ImagePoint& p, const ImagePoint& q, double error) const;
+  /// Marks, by triangle, the faces that are certainly hidden. Whole faces: where the triangles of a planar face meet, the mesh
+  /// has no edge.
+  void mark_hidden(std::vector<std::uint8_t>& hidden) const;
+
+ private:
+  struct Rectangle {
+    std::array<double, 2> low, high;
+  };
+  /// The tiles along one coordinate: tile i reaches from border(i) to border(i + 1).
+  struct Axis {
+    double first = 0, width = 1, per_width = 1;
+    double slack = 0;  // of a place reckoned in tiles
+    std::int32_t tiles = 0;
+
+    double border(std::int32_t i) const { return first + i * width; }
+    std::int32_t last_border_up_to(double x) const;  ///< -1: none
+    std::int32_t first_border_from(double x) const;  ///< tiles + 1: none
+  };
+  struct Level {
+    std::int32_t columns = 0, rows = 0;
+    std::vector<float> nearness;  // affine; what is less near is hidden; -infinity: nothing is
+    float at(std::int32_t i, std::int32_t j) const {
+      return nearness[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i)];
+    }
+  };
+  /// Columns or rows of tiles.
+  struct Tiles {
+    std::int32_t first, last;
+  };
+  /// Of the way along a segment, each known within `error`.
+  struct Shares {
+    double low, high, error;
+  };
+  class Region;
+  class AlongSegment;
+
+  double affine(float nearness) const;
+  Rectangle rectangle(std::span<const VertexId> vertices) const;
+  Rectangle rectangle(TriangleId t, TriangleId s) const;
+  Rectangle grown(Rectangle r, double error) const;
+  PlaneNearness plane_nearness(TriangleId t, const Rectangle& around) const;
+  void choose_grid(bool always);
+  template <class F>
+  void for_each_cover(std::size_t begin, std::size_t end, const F& visit) const;
+  void cover_all();
+  void cover_by_triangle(TriangleId t, const Tiles& rows);
+  void cover_by_pair(TriangleId t, TriangleId s, const Tiles& rows);
+  template <std::size_t n>
+  void cover(const Region& region, const Rectangle& around, const Tiles& rows, const std::array<PlaneNearness, n>& planes);
+  void build_levels();
+  bool is_inside(const Rectangle& r, std::array<Tiles, 2>& range) const;
+  Tiles between(std::size_t axis, double low, double high, const Tiles& within) const;
+  bool is_before(const ImagePoint& p, double nearness) const;
+  template <class S, class F>
+  bool walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const S& start,
+                  const F& visit) const;
+  bool hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q, double error) const;
+  bool hides(const std::array<Tiles, 2>& range, float nearest) const;
+  bool hides(std::size_t level, std::int32_t i, std::int32_t j, const std::array<Tiles, 2>& range, float nearest) const;
+
+  const Sight& sight_;
+  std::array<Axis, 2> axes_;
+  std::vector<Level> levels_;  // finest first
+};
+
+}  // namespace hsr

@@ -1,0 +1,127 @@
+#pragma once
+
+#include "geometry/bit_range.h"
+#include "geometry/mesh.h"
+#include "geometry/plane_filter.h"
+#include "geometry/predicates.h"
+#include "hsr/scene/box_tree.h"
+#include "hsr/view/view.h"
+
+namespace hsr {
+
+/// A point in the image that Sight computes in: not the paper's, but constant along lines of sight like it.
+struct ImagePoint {
+  double x, y;
+};
+
+/// The image of a point that is known nearly.
+struct NearImage {
+  ImagePoint at;
+  double error;  ///< of each coordinate
+};
+
+/// A mesh as one view sees it: what every method needs first.
+///
+/// Points, eye and target are multiplied by one power of two, and the direction by another, so that the largest coordinate is
+/// near 1: no predicate and no parameter along an edge changes by that, and scenes of any size pass the filters alike. Where
+/// the scaling would round (numbers about 2^1000 apart), it is left out.
+/// @pre mesh outlives it. Cost: O(n), parallel.
+class Sight {
+ public:
+  /// @param others certificate of what else predicates and filters will meet: the samples of an image
+  Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic, const Certificate& others = {});
+
+  const Mesh& mesh() const { return *mesh_; }
+  const Viewpoint& eye() const { return eye_; }
+  bool is_perspective() const { return !eye_.is_direction; }
+  Camera camera() const { return {eye_, target_}; }
+  /// The rows that image coordinates in perspective are taken along.
+  const std::array<Point3, 2>& rows() const { return row_; }
+  const Point3& point(VertexId v) const { return points_[v]; }
+  /// Another point as this sight scales all of them. @pre in the certificate of the others
+  Point3 scaled(const Point3& p) const;
+
+  /// Predicates for these points; one for each thread.
+  Predicates predicates() const { return Predicates(points_certificate_, direction_certificate_, arithmetic_); }
+  /// A plane prepared for many of these points.
+  PlaneFilter filter(const Plane& plane) const { return {plane, filter_arithmetic_}; }
+
+  Plane sight_plane(VertexId c, VertexId d) const { return Plane::of_sight(eye_, points_[c], points_[d]); }
+  Plane face_plane(TriangleId t) const;
+  Plane near_plane() const { return Plane::near(eye_.at, target_, near_); }
+  Plane near_line(const Plane& line) const { return Plane::near_line(eye_.at, target_, near_, line); }
+
+  /// The image of a vertex beyond the near plane, rounded: within image_error() in each coordinate. The exact images turn as O
+  /// says: O(c, d, p) > 0 iff c, d, p is a left turn.
+  const ImagePoint& image(VertexId v) const { return image_[v]; }
+  /// Zero: every image is exact. Infinite: images decide nothing.
+  double image_error() const { return image_error_; }
+  /// The image of another point, which is within `error` of p in the sum of its coordinates; p is already scaled. An infinite
+  /// error where doubles do not tell.
+  NearImage image(const Point3& p, double error) const;
+  /// 1 or -1: the x of the images is that of the boxes, times this, and moved.
+  double image_mirror() const { return image_mirror_; }
+
+  /// The sign of O(t0, t1, t2): zero, the triangle is seen edge-on. The eye lies on the side -facing of its plane.
+  Sign facing(TriangleId t) const { return facing_[t]; }
+  /// Whether a triangle has one of its edges as a -> b, not as b -> a.
+  bool runs_along(TriangleId t, const Edge& e) const {
+    const auto& c = mesh_->triangles[t];
+    const std::size_t k = c[0] == e.a ? 0 : c[1] == e.a ? 1 : 2;
+    return c[(k + 1) % 3] == e.b;
+  }
+  /// On which side of the view plane of one of its edges a triangle lies: positive, to the left of a -> b as seen.
+  Sign side_of_edge(TriangleId t, const Edge& e) const { return runs_along(t, e) ? facing_[t] : -facing_[t]; }
+  /// On which side of `plane` a vertex lies: the filter first. Exact.
+  Sign side(const Plane& plane, VertexId p, Predicates& exact) const;
+  /// On which side of the near plane: positive, beyond it. Parallel views have no near plane: positive.
+  Sign beyond_near(VertexId v) const { return is_perspective() ? near_side_[v] : Sign::positive; }
+
+  /// Some of the triangle is cut away; some of it is left.
+  bool reaches_before_near(TriangleId t) const;
+  bool reaches_beyond_near(TriangleId t) const;
+
+  /// Conservative boxes of what is beyond the near plane, in an image of its own (not the paper's); of nothing,
+  /// ImageBox::nothing().
+  const ImageBox& box(VertexId v) const { return vertex_boxes_[v]; }
+  ImageBox box(VertexId a, VertexId b) const;
+  ImageBox box(TriangleId t) const;
+  /// Of a point that is within `error` of p, in the sum of its coordinates, wherever the near plane is; p is already scaled.
+  ImageBox box(const Point3& p, double error = 0) const {
+    ImageBox box = ImageBox::nothing();
+    add_to(box, p, error);
+    return box;
+  }
+  /// What the nearness of such a point is: parallel, this; perspective, the negative of this, the depth.
+  ErrorBounded depth(const Point3& p, double error) const;
+
+ private:
+  void choose_rows(const View& view);
+  void compute_images(const std::vector<char>& is_used);
+  double compute_image(VertexId v);
+  void add_to(ImageBox& box, const Point3& p, double error) const;
+  void add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const;
+
+  const Mesh* mesh_;
+  Arithmetic arithmetic_, filter_arithmetic_;
+  IndexedVector<VertexId, Point3> points_;
+  int power_ = 0;  // points are multiplied by 2^power_
+  Viewpoint eye_;
+  Point3 target_;
+  double near_ = 0;
+  Certificate points_certificate_, direction_certificate_;
+  IndexedVector<TriangleId, Sign> facing_;
+  IndexedVector<VertexId, Sign> near_side_;
+  PlaneFilter near_filter_;
+  IndexedVector<VertexId, ImagePoint> image_;
+  IndexedVector<VertexId, ImageBox> vertex_boxes_;  // of nothing: before the near plane, or not used
+  double image_error_ = 0, image_mirror_ = 1;
+  // The image: rows of a fixed map; parallel, u = p[i] - ratio p[k]; perspective, u = row . (p - eye) / (depth . (p - eye)).
+  std::array<Point3, 2> row_;
+  Point3 depth_;
+  std::array<bool, 2> is_whole_ratio_ = {false, false};  // the ratio is 0, 1 or -1, exactly
+  // Parallel: the image of some point of the mesh, subtracted to keep the digits of a float.
+  std::array<double, 3> middle_ = {0, 0, 0};
+};
+
+}  // namespace hsr

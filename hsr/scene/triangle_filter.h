@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "geometry/plane_filter.h"
+#include "geometry/two_doubles.h"
+#include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/segment_filter.h"
+
+namespace hsr {
+
+/// A triangle prepared for the many lines that it is asked about: its image, and its plane.
+///
+/// A determinant of image points that are known within E has the bound of ImageSegment. What is not known is not a number, or
+/// has an unbounded error, and decides nothing.
+struct ImageFace {
+  TriangleId triangle;
+  std::array<VertexId, 3> corners;
+  std::array<double, 3> x = {}, y = {};  ///< of the corners' images
+  double facing = 0;                     ///< 1 or -1: times O, positive within
+  PlaneFilter plane;
+  ErrorBounded per_eye;  ///< -1 / plane(E), E the viewpoint: times plane(p), how far toward the viewer from p the plane is
+
+  ImageFace() = default;
+  ImageFace(const Sight& sight, TriangleId t)
+      : triangle(t), corners(sight.mesh().triangles[t]), plane(sight.filter(sight.face_plane(t))) {
+    const bool is_known = sight.image_error() < HUGE_VAL && sight.facing(t) != Sign::zero;
+    facing = sight.facing(t) == Sign::positive ? 1 : -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ImagePoint p = is_known ? sight.image(corners[k]) : ImagePoint{NAN, NAN};
+      x[k] = p.x;
+      y[k] = p.y;
+    }
+    const Point3& e = sight.eye().at;
+    // The bound of a PlaneFilter at o + D is that of n . D.
+    const ErrorBounded at_eye =
+        sight.is_perspective() ? plane(e)
+                               : ErrorBounded{plane.nx * e.x + plane.ny * e.y + plane.nz * e.z,
+                                              plane.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + plane.least};
+    per_eye = quotient({-1, 0}, at_eye);
+  }
+
+  bool has(VertexId v) const { return v == corners[0] || v == corners[1] || v == corners[2]; }
+
+  /// Whether the triangle certainly lies on one side of the line of the segment.
+  bool is_beside(const ImageSegment& s) const {
+    const auto side = [&](std::size_t k) {
+      const ErrorBounded turn = s.turn({x[k], y[k]});
+      return turn.value > turn.error ? 1 : turn.value < -turn.error ? -1 : 0;
+    };
+    const int first = side(0);
+    return first != 0 && side(1) == first && side(2) == first;
+  }
+
+  /// What the image tells for certain of the triangle and a segment.
+  struct Overlap {
+    bool is_none = false;    ///< both ends lie strictly beyond one of its sides
+    unsigned is_within = 0;  ///< bit k: both ends are strictly on the inner side of the triangle's side k
+    std::array<TwoDoubles, 3> value, error;
+
+    /// O of the side from corner k to the next for an end, times facing, in the image.
+    ErrorBounded at_p(std::size_t k) const { return {value[k][0], error[k][0]}; }
+    ErrorBounded at_q(std::size_t k) const { return {value[k][1], error[k][1]}; }
+  };
+  Overlap overlap(const ImageSegment& s) const {
+    Overlap overlap;
+    const TwoDoubles sx = {s.p.x, s.q.x}, sy = {s.p.y, s.q.y};
+    const double per_length = 2.2 * s.error, least = 9.1 * s.error * s.error + 0x1p-1000;
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned next = k == 2 ? 0 : k + 1;
+      const double dx = facing * (x[next] - x[k]), dy = facing * (y[next] - y[k]), length = std::fabs(dx) + std::fabs(dy);
+      const TwoDoubles px = sx - x[k], py = sy - y[k];
+      const TwoDoubles value = overlap.value[k] = dx * py - dy * px;
+      const TwoDoubles error = overlap.error[k] =
+          (least + per_length * length) + (per_length + 4.2 * ErrorBounded::u * length) * (absolute(px) + absolute(py));
+      if (both(value < -error)) {
+        overlap.is_none = true;
+        return overlap;
+      }
+      overlap.is_within |= unsigned{both(value > error)} << k;
+    }
+    return overlap;
+  }
+};
+
+}  // namespace hsr

@@ -1,0 +1,140 @@
+#include "hsr/view/view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/error.h"
+#include "geometry/rational_vector.h"
+
+namespace hsr {
+
+namespace {
+
+bool is_zero(const RationalVector& a) { return a[0] == Rational() && a[1] == Rational() && a[2] == Rational(); }
+
+/// The vector scaled to length 1 in doubles; exact first, so that no size overflows.
+Point3 unit(const RationalVector& a) {
+  Rational most;
+  for (const Rational& x : a) most = std::max(most, x.sign() == Sign::negative ? -x : x);
+  const double x = (a[0] / most).to_double(), y = (a[1] / most).to_double(), z = (a[2] / most).to_double();
+  const double length = std::sqrt(x * x + y * y + z * z);
+  return {x / length + 0.0, y / length + 0.0, z / length + 0.0};
+}
+
+bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+void expect_finite(const Point3& p, const char* what) {
+  if (!is_finite(p))
+    throw InputError(std::string(what) + ": found a coordinate that is not finite, expected three finite numbers");
+}
+
+/// Right, up and toward the viewer make a right-handed frame.
+Frame frame_toward(const RationalVector& toward, const Point3& up, const Point3& origin) {
+  const RationalVector right = cross(rational(up), toward);
+  if (is_zero(right))
+    throw InputError("up: found a direction along the line of sight (or zero), expected one that is not parallel to it");
+  return {origin, unit(right), unit(cross(toward, right))};
+}
+
+Point3 without_minus_zero(const Point3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
+
+}  // namespace
+
+View parallel_view(const Point3& direction, const Point3& up, const Point3& target) {
+  expect_finite(direction, "direction");
+  expect_finite(up, "up");
+  expect_finite(target, "target");
+  if (direction == Point3{}) throw InputError("direction: found 0,0,0, expected a direction from the scene toward the viewer");
+  View view;
+  view.viewpoint = {without_minus_zero(direction), true};
+  view.target = without_minus_zero(target);
+  view.up = without_minus_zero(up);
+  view.frame = frame_toward(rational(direction), up, view.target);
+  return view;
+}
+
+View perspective_view(const Point3& eye, const Point3& target, const Point3& up, std::optional<double> near_distance) {
+  expect_finite(eye, "eye");
+  expect_finite(target, "target");
+  expect_finite(up, "up");
+  if (eye == target) throw InputError("eye: found the target itself, expected another point");
+  View view;
+  view.viewpoint = {without_minus_zero(eye), false};
+  view.target = without_minus_zero(target);
+  view.up = without_minus_zero(up);
+  view.frame = frame_toward(minus(rational(eye), rational(target)), up, view.target);
+  view.near = 0.001;
+  if (near_distance) {
+    if (!std::isfinite(*near_distance) || *near_distance <= 0)
+      throw InputError("near: found " + std::to_string(*near_distance) + ", expected a distance above 0");
+    using Wide = long double;
+    const Wide x = Wide(target.x) - eye.x, y = Wide(target.y) - eye.y, z = Wide(target.z) - eye.z;
+    view.near = static_cast<double>(*near_distance / std::sqrt(x * x + y * y + z * z));
+    if (!(view.near > 0) || !std::isfinite(view.near))
+      throw InputError(
+          "near: found a distance that is no number beside the distance of eye and target, expected one nearer to it");
+  }
+  return view;
+}
+
+View named_view(const std::string& name, const Point3& target, bool y_up) {
+  struct Named {
+    const char* name;
+    Point3 direction, up;
+  };
+  static constexpr Named views[] = {
+      {"front", {0, -1, 0}, {0, 0, 1}}, {"back", {0, 1, 0}, {0, 0, 1}}, {"left", {-1, 0, 0}, {0, 0, 1}},
+      {"right", {1, 0, 0}, {0, 0, 1}},  {"top", {0, 0, 1}, {0, 1, 0}},  {"bottom", {0, 0, -1}, {0, -1, 0}},
+      {"iso", {1, -1, 1}, {0, 0, 1}},
+  };
+  const auto turned = [&](const Point3& p) { return y_up ? Point3{p.x, p.z, -p.y} : p; };
+  for (const Named& v : views)
+    if (name == v.name) return parallel_view(turned(v.direction), turned(v.up), target);
+  throw InputError("view: found \"" + name + "\", expected front, back, left, right, top, bottom or iso");
+}
+
+Point3 centre(const Mesh& mesh) {
+  bool any = false;
+  Point3 low, high;
+  for (const Edge& e : mesh.edges) {
+    for (const VertexId v : {e.a, e.b}) {
+      const Point3& p = mesh.points[v];
+      if (!any) low = high = p;
+      any = true;
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  }
+  const auto middle = [](double a, double b) { return std::isfinite(a + b) ? (a + b) / 2 : a / 2 + b / 2; };
+  return {middle(low.x, high.x), middle(low.y, high.y), middle(low.z, high.z)};
+}
+
+// The line of sight of p meets the paper at o + w, w = x u + y v: with n = u x v, x = w . (v x n) / n.n and y = w . (n x u) /
+// n.n. Parallel, w = d + s D for d = p - o, s = -n.d / n.D; perspective, w = e - o + s (p - e), s = n.(o - e) / n.(p - e).
+PaperImage::PaperImage(const View& view) : is_parallel_(view.viewpoint.is_direction) {
+  const RationalVector o = rational(view.frame.origin), u = rational(view.frame.right), v = rational(view.frame.up);
+  const RationalVector n = cross(u, v), e = rational(view.viewpoint.at);
+  const Rational nn = dot(n, n), slope = dot(n, is_parallel_ ? e : minus(o, e));
+  require(slope.sign() != Sign::zero, "image: the line of sight is parallel to the paper");
+  base_ = is_parallel_ ? o : e;
+  rows_ = {cross(v, n), cross(n, u)};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Rational along = is_parallel_ ? dot(rows_[k], e) / slope : Rational();
+    for (std::size_t i = 0; i < 3; ++i) rows_[k][i] = (is_parallel_ ? rows_[k][i] - along * n[i] : rows_[k][i]) / nn;
+    if (!is_parallel_) at_base_[k] = dot(rows_[k], minus(e, o));
+  }
+  for (std::size_t i = 0; i < 3; ++i) depth_[i] = n[i] / slope;
+}
+
+std::array<Rational, 2> PaperImage::operator()(const std::array<Rational, 3>& p) const {
+  const RationalVector d = minus(p, base_);
+  const Rational x = dot(rows_[0], d), y = dot(rows_[1], d);
+  if (is_parallel_) return {x, y};
+  const Rational w = dot(depth_, d);
+  require(w.sign() != Sign::zero, "image: the line of sight is parallel to the paper");
+  return {at_base_[0] + x / w, at_base_[1] + y / w};
+}
+
+std::array<Rational, 2> image(const View& view, const std::array<Rational, 3>& p) { return PaperImage(view)(p); }
+
+}  // namespace hsr

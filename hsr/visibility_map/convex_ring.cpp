@@ -1,0 +1,52 @@
+#include "hsr/visibility_map/convex_ring.h"
+
+#include <algorithm>
+
+#include "hsr/scene/facet.h"
+#include "hsr/scene/half_space.h"
+
+namespace hsr {
+
+namespace {
+
+struct RingSide {
+  VertexId from, to;
+};
+
+}  // namespace
+
+std::vector<VertexId> convex_ring(const Sight& sight, TriangleId facet, Predicates& exact) {
+  const Mesh& mesh = sight.mesh();
+  const TriangleId end = facet_end(mesh, facet);
+  const auto& c = mesh.triangles[facet];
+  if (end.value - facet.value == 1) return {c.begin(), c.end()};
+  std::vector<RingSide> sides;
+  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
+    const auto& corners = mesh.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!is_inner_diagonal(mesh, t, k)) sides.push_back({corners[k], corners[(k + 1) % 3]});
+  }
+  if (sides.size() != end.value - facet.value + 2U) return {};  // a hole, or parts that only touch
+  const auto from = [&](VertexId v) {
+    return std::find_if(sides.begin(), sides.end(), [&](const RingSide& s) { return s.from == v; });
+  };
+  std::vector<VertexId> ring;
+  for (VertexId at = sides.front().from; ring.size() < sides.size();) {
+    const auto side = from(at);
+    if (side == sides.end() || (!ring.empty() && at == ring.front())) return {};
+    ring.push_back(at);
+    at = side->to;
+  }
+  if (from(ring.back())->to != ring.front()) return {};
+  // Every turn as the first triangle turns, or none.
+  const int axis = dropped_axis(sight, facet, exact);
+  const auto turn = [&](VertexId u, VertexId v, VertexId w) {
+    return exact.side(Plane::along_axis(sight.point(u), sight.point(v), axis), sight.point(w));
+  };
+  const Sign inner = turn(c[0], c[1], c[2]);
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    if (turn(ring[k], ring[(k + 1) % ring.size()], ring[(k + 2) % ring.size()]) * inner == Sign::negative) return {};
+  return ring;
+}
+
+}  // namespace hsr

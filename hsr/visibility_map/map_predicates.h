@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+
+#include "geometry/bounded_point.h"
+#include "geometry/error_bounded.h"
+#include "geometry/view_plane.h"
+#include "hsr/scene/projected_mesh.h"
+#include "hsr/symbols/map_point.h"
+
+namespace hsr {
+
+/// Where a point of the map lies, within a bound that was proven; infinite where doubles do not tell.
+struct MapPlace {
+  double x = 0, y = 0, error_x = 0, error_y = 0;
+};
+
+/// What is decided in the image: signs of the symbols of map_point.h. Exact. One object per thread.
+class MapSight {
+ public:
+  explicit MapSight(const Sight& sight);
+
+  const Sight& sight() const { return sight_; }
+  const Mesh& mesh() const { return sight_.mesh(); }
+  Predicates& exact() { return exact_; }
+
+  ViewPlane plane(const MapLine& line) const;
+
+  /// On which side of the line the point lies: positive, to its left as seen, where O is negative.
+  Sign side(const MapLine& line, const MapPoint& p);
+  Sign side(const MapLine& line, VertexId v);
+  /// How m turns against l: positive, to the left. Zero: parallel in the image, or one line.
+  Sign turn(const MapLine& l, const MapLine& m);
+  /// Of one line under two names: positive, both run the same way.
+  Sign same_way(const MapLine& l, const MapLine& m);
+  /// Whether p and q are one point of the image.
+  bool equal(const MapPoint& p, const MapPoint& q);
+  /// Which of two points of the line comes first: negative, p.
+  Sign order(const MapLine& line, const MapPoint& p, const MapPoint& q);
+  /// Whether the plane of s is nearer than that of t where p is seen: positive, s; zero, they meet there. @pre neither is seen
+  /// edge-on, and they are not parallel in space as well as seen from p
+  Sign nearer(TriangleId s, TriangleId t, const MapPoint& p);
+  bool coplanar(TriangleId s, TriangleId t);
+
+  /// Where the point is seen, relative to the first vertex of the mesh.
+  MapPlace place(const MapPoint& p) const;
+  /// The point of the triangle's plane that is seen there.
+  NearPoint point(const MapPoint& p, TriangleId t) const;
+  std::array<Rational, 2> exact_place(const MapPoint& p) const;
+  /// Whether these coordinates are the mirror image of what is seen.
+  bool mirrored() const { return mirrored_; }
+
+ private:
+  /// A line through q across `line`.
+  ViewPlane across(const MapLine& line, const MapPoint& q);
+  Point3 origin() const { return sight_.point(sight_.mesh().edges.front().a); }
+
+  const Sight& sight_;
+  Predicates exact_;
+  Camera camera_;
+  bool mirrored_;
+};
+
+}  // namespace hsr

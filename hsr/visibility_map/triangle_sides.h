@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+
+#include "hsr/visibility_map/map_predicates.h"
+
+namespace hsr {
+
+/// A line and the side of it that counts: positive, to its left.
+struct MapHalfPlane {
+  MapLine line;
+  Sign inner;
+};
+
+/// The side of a triangle from corner k to the next, and on which side of it the triangle lies, as seen.
+inline MapHalfPlane side_of_triangle(const Sight& sight, TriangleId t, std::size_t k) {
+  const auto& c = sight.mesh().triangles[t];
+  const VertexId u = c[k], v = c[(k + 1) % 3];
+  // Seen counter-clockwise, where O is negative, a triangle has its inside to the left of u -> v.
+  const Sign left = -sight.facing(t);
+  return {MapLine::edge(u, v), u < v ? left : -left};
+}
+
+/// What is beyond the near plane, in the plane of a triangle that is not parallel to it.
+inline MapHalfPlane beyond_near(const Sight& sight, TriangleId t) { return {MapLine::near(t), sight.facing(t)}; }
+
+}  // namespace hsr

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "study/comparison.h"
+
+namespace hsr {
+
+/// A line for each method and size, under a line of names.
+std::string comparison_csv(const Comparison& comparison);
+
+}  // namespace hsr

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "study/stability.h"
+
+namespace hsr {
+
+/// A line for each family, method and value, under a line of names.
+std::string stability_csv(const Stability& stability);
+
+}  // namespace hsr

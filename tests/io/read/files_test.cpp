@@ -1,0 +1,138 @@
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+
+#include "geometry/error.h"
+#include "hsr/io/read/gzip.h"
+#include "tests/io/read/refused.h"
+#include "tests/io/read/small_files.h"
+#include "tests/io/read/temporary_directory.h"
+
+using namespace hsr;
+using namespace hsr::test;
+
+namespace {
+
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+
+std::string file_refusal(const std::string& path) {
+  try {
+    (void)read_model(path);
+    return {};
+  } catch (const InputError& e) {
+    return e.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Files on disk read like bytes in memory", "[read][file]") {
+  const TemporaryDirectory directory;
+  for (const SmallFile& file : small_files()) {
+    INFO(file.name);
+    const Model m = read_model(directory.write(file.name, file.bytes));
+    CHECK(m.points == read_model(file.name, file.bytes).points);
+    CHECK(m.name == directory.file(file.name));
+  }
+}
+
+TEST_CASE("A byte order mark before a text is passed over", "[read][file]") {
+  for (const SmallFile& file : small_files()) {
+    const std::string marked = "\xef\xbb\xbf" + file.bytes;
+    if (read::is_gzip(file.bytes) || file.bytes.find('\0') != std::string::npos) continue;
+    INFO(file.name);
+    const Model model = read_model(file.name, file.bytes), same = read_model(file.name, marked);
+    CHECK(same.points == model.points);
+    CHECK(same.polygons.corners == model.polygons.corners);
+    CHECK(same.notes == model.notes);
+  }
+}
+
+TEST_CASE("What is no file is refused", "[read][file]") {
+  const TemporaryDirectory directory;
+  const std::string missing = directory.file("missing.obj");
+  CHECK(file_refusal(missing) == missing + ": cannot be opened: No such file or directory");
+  CHECK(file_refusal(directory.file("")) == directory.file("") + ": found a directory, expected a model file");
+  CHECK(file_refusal("/dev/null") == "/dev/null: found a device or socket, expected a model file");
+  const std::string empty = directory.write("empty.stl", "");
+  CHECK(file_refusal(empty) == empty + ": found an empty file, expected a model");
+  const std::string locked = directory.write("locked.obj", triangle);
+  ::chmod(locked.c_str(), 0);
+  // Some users may read everything.
+  if (const std::string message = file_refusal(locked); message.find("no faces") == std::string::npos)
+    CHECK(message == locked + ": cannot be opened: Permission denied");
+}
+
+TEST_CASE("Colours come from the material library beside the OBJ file", "[read][obj][file]") {
+  const TemporaryDirectory directory;
+  directory.write("my colours.mtl",
+                  "newmtl red one\nKd 1 0 0\nd 0.5\nnewmtl grey\nKd 0.5\nnewmtl glass\nKd 0 0 1\nTr 0.8\nnewmtl plain\n");
+  const std::string faces =
+      "usemtl red one\nf 1 2 3\nusemtl grey\nf 1 2 3\nusemtl glass\nf 1 2 3\nusemtl plain\nf 1 2 3\nusemtl red one\nf 1 2 3\n";
+  const Model m = read_model(directory.write("a.obj", "mtllib my colours.mtl\n" + triangle + faces));
+  CHECK(m.palette == std::vector<Colour>{{255, 0, 0, 128}, {128, 128, 128, 255}, {0, 0, 255, 51}});
+  CHECK(m.face_colour == std::vector<std::uint32_t>{0, 1, 2, 0xffffffffU, 0});
+  CHECK(m.notes.empty());
+
+  directory.write("one.mtl", "newmtl red one\nKd 1 0 0\n");
+  const Model two = read_model(directory.write("b.obj", "mtllib one.mtl two.mtl\n" + triangle + faces));
+  CHECK(two.palette.size() == 1);
+  CHECK(two.notes == std::vector<std::string>{"material library \"two.mtl\" is missing: its colours are left out"});
+
+  const Model none = read_model(directory.write("c.obj", "mtllib ../not there.mtl\n" + triangle + faces));
+  CHECK(none.palette.empty());
+  CHECK(none.face_colour.empty());
+  CHECK(none.notes == std::vector<std::string>{"material library \"../not there.mtl\" is missing: its colours are left out"});
+
+  directory.write("bad.mtl", "newmtl grey\nKd 0.5\nd much\n");
+  const Model bad = read_model(directory.write("d.obj", "mtllib bad.mtl\n" + triangle + faces));
+  REQUIRE(bad.notes.size() == 1);
+  CHECK(bad.notes[0] ==
+        directory.file("bad.mtl") + ": line 3: found \"much\", expected an opacity; the colours behind it are passed over");
+}
+
+TEST_CASE("A glTF file finds its buffer beside it", "[read][gltf][file]") {
+  const TemporaryDirectory directory;
+  std::string buffer;
+  for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0}) buffer += little_float(x);
+  const std::string json = R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "the%20points.bin"}]})";
+  const std::string path = directory.write("a.gltf", json);
+  const std::string message = file_refusal(path);
+  CHECK(message.find("the points.bin") != std::string::npos);
+  CHECK(message.find('\n') == std::string::npos);
+  directory.write("the points.bin", buffer);
+  const Model m = read_model(path);
+  CHECK(m.points[2] == Point3{0, 1, 0});
+  CHECK(m.polygons.size() == 1);
+}
+
+TEST_CASE("A gzip bomb is refused at the limit", "[read][gzip]") {
+  const std::string bomb = gzipped(std::string(std::size_t{20} << 20, ' '));
+  REQUIRE(bomb.size() < 40000);
+  const read::Source source{"bomb.obj.gz", bomb};
+  CHECK(read::gunzip(source).size == std::size_t{20} << 20);
+  CHECK_THROWS_WITH(read::gunzip(source, std::size_t{1} << 20), Catch::Contains("inflates to more than 1048576 bytes"));
+}
+
+TEST_CASE("Every public model is read, or refused in one line", "[read][models]") {
+  const char* const named = std::getenv("HSR_MODELS");
+  const std::filesystem::path models = named ? named : HSR_SOURCE_DIR "/../shared/models";
+  if (!std::filesystem::is_directory(models)) return;
+  std::size_t refused = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(models)) {
+    const std::string ending = entry.path().extension().string();
+    if (!entry.is_regular_file() || ending == ".md" || ending == ".txt" || ending == ".bin" || ending.empty()) continue;
+    INFO(entry.path());
+    const std::string message = file_refusal(entry.path().string());
+    INFO(message);
+    CHECK(message.find('\n') == std::string::npos);
+    CHECK(message.empty() == (entry.path().parent_path().filename() != "bad"));
+    refused += message.empty() ? 0 : 1;
+  }
+  CHECK(refused >= 5);
+}

@@ -1,0 +1,148 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "geometry/number.h"
+#include "hsr/io/read/gltf_transform.h"
+#include "tests/io/read/refused.h"
+#include "tests/io/read/small_files.h"
+
+using namespace hsr;
+using namespace hsr::test;
+
+namespace {
+
+/// A GLB whose buffer holds five points and the indices 0 1 2 3 4 as shorts.
+std::string scene(const std::string& nodes, const std::string& primitives, const std::string& more = "") {
+  std::string binary;
+  for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0}) binary += little_float(x);
+  for (const int i : {0, 1, 2, 3, 4}) binary += little(static_cast<std::uint64_t>(i), 2);
+  return glb(R"({"asset": {"version": "2.0"}, "nodes": [)" + nodes + R"(], "meshes": [{"primitives": [)" + primitives + R"(]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 5, "type": "VEC3"},
+{"bufferView": 1, "componentType": 5123, "count": 5, "type": "SCALAR"},
+{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+{"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3"},
+{"componentType": 5126, "count": 6, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 60}, {"buffer": 0, "byteOffset": 60, "byteLength": 10}],
+"buffers": [{"byteLength": 72}])" +
+                 more + "}",
+             binary);
+}
+
+std::string primitive(int mode, bool indexed = true) {
+  return R"({"attributes": {"POSITION": )" + std::string(indexed ? "0" : "2") + "}, " + (indexed ? R"("indices": 1, )" : "") +
+         R"("mode": )" + std::to_string(mode) + "}";
+}
+
+using Corners = std::vector<std::uint32_t>;
+
+}  // namespace
+
+TEST_CASE("glTF: triangles, strips, fans, lines and loops", "[read][gltf]") {
+  const std::string node = R"({"mesh": 0})";
+  const Model strip = read_model("a.glb", scene(node, primitive(5)));
+  REQUIRE(strip.polygons.size() == 3);
+  CHECK(corners(strip, 0) == Corners{0, 1, 2});
+  CHECK(corners(strip, 1) == Corners{2, 1, 3});
+  CHECK(corners(strip, 2) == Corners{2, 3, 4});
+  const Model fan = read_model("a.glb", scene(node, primitive(6)));
+  CHECK(corners(fan, 2) == Corners{0, 3, 4});
+  CHECK(read_model("a.glb", scene(node, primitive(3))).polygons.segments.size() == 4);
+  const Model loop = read_model("a.glb", scene(node, primitive(2)));
+  CHECK(loop.polygons.segments.back() == std::array<std::uint32_t, 2>{4, 0});
+  const Model plain = read_model("a.glb", scene(node, primitive(4, false)));
+  CHECK(corners(plain, 0) == Corners{0, 1, 2});
+  CHECK(plain.notes.empty());
+  CHECK(refusal("a.glb", scene(node, primitive(4))) == "a.glb: mesh 0, primitive 0: found 5 corners, expected a multiple of 3");
+  CHECK(refusal("a.glb", scene(node, primitive(1))) == "a.glb: mesh 0, primitive 0: found 5 corners, expected a multiple of 2");
+  CHECK(refusal("a.glb", scene(node, primitive(9))) == "a.glb: mesh 0, primitive 0: found mode 9, expected 0 to 6");
+  CHECK(refusal("a.glb", scene(node, primitive(0))) == "a.glb: found no points, faces or lines, expected a model");
+}
+
+TEST_CASE("glTF: nodes place their meshes, parents before children, and give the names", "[read][gltf]") {
+  const Model m = read_model("a.glb", scene(R"({"name": "base", "children": [1, 2], "scale": [2, 2, 2]},
+{"name": "left", "mesh": 0, "translation": [1, 0, 0]},
+{"name": "right", "mesh": 0, "matrix": [0,1,0,0, -1,0,0,0, 0,0,1,0, 5,6,7,1]})",
+                                            primitive(4, false)));
+  REQUIRE(m.points.size() == 6);
+  CHECK(m.points[1] == Point3{4, 0, 0});
+  CHECK(m.points[4] == Point3{10, 14, 14});
+  CHECK(m.objects == std::vector<std::string>{"left", "right"});
+  CHECK(m.face_object == std::vector<std::uint32_t>{0, 1});
+  CHECK(m.notes == std::vector<std::string>{
+                       "points moved by nodes are rounded once, to the nearest double, by matrices composed in doubles"});
+}
+
+TEST_CASE("glTF: only the default scene is read", "[read][gltf]") {
+  const std::string nodes = R"({"mesh": 0}, {"mesh": 0, "translation": [9, 0, 0]})";
+  CHECK(read_model("a.glb", scene(nodes, primitive(4, false), R"(, "scene": 1, "scenes": [{"nodes": [0]}, {"nodes": [1]}])"))
+            .points[0]
+            .x == 9);
+  CHECK(read_model("a.glb", scene(nodes, primitive(4, false))).points.size() == 6);
+}
+
+TEST_CASE("glTF: what does not fit is refused in one line", "[read][gltf]") {
+  const std::string node = R"({"mesh": 0})", triangles = primitive(4, false);
+  const auto mesh = [&](const std::string& p) { return refusal("a.glb", scene(node, p)); };
+  CHECK(mesh(R"({"attributes": {"POSITION": 77}})") == "a.glb: mesh 0, primitive 0: found accessor 77, expected one of 5");
+  CHECK(mesh(R"({"attributes": {"POSITION": 3}})") ==
+        "a.glb: mesh 0, primitive 0: found accessor 3 of 6 elements, expected no more than fit into the 60 bytes of its "
+        "bufferView");
+  CHECK(mesh(R"({"attributes": {"POSITION": 4}})") ==
+        "a.glb: mesh 0, primitive 0: found accessor 4 without data, expected a bufferView (is the geometry compressed?)");
+  CHECK(mesh(R"({"attributes": {"POSITION": 1}})").find("found accessor 1 of another type, expected VEC3") !=
+        std::string::npos);
+  CHECK(mesh(R"({"attributes": {"POSITION": 2}, "indices": 1, "mode": 6})") ==
+        "a.glb: mesh 0, primitive 0, corner 3: found index 3, expected 0 to 2");
+  CHECK(mesh(R"({"attributes": {"POSITION": 2}, "indices": 0})").find("expected an unsigned byte, short or int") !=
+        std::string::npos);
+  CHECK(mesh(R"({"attributes": {}})").find("found no attribute POSITION") != std::string::npos);
+  CHECK(refusal("a.glb", scene(R"({"children": [1]}, {"children": [0]})", triangles, R"(, "scenes": [{"nodes": [0]}])")) ==
+        "a.glb: node 0: found a second parent or a cycle, expected a tree of nodes");
+  CHECK(refusal("a.glb", scene(R"({"mesh": 3})", triangles)) == "a.glb: node 0: found mesh 3, expected one of 1");
+  CHECK(refusal("a.glb", scene(node, triangles, R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"))
+            .find("compressed with KHR_draco_mesh_compression") != std::string::npos);
+  CHECK(refusal("a.glb", scene(node, triangles, R"(, "extensionsRequired": ["X_y"])"))
+            .find("found the required extension \"X_y\"") != std::string::npos);
+  const std::string whole = scene(node, triangles);
+  CHECK(refusal("a.glb", whole.substr(0, whole.size() - 4)).find("byte 8: found a file of") != std::string::npos);
+  CHECK(refusal("a.glb", "glTF") == "a.glb: byte 0: found the end of the file, expected the 20 bytes of a GLB header");
+  CHECK(refusal("a.gltf", "{\"asset\": {\"version\": \"2.0\"},\n\"nodes\": [}") ==
+        "a.gltf: line 2 of the JSON: found \"}\", expected well-formed JSON");
+  CHECK(refusal("a.gltf", "{\"asset\": " + std::string(100000, '[')).find("found more than 100 brackets") != std::string::npos);
+  std::string nan = whole;
+  nan.replace(nan.size() - 72, 4, little_float(std::numeric_limits<float>::quiet_NaN()));
+  CHECK(refusal("a.glb", nan) == "a.glb: mesh 0, primitive 0, vertex 0: found NaN, expected a finite coordinate");
+}
+
+TEST_CASE("A moved point is the exact one, rounded once", "[read][gltf][property]") {
+  const auto seed = 7U;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  const auto number = [&](int spread) {
+    const double m = static_cast<double>(static_cast<std::int64_t>(random() >> 11)) * (random() % 2 ? 1 : -1);
+    switch (random() % 8) {
+      case 0:
+        return 0.0;
+      case 1:
+        return static_cast<double>(static_cast<int>(random() % 5) - 2);
+      default:
+        return std::ldexp(m, static_cast<int>(random() % static_cast<unsigned>(2 * spread)) - spread - 53);
+    }
+  };
+  for (int k = 0; k < 20000; ++k) {
+    const int spread = k % 3 == 0 ? 3 : k % 3 == 1 ? 60 : 500;
+    read::Affine m;
+    for (double& x : m) x = number(spread);
+    const Point3 p = {number(spread), number(spread), number(spread)};
+    if (k % 5 == 0) m[3] = -(m[0] * p.x);  // cancels nearly
+    const Point3 q = read::transformed(m, p);
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t r = 4 * static_cast<std::size_t>(i);
+      const Rational exact = Rational(m[r]) * Rational(p.x) + Rational(m[r + 1]) * Rational(p.y) +
+                             Rational(m[r + 2]) * Rational(p.z) + Rational(m[r + 3]);
+      REQUIRE(q[i] == exact.to_double());
+    }
+  }
+}
