@@ -64,10 +64,10 @@ int run(int argc, char** argv) {
   // All triangles in file order, one thread: what painting costs, not a picture.
   std::size_t painted = 0;
   Image<TriangleId> picture;
-  std::optional<Sight> sight;
-  print("sight", elapsed([&] { sight.emplace(mesh, view, Arithmetic::staged, grid.certificate()); }));
+  std::optional<ProjectedMesh> projected;
+  print("sight", elapsed([&] { projected.emplace(mesh, view, Arithmetic::staged, grid.bit_range()); }));
   print("rasterizer", elapsed([&] {
-          const SampleSigns signs(*sight, grid);
+          const SampleSigns signs(*projected, grid);
           Rasterizer rasterizer(signs);
           picture = Image<TriangleId>(size, size);
           for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -78,7 +78,7 @@ int run(int argc, char** argv) {
         }));
   fmt::print("  {} samples painted\n", painted);
   print("rasterizer, by sides", elapsed([&] {
-          const SampleSigns signs(*sight, grid);
+          const SampleSigns signs(*projected, grid);
           Rasterizer rasterizer(signs);
           std::vector<RasterSide> sides;
           for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

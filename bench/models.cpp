@@ -33,17 +33,17 @@ std::string difference(const Mesh& mesh, const View& view, const VisibleLines& x
   if (x.lines.size() != y.lines.size()) return fmt::format("{} lines against {}", x.lines.size(), y.lines.size());
   for (std::size_t i = 0; i < x.lines.size(); ++i) {
     const Line &a = x.lines[i], &b = y.lines[i];
-    const Carrier carrier = carrier_of(mesh, x, a);
-    const std::string where = carrier.is_edge()
-                                  ? fmt::format("edge {} {}: ", carrier.a.value, carrier.b.value)
-                                  : fmt::format("triangles {} x {}: ", carrier.meet.s.value, carrier.meet.t.value);
+    const SupportingLine support = supporting_line_of(mesh, x, a);
+    const std::string where = support.is_edge()
+                                  ? fmt::format("edge {} {}: ", support.a.value, support.b.value)
+                                  : fmt::format("triangles {} x {}: ", support.meet.s.value, support.meet.t.value);
     if (a.edge != b.edge || a.intersection != b.intersection || a.edge_class != b.edge_class)
       return where + "another edge or class";
     if (a.intervals() != b.intervals()) return where + fmt::format("{} intervals against {}", a.intervals(), b.intervals());
     if (a.intervals() > 0 && a.starts_hidden != b.starts_hidden) return where + "starts hidden, or not";
     for (std::size_t k = 0; k < x.cuts_of(a).size(); ++k) {
       const Cut &c = x.cuts_of(a)[k], &d = y.cuts_of(b)[k];
-      if (!(c == d) && !(parameter(mesh, view, carrier, c) == parameter(mesh, view, carrier, d)))
+      if (!(c == d) && !(parameter(mesh, view, support, c) == parameter(mesh, view, support, d)))
         return where + "another parameter";
     }
   }

@@ -44,7 +44,7 @@ class Points {
     for (int k = 0; k < 64; ++k) points_.push_back(input == Input::generic ? generic() : coplanar(input));
   }
   const Point3& operator[](std::size_t k) const { return points_[k % points_.size()]; }
-  Certificate certificate() const { return hsr::certificate(points_); }
+  BitRange bit_range() const { return hsr::bit_range(points_); }
 
  private:
   double unit() { return static_cast<double>(splitmix64(state_) >> 11) * 0x1p-52 - 1; }
@@ -87,7 +87,7 @@ void report_stages(benchmark::State& state, const Predicates& predicates) {
 /// Degree 3: which side of a face plane a point lies on.
 void side(benchmark::State& state, Input input, Arithmetic arithmetic) {
   const Points p(input, 1);
-  Predicates predicates(p.certificate(), {}, arithmetic);
+  Predicates predicates(p.bit_range(), {}, arithmetic);
   std::vector<Plane> planes;
   for (std::size_t k = 0; k < 64; ++k) planes.push_back(Plane::of_face(p[k], p[k + 1], p[k + 2]));
   std::size_t k = 0;
@@ -118,7 +118,7 @@ void cross(benchmark::State& state, Input input, Arithmetic arithmetic) {
   const Points p(input, 2);
   std::vector<Plane> x, y;
   std::vector<Point3> lifted;
-  Certificate certificate = p.certificate();
+  BitRange bit_range = p.bit_range();
   for (std::size_t k = 0; k < 64; ++k) {
     x.push_back(Plane::of_face(p[k], p[k + 1], p[k + 2]));
     y.push_back(input == Input::generic ? Plane::of_face(p[k + 9], p[k + 7], p[k + 5])
@@ -127,8 +127,8 @@ void cross(benchmark::State& state, Input input, Arithmetic arithmetic) {
     if (input != Input::generic) off.z = -off.z;
     lifted.push_back(off);
   }
-  for (const Point3& point : lifted) certificate.add(point);
-  Predicates predicates(certificate, {}, arithmetic);
+  for (const Point3& point : lifted) bit_range.add(point);
+  Predicates predicates(bit_range, {}, arithmetic);
   std::size_t k = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(
@@ -142,12 +142,12 @@ void cross(benchmark::State& state, Input input, Arithmetic arithmetic) {
 /// through one corner.
 void side_of_meet(benchmark::State& state, Input input, Arithmetic arithmetic) {
   const Points p(input, 4);
-  Certificate certificate = p.certificate();
+  BitRange bit_range = p.bit_range();
   std::vector<std::array<Plane, 4>> planes;
   const auto off_the_plane = [&](std::size_t k) {
     Point3 q = p[k];
     if (input != Input::generic) q.z = (k % 2 == 0) ? -q.z : q.x;
-    certificate.add(q);
+    bit_range.add(q);
     return q;
   };
   for (std::size_t k = 0; k < 64; ++k) {
@@ -158,7 +158,7 @@ void side_of_meet(benchmark::State& state, Input input, Arithmetic arithmetic) {
     }
     planes.push_back(four);
   }
-  Predicates predicates(certificate, {}, arithmetic);
+  Predicates predicates(bit_range, {}, arithmetic);
   std::erase_if(planes, [&](const auto& four) {
     try {
       predicates.side(four[0], four[1], four[2], four[3]);

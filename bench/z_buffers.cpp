@@ -35,7 +35,7 @@ class SimplestZBuffer {
     for (const Point3& p : mesh.points)
       points_.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
     // x, y and nearness of a parallel view are linear, as is 1 over the depth: the rows are told by four points.
-    const Projection<double> project(view, grid);
+    const SampleProjection<double> project(view, grid);
     const double s = std::max({std::fabs(mesh.points[VertexId(0)].x), std::fabs(mesh.points[VertexId(0)].y),
                                std::fabs(mesh.points[VertexId(0)].z), 1.0});
     const std::array<Point3, 4> probes = {Point3{0, 0, 0}, Point3{s, 0, 0}, Point3{0, s, 0}, Point3{0, 0, s}};

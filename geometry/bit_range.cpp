@@ -9,12 +9,12 @@
 
 namespace hsr {
 
-void Certificate::add(double x) {
+void BitRange::add(double x) {
   const auto pattern = std::bit_cast<std::uint64_t>(x);
   const auto exponent = static_cast<int>((pattern >> 52) & 0x7ff);
   auto mantissa = pattern & 0xfffffffffffffULL;
   if (exponent == 0 && mantissa == 0) return;
-  require(exponent != 0x7ff, "Certificate: a finite number expected");
+  require(exponent != 0x7ff, "BitRange: a finite number expected");
   if (exponent != 0) mantissa |= 1ULL << 52;
   const int place = std::max(exponent, 1) - 1075;  // x = mantissa 2^place
   const int low = place + std::countr_zero(mantissa);
@@ -24,21 +24,21 @@ void Certificate::add(double x) {
   highest = first ? high : std::max(highest, high);
 }
 
-void Certificate::add(const Point3& p) {
+void BitRange::add(const Point3& p) {
   add(p.x);
   add(p.y);
   add(p.z);
 }
 
-void Certificate::add(const Certificate& c) {
+void BitRange::add(const BitRange& c) {
   if (c.is_zero()) return;
   const bool first = is_zero();
   lowest = first ? c.lowest : std::min(lowest, c.lowest);
   highest = first ? c.highest : std::max(highest, c.highest);
 }
 
-Certificate certificate(std::span<const Point3> points) {
-  Certificate c;
+BitRange bit_range(std::span<const Point3> points) {
+  BitRange c;
   for (const Point3& p : points) c.add(p);
   return c;
 }

@@ -10,7 +10,7 @@ namespace hsr {
 ///
 /// Bounds every polynomial of the numbers, and so says which exact arithmetic suffices and where a filter's proof holds
 /// (docs/conventions.md, "Arithmetic"). All zero: bits() = 0.
-struct Certificate {
+struct BitRange {
   int lowest = 0;
   int highest = 0;
 
@@ -19,10 +19,10 @@ struct Certificate {
 
   void add(double x);  ///< @pre finite
   void add(const Point3& p);
-  void add(const Certificate& c);  ///< of both sets of numbers
+  void add(const BitRange& c);  ///< of both sets of numbers
 };
 
-/// The certificate of all coordinates of `points`. @pre finite. Cost: O(n).
-Certificate certificate(std::span<const Point3> points);
+/// The bit range of all coordinates of `points`. @pre finite. Cost: O(n).
+BitRange bit_range(std::span<const Point3> points);
 
 }  // namespace hsr

@@ -8,13 +8,13 @@
 namespace hsr {
 
 /// A point that is known within `error` in each coordinate.
-struct NearPoint {
+struct BoundedPoint3 {
   Point3 p;
   double error = 0;
 };
 
 /// a + t (b - a): the difference, the product and the sum round once each.
-inline NearPoint between(const Point3& a, const Point3& b, const ErrorBounded& t) {
+inline BoundedPoint3 between(const Point3& a, const Point3& b, const ErrorBounded& t) {
   const auto size = [](const Point3& p) { return std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z))); };
   const Point3 d = {b.x - a.x, b.y - a.y, b.z - a.z};
   const double v = t.value, u = ErrorBounded::u;

@@ -16,12 +16,12 @@ Big big(const Rational& whole) {
   return whole.sign() == Sign::negative ? -magnitude : magnitude;
 }
 
-Bigs bigs(const WholePoint& p) { return {big(p.h[0]), big(p.h[1]), big(p.h[2]), big(p.h[3])}; }
+Bigs bigs(const HomogeneousPoint3& p) { return {big(p.h[0]), big(p.h[1]), big(p.h[2]), big(p.h[3])}; }
 
 }  // namespace
 
-WholePoint WholePoint::of(const RationalVector& p) {
-  WholePoint out;
+HomogeneousPoint3 HomogeneousPoint3::of(const RationalVector& p) {
+  HomogeneousPoint3 out;
   Rational& weight = out.h[3];
   weight = 1.0;
   for (const Rational& x : p) mpz_lcm(mpq_numref(weight.get()), mpq_numref(weight.get()), mpq_denref(x.get()));
@@ -29,15 +29,16 @@ WholePoint WholePoint::of(const RationalVector& p) {
   return out;
 }
 
-WholePoint WholePoint::of_direction(const RationalVector& d) {
-  WholePoint out = of(d);
+HomogeneousPoint3 HomogeneousPoint3::of_direction(const RationalVector& d) {
+  HomogeneousPoint3 out = of(d);
   out.h[3] = 0.0;
   return out;
 }
 
 // By minors of two rows each (Laplace); the determinant of the four rows (x, y, z, w) is -det(b - a, c - a, d - a) times the
 // weights.
-Sign orientation(const WholePoint& a, const WholePoint& b, const WholePoint& c, const WholePoint& d) {
+Sign orientation(const HomogeneousPoint3& a, const HomogeneousPoint3& b, const HomogeneousPoint3& c,
+                 const HomogeneousPoint3& d) {
   const Bigs p = bigs(a), q = bigs(b), r = bigs(c), s = bigs(d);
   const auto minor = [](const Bigs& x, const Bigs& y, std::size_t i, std::size_t k) { return x[i] * y[k] - x[k] * y[i]; };
   const Big sum = minor(p, q, 0, 1) * minor(r, s, 2, 3) - minor(p, q, 0, 2) * minor(r, s, 1, 3) +

@@ -101,7 +101,7 @@ Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons) {
   mesh.first_triangle.assign(faces + 1, 0);
   constexpr std::size_t faces_of_block = 4096;
   std::vector<Block> blocks((faces + faces_of_block - 1) / faces_of_block);
-  const Certificate all = certificate(mesh.points);
+  const BitRange all = bit_range(mesh.points);
   const auto for_each_block = [&](const auto& visit) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 1), [&](const auto& range) {
       for (std::size_t k = range.begin(); k != range.end(); ++k)

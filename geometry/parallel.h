@@ -11,7 +11,7 @@ namespace hsr {
 
 /// Calls visit(i) for each i in [0, n), in parallel.
 template <class F>
-void for_each(std::size_t n, const F& visit) {
+void parallel_for_each(std::size_t n, const F& visit) {
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, n, 1024), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) visit(i);
@@ -21,7 +21,7 @@ void for_each(std::size_t n, const F& visit) {
 /// Visits [0, n) in blocks in parallel, visit(begin, end, part), and joins what each block appends to its part, in order: the
 /// same for any number of threads.
 template <class T, class F>
-std::vector<T> collected(std::size_t n, const F& visit) {
+std::vector<T> parallel_collect(std::size_t n, const F& visit) {
   constexpr std::size_t block = 4096;
   using Range = tbb::blocked_range<std::size_t>;
   std::vector<std::vector<T>> parts((n + block - 1) / block);

@@ -19,7 +19,7 @@ ErrorBounded dot(const std::array<ErrorBounded, 3>& a, const std::array<ErrorBou
 
 }  // namespace
 
-MeetLine::MeetLine(const Plane& s, const Plane& t, Predicates& exact) : s_(s), t_(t), exact_(exact) {
+PlaneIntersection::PlaneIntersection(const Plane& s, const Plane& t, Predicates& exact) : s_(s), t_(t), exact_(exact) {
   if (exact.arithmetic() != Arithmetic::staged) return;
   const FilterArithmetic a;
   const Bounded ns = polynomials::normal(a, s), nt = polynomials::normal(a, t);
@@ -32,7 +32,7 @@ MeetLine::MeetLine(const Plane& s, const Plane& t, Predicates& exact) : s_(s), t
 }
 
 /// As polynomials::meet_point, with what belongs to the line taken from it.
-MeetLine::Place MeetLine::place(const Plane& plane) const {
+PlaneIntersection::Place PlaneIntersection::place(const Plane& plane) const {
   Place p{plane};
   ErrorBounded rise{0, HUGE_VAL};
   if (direction_ != Sign::zero) {
@@ -53,7 +53,7 @@ MeetLine::Place MeetLine::place(const Plane& plane) const {
   return p;
 }
 
-Sign MeetLine::order(const Place& x, const Place& y) const {
+Sign PlaneIntersection::order(const Place& x, const Place& y) const {
   const ErrorBounded gap = x.at - y.at;
   if (gap.is_certain()) {
     ++exact_.counts().filter;
@@ -62,9 +62,11 @@ Sign MeetLine::order(const Place& x, const Place& y) const {
   return -(side(x.plane, y) * x.rise);
 }
 
-std::array<ErrorBounded, 3> MeetLine::near_point(const Place& place) const { return near_meet(s_, t_, place.plane); }
+std::array<ErrorBounded, 3> PlaneIntersection::bounded_point(const Place& place) const {
+  return near_meet(s_, t_, place.plane);
+}
 
-std::array<Rational, 3> MeetLine::exact_point(const Place& place) const {
+std::array<Rational, 3> PlaneIntersection::exact_point(const Place& place) const {
   return ConstructedPoint::meet(s_, t_, place.plane).exact();
 }
 

@@ -14,7 +14,7 @@ namespace hsr {
 /// The line in which two planes meet, and where other planes cut it. It runs along the cross product of their normals.
 ///
 /// Places are told apart by doubles with proven bounds, and by predicates of degree 6 and 9 where these overlap.
-class MeetLine {
+class PlaneIntersection {
  public:
   /// Where a plane cuts the line.
   struct Place {
@@ -24,7 +24,7 @@ class MeetLine {
   };
 
   /// @pre s and t are spans, and not parallel. @param exact outlives this
-  MeetLine(const Plane& s, const Plane& t, Predicates& exact);
+  PlaneIntersection(const Plane& s, const Plane& t, Predicates& exact);
 
   Place place(const Plane& plane) const;
   /// On which side of `plane` a place lies. Exact.
@@ -32,7 +32,7 @@ class MeetLine {
   /// Which of two places comes first along the line: negative, x. Exact.
   Sign order(const Place& x, const Place& y) const;
 
-  std::array<ErrorBounded, 3> near_point(const Place& place) const;
+  std::array<ErrorBounded, 3> bounded_point(const Place& place) const;
   std::array<Rational, 3> exact_point(const Place& place) const;
 
  private:

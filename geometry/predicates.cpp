@@ -36,7 +36,7 @@ DecisionCounts& DecisionCounts::operator+=(const DecisionCounts& o) {
   return *this;
 }
 
-Predicates::Predicates(const Certificate& points, const Certificate& direction, Arithmetic arithmetic)
+Predicates::Predicates(const BitRange& points, const BitRange& direction, Arithmetic arithmetic)
     : points_(points),
       direction_(direction),
       arithmetic_(arithmetic),

@@ -29,21 +29,21 @@ struct DecisionCounts {
   bool operator==(const DecisionCounts&) const = default;
 };
 
-/// The three predicates that carry everything (docs/conventions.md, "Predicates"), for points under one certificate.
+/// The three predicates that carry everything (docs/conventions.md, "Predicates"), for points under one bit range.
 ///
 ///   (1) each sign is the sign of the polynomial over the rationals, for every finite input, except under `double_only`
 ///   (2) negating or swapping arguments as the polynomial does negates the sign
 ///   (3) multiplying all points, or the direction, by a power of two that rounds nothing changes no sign
 ///
-/// Stages: a double with a proven error bound; where the certificate allows 128-bit integers, these at once; else an interval
-/// ([0, 0] is a certified zero); then exactly: wider fixed-width integers after lossless scaling where the certificate allows,
+/// Stages: a double with a proven error bound; where the bit range allows 128-bit integers, these at once; else an interval
+/// ([0, 0] is a certified zero); then exactly: wider fixed-width integers after lossless scaling where the bit range allows,
 /// big floats (CGAL::Mpzf) otherwise. One object per thread; it only counts. Cost: bench/predicates prints it for each stage.
 /// Source: Shewchuk 1997; Bronnimann, Burnikel & Pion 2001 (intervals).
 class Predicates {
  public:
-  /// @param points certificate of every point, an eye included, that will be passed
-  /// @param direction certificate of the direction toward the viewer, if there is one
-  explicit Predicates(const Certificate& points, const Certificate& direction = {}, Arithmetic arithmetic = Arithmetic::staged);
+  /// @param points bit range of every point, an eye included, that will be passed
+  /// @param direction bit range of the direction toward the viewer, if there is one
+  explicit Predicates(const BitRange& points, const BitRange& direction = {}, Arithmetic arithmetic = Arithmetic::staged);
 
   /// On which side of `x` the point lies: the sign of x(p). Degree 3 (near_line: 6).
   Sign side(const Plane& x, const Point3& p);
@@ -86,7 +86,7 @@ class Predicates {
   Sign beyond_filter(const Polynomial& polynomial, bool only_spans, int degree);
   Sign crossing_weight(const Camera& camera, const ViewPlane& l, const ViewPlane& m);
 
-  Certificate points_, direction_;
+  BitRange points_, direction_;
   Arithmetic arithmetic_;
   bool filter_is_proven_;
   bool is_narrow_;  // the scales below are doubles

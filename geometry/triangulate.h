@@ -35,7 +35,7 @@ struct FaceTriangle {
 ///    overlapping: planar. Else crosses_itself. A triangle that comes up again in one face is given once.
 ///
 /// @param triangles appended to
-/// @pre the certificate of `predicates` holds for all `points`
+/// @pre the bit range of `predicates` holds for all `points`
 /// Exact: yes. Source: Meisters 1975 (ears).
 /// Cost: O(m^2) exact signs for m corners, most of them a few flops; O(m^3) for tangles.
 FaceUse triangulate(const IndexedVector<VertexId, Point3>& points, std::span<const VertexId> polygon, Predicates& predicates,

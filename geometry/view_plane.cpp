@@ -143,7 +143,7 @@ std::array<Rational, 3> exact_point(const Camera& camera, const Point3& p, const
   return met_by_parallel(camera, p, {0, 0, 0}, 1, x);
 }
 
-std::array<ErrorBounded, 3> near_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x) {
+std::array<ErrorBounded, 3> bounded_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x) {
   const FilterArithmetic a;
   return near_met(camera, polynomials::cross(polynomials::line(a, camera, l, x.o), polynomials::line(a, camera, m, x.o)), x);
 }

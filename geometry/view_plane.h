@@ -49,7 +49,7 @@ std::array<ErrorBounded, 2> image_of_point(const Camera& camera, const Point3& p
 std::array<Rational, 3> exact_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x);
 std::array<Rational, 3> exact_point(const Camera& camera, const Point3& p, const Plane& x);
 /// The same in doubles with proven bounds; errors that are not finite where they tell nothing.
-std::array<ErrorBounded, 3> near_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x);
+std::array<ErrorBounded, 3> bounded_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x);
 /// The coordinates of image_of_crossing and image_of_point. Exact.
 std::array<Rational, 2> exact_image_of_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m,
                                                 const Point3& origin, const std::array<Point3, 2>& rows);

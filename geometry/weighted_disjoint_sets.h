@@ -14,14 +14,14 @@ namespace hsr {
 /// word, and only what is a root still is hung on another, lesser one. Whatever is ever stored for a member is some ancestor of
 /// it, with the true distance; so it does no harm that a late thread may store an older one again. Where no two joins
 /// contradict each other the sets and the distances do not depend on their order.
-class RelativeCounts {
+class WeightedDisjointSets {
  public:
   struct alignas(8) Place {
     std::uint32_t root;
     std::int32_t above;
   };
 
-  explicit RelativeCounts(std::size_t n) : places_(n) {
+  explicit WeightedDisjointSets(std::size_t n) : places_(n) {
     for (std::size_t k = 0; k < n; ++k) places_[k] = {static_cast<std::uint32_t>(k), 0};
   }
 

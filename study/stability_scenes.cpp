@@ -84,7 +84,7 @@ std::vector<double> to_the_smallest(bool quick) {
 
 /// How the nearness changes where z does by 1, along a line of sight of a parallel view; and at a sample, of the plane z = 0.
 double nearness_of_height(const StiffScene& scene) {
-  const Projection<double> project(scene.view, scene.grid);
+  const SampleProjection<double> project(scene.view, scene.grid);
   const Point3& d = scene.view.viewpoint.at;
   return project(Point3{d.x / d.z, d.y / d.z, 1}).nearness - project(Point3{}).nearness;
 }
@@ -252,7 +252,7 @@ StiffScene moved(double by, int size) {
   scene.view = parallel_view(toward, up, offset);
   SampleGrid grid = scene.grid;
   grid.origin = move(grid.origin);
-  Certificate needed;
+  BitRange needed;
   for (const Point3& p : {grid.origin, grid.right, grid.down, grid.at(size, size)}) needed.add(p);
   if (is_exact && needed.bits() <= 50) {
     scene.grid = grid;

@@ -132,12 +132,12 @@ AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFragments&
   for (const TriangleId t : shown.pixels) all.wrong += t.is_valid() ? 1 : 0;
   const std::size_t n = fragments.fragments.size();
   if (n == 0) return all;
-  const Sight sight(mesh, view, Arithmetic::staged, samples.certificate());
-  const SampleSigns signs(sight, samples);
+  const ProjectedMesh projected(mesh, view, Arithmetic::staged, samples.bit_range());
+  const SampleSigns signs(projected, samples);
   constexpr std::size_t block = 256;
   std::vector<AreaCheck> parts((n + block - 1) / block);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
-    const MapSight map(sight);
+    const MapPredicates map(projected);
     Coverage coverage(mesh, shown);
     std::vector<PixelPoint> ring;
     for (std::size_t k = p * block; k < std::min((p + 1) * block, n); ++k) {
@@ -146,7 +146,7 @@ AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFragments&
       for (std::uint32_t r = fragment.first_ring; r < fragment.end_ring; ++r) {
         ring.clear();
         for (const MapCorner& c : fragments.ring(r)) {
-          const Point3 q = c.at.is_vertex ? sight.point(c.at.vertex) : map.point(c.at, fragment.facet).p;
+          const Point3 q = c.at.is_vertex ? projected.point(c.at.vertex) : map.point(c.at, fragment.facet).p;
           ring.push_back({signs.column_of(q).value + 0.5, signs.row_of(q).value + 0.5});
         }
         for (std::size_t m = 0; m < ring.size(); ++m) {

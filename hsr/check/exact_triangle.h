@@ -67,7 +67,7 @@ class ExactTriangles {
  private:
   const Mesh& mesh_;
   const View& view_;
-  Projection<Rational> project_;
+  SampleProjection<Rational> project_;
 };
 
 }  // namespace hsr

@@ -19,7 +19,7 @@ namespace {
 class FragmentSpans {
  public:
   FragmentSpans(const SampleSigns& signs, const VisibleFragments& all)
-      : signs_(signs), all_(all), map_(signs.sight()), rasterizer_(signs) {}
+      : signs_(signs), all_(all), map_(signs.projected()), rasterizer_(signs) {}
 
   std::span<const SampleSpan> operator()(const Fragment& fragment) {
     sides_.clear();
@@ -41,13 +41,13 @@ class FragmentSpans {
     if (p.is_vertex) return signs_.rows_above(p.vertex, exact);
     const ViewPlane l = map_.plane(p.l), m = map_.plane(p.m);
     return signs_.rows_above(std::ceil(signs_.row_of(map_.point(p, facet).p).value), [&](int j) {
-      return exact.side(signs_.sight().camera(), ViewPlane::of(signs_.row_plane(j)), l, m);
+      return exact.side(signs_.projected().camera(), ViewPlane::of(signs_.row_plane(j)), l, m);
     });
   }
 
   const SampleSigns& signs_;
   const VisibleFragments& all_;
-  MapSight map_;
+  MapPredicates map_;
   Rasterizer rasterizer_;
   std::vector<RasterSide> sides_;
   std::vector<int> rows_;
@@ -60,28 +60,28 @@ namespace {
 /// Whether every corner of a fragment is in front of the eye as the samples are. Nearly always: only where the samples had to
 /// be placed far off the view's frame, or right beside the eye, is it not.
 bool all_in_front(const SampleSigns& signs, const VisibleFragments& all) {
-  const Sight& sight = signs.sight();
-  if (!sight.is_perspective()) return true;
-  const Mesh& mesh = sight.mesh();
-  Predicates exact = sight.predicates();
+  const ProjectedMesh& projected = signs.projected();
+  if (!projected.is_perspective()) return true;
+  const Mesh& mesh = projected.mesh();
+  Predicates exact = projected.predicates();
   bool reaches_near = false;
   std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
   for (const Fragment& f : all.fragments)
     for (TriangleId t = f.facet; t < facet_end(mesh, f.facet); t = TriangleId(t.value + 1U)) {
-      reaches_near = reaches_near || sight.reaches_before_near(t);
+      reaches_near = reaches_near || projected.reaches_before_near(t);
       for (const VertexId v : mesh.triangles[t]) is_used[v.value] = 1;
     }
   for (std::size_t v = 0; v < is_used.size(); ++v)
-    if (is_used[v] != 0 && sight.beyond_near(VertexId(v)) != Sign::negative && !signs.is_in_front(VertexId(v), exact))
+    if (is_used[v] != 0 && projected.beyond_near(VertexId(v)) != Sign::negative && !signs.is_in_front(VertexId(v), exact))
       return false;
   if (!reaches_near) return true;
   // What the near plane cuts off has corners of its own.
-  const MapSight map(sight);
+  const MapPredicates map(projected);
   const auto is_in_front = [&](const MapPoint& p, TriangleId facet) {
-    const NearPoint near = map.point(p, facet);
+    const BoundedPoint3 near = map.point(p, facet);
     const Sign certain = signs.certain_front(near.p, near.error);
     if (certain != Sign::zero) return certain == Sign::positive;
-    return signs.is_in_front(exact_point(sight.camera(), map.plane(p.l), map.plane(p.m), sight.face_plane(facet)));
+    return signs.is_in_front(exact_point(projected.camera(), map.plane(p.l), map.plane(p.m), projected.face_plane(facet)));
   };
   for (const Fragment& f : all.fragments)
     for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r)
@@ -97,8 +97,8 @@ Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragmen
   Image<TriangleId> image(samples.width, samples.height);
   overlapping = 0;
   if (fragments.fragments.empty()) return image;
-  const Sight sight(mesh, view, Arithmetic::staged, samples.certificate());
-  const SampleSigns signs(sight, samples);
+  const ProjectedMesh projected(mesh, view, Arithmetic::staged, samples.bit_range());
+  const SampleSigns signs(projected, samples);
   require(all_in_front(signs, fragments), "paint: a part of the model is not in front of the eye as the samples are");
   constexpr std::size_t block = 1024;
   const std::size_t n = fragments.fragments.size();

@@ -115,7 +115,7 @@ class SeenTriangles {
   const Mesh& mesh_;
   const View& view_;
   ExactTriangles exact_;
-  Projection<ErrorBounded> near_;
+  SampleProjection<ErrorBounded> near_;
   std::unordered_map<std::uint32_t, std::unique_ptr<SeenTriangle<Real>>> made_;
 };
 

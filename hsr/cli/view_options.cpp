@@ -49,10 +49,10 @@ bool are_parallel(const Point3& a, const Point3& b) {
 }
 
 /// The up that the named views have, and their second one where the line of sight runs along it.
-Point3 default_up(bool y_up, const Point3& sight) {
+Point3 default_up(bool y_up, const Point3& projected) {
   const Point3 up = y_up ? Point3{0, 1, 0} : Point3{0, 0, 1};
   const Point3 other = y_up ? Point3{0, 0, -1} : Point3{0, 1, 0};
-  return are_parallel(up, sight) ? other : up;
+  return are_parallel(up, projected) ? other : up;
 }
 
 }  // namespace
@@ -106,8 +106,8 @@ ChosenView choose_view(const ViewOptions& o, const Mesh& mesh) {
   if (!o.eye.empty()) {
     const Point3 eye = parse_point("--eye", o.eye);
     if (eye == target) throw InputError("--eye: found the point looked at itself, expected another: add --target X,Y,Z");
-    const Point3 sight = {eye.x / 2 - target.x / 2, eye.y / 2 - target.y / 2, eye.z / 2 - target.z / 2};
-    chosen.view = perspective_view(eye, target, o.up.empty() ? default_up(y_up, sight) : parse_point("--up", o.up), o.near);
+    const Point3 projected = {eye.x / 2 - target.x / 2, eye.y / 2 - target.y / 2, eye.z / 2 - target.z / 2};
+    chosen.view = perspective_view(eye, target, o.up.empty() ? default_up(y_up, projected) : parse_point("--up", o.up), o.near);
     chosen.title = "eye " + o.eye;
     chosen.field_of_view = o.field_of_view;
     if (!o.field_of_view && is_inside_box(mesh, eye)) {

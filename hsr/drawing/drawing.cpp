@@ -23,7 +23,7 @@ namespace hsr {
 namespace {
 
 Predicates predicates_for(const Mesh& mesh, const View& view, Arithmetic arithmetic) {
-  Certificate points = certificate(mesh.points), direction;
+  BitRange points = bit_range(mesh.points), direction;
   (view.viewpoint.is_direction ? direction : points).add(view.viewpoint.at);
   // Signs that may be wrong give no order to sort by: a drawing is exact also of lines that are not.
   return Predicates(points, direction, arithmetic == Arithmetic::double_only ? Arithmetic::staged : arithmetic);
@@ -85,16 +85,18 @@ class Placer {
  private:
   using Wide = Enclosure::Wide;
 
-  Carrier carrier_of(const PlaceOnEdge& p) const { return hsr::carrier_of(projection_.mesh(), lines_, lines_.lines[p.line]); }
+  SupportingLine supporting_line_of(const PlaceOnEdge& p) const {
+    return hsr::supporting_line_of(projection_.mesh(), lines_, lines_.lines[p.line]);
+  }
   HomogeneousPoint image(const PlaceOnEdge& p) const {
     const Cut& cut = lines_.cuts[p.cut];
-    const Carrier carrier = carrier_of(p);
-    if (cut.kind == Cut::Kind::start) return at_[carrier.a];
-    if (cut.kind == Cut::Kind::end) return at_[carrier.b];
-    return projection_.at(carrier, cut);
+    const SupportingLine support = supporting_line_of(p);
+    if (cut.kind == Cut::Kind::start) return at_[support.a];
+    if (cut.kind == Cut::Kind::end) return at_[support.b];
+    return projection_.at(support, cut);
   }
   PaperPoint rounded(const PlaceOnEdge& p, const HomogeneousPoint& at) const {
-    return projection_.rounded(carrier_of(p), lines_.cuts[p.cut], at);
+    return projection_.rounded(supporting_line_of(p), lines_.cuts[p.cut], at);
   }
   PaperPoint on_frame(const HomogeneousPoint& p) const {
     const Wide x = std::clamp<Wide>(p.x.middle / p.w.middle, frame_->left, frame_->right);
@@ -236,7 +238,7 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
     if (lines.lines[i].intervals() > 0) seen.push_back(i);
   if (const auto frame = frame_size(view, options)) {
     // Whether `lines` was told of the frame or not, the drawing is the same.
-    const OutsideFrame outside(mesh, view, *frame);
+    const ViewFrustum outside(mesh, view, *frame);
     std::erase_if(seen, [&](std::uint32_t i) {
       return !lines.lines[i].is_intersection() && outside.contains(mesh.edges[lines.lines[i].edge]);
     });

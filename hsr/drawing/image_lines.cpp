@@ -91,7 +91,7 @@ ImageLines image_lines(const Projection& projection, const IndexedVector<VertexI
   const Mesh& mesh = projection.mesh();
   const auto line_at = [&](std::uint32_t position) -> const Line& { return lines.lines[drawn[position]]; };
   const auto exact_ends = [&](std::uint32_t position) {
-    const Carrier c = carrier_of(mesh, lines, line_at(position));
+    const SupportingLine c = supporting_line_of(mesh, lines, line_at(position));
     if (c.is_edge()) return std::array{projection.exact(c.a), projection.exact(c.b)};
     const auto end = [&](const Cut& cut) {
       const auto p = projection.exact(c, cut);
@@ -111,7 +111,7 @@ ImageLines image_lines(const Projection& projection, const IndexedVector<VertexI
   tbb::parallel_for(
       tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(drawn.size()), 256), [&](const auto& range) {
         for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
-          const Carrier c = carrier_of(mesh, lines, line_at(i));
+          const SupportingLine c = supporting_line_of(mesh, lines, line_at(i));
           if (c.is_edge() ? enclosed_equation(equations[i], at[c.a], at[c.b])
                           : enclosed_equation(equations[i], projection.at(c, c.meet.from), projection.at(c, c.meet.to)))
             continue;

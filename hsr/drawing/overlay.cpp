@@ -59,9 +59,9 @@ void LineOverlay::add_single(std::uint32_t line, Overlay& result) const {
 void LineOverlay::add_group(std::span<const std::uint32_t> group, bool steep, Overlay& result) {
   steep_ = steep;
   const auto edge = std::find_if(group.begin(), group.end(), [&](auto i) { return !lines_.lines[i].is_intersection(); });
-  const Carrier carrier = edge == group.end() ? Carrier() : carrier_of(*edge);
-  a_ = carrier.a;
-  b_ = carrier.b;
+  const SupportingLine support = edge == group.end() ? SupportingLine() : supporting_line_of(*edge);
+  a_ = support.a;
+  b_ = support.b;
   axis_ = -1;
   collect(group);
   if (parts_.empty()) return;
@@ -79,7 +79,7 @@ void LineOverlay::collect(std::span<const std::uint32_t> group) {
       if (cut != last) {
         Position p;
         p.place = {line, cut};
-        const HomogeneousPoint h = projection_.at(carrier_of(line), lines_.cuts[cut]);
+        const HomogeneousPoint h = projection_.at(supporting_line_of(line), lines_.cuts[cut]);
         p.coordinate = (steep_ ? h.y : h.x) / h.w;
         positions_.push_back(std::move(p));
         last = cut;
@@ -98,7 +98,7 @@ VertexId LineOverlay::vertex_at(Position& p) {
   if (p.vertex_is_known) return p.vertex;
   p.vertex_is_known = true;
   const Cut& cut = cut_of(p.place);
-  const Carrier edge = carrier_of(p.place.line);
+  const SupportingLine edge = supporting_line_of(p.place.line);
   const Mesh& mesh = projection_.mesh();
   const View& view = projection_.view();
   if (cut.kind == Cut::Kind::start) p.vertex = edge.a;
@@ -134,7 +134,7 @@ bool LineOverlay::at_one_place(VertexId v, VertexId w) {
 }
 
 const Rational& LineOverlay::exact_coordinate(Position& p) {
-  if (!p.exact) p.exact = projection_.exact(carrier_of(p.place.line), cut_of(p.place))[steep_ ? 1 : 0];
+  if (!p.exact) p.exact = projection_.exact(supporting_line_of(p.place.line), cut_of(p.place))[steep_ ? 1 : 0];
   return *p.exact;
 }
 

@@ -57,7 +57,9 @@ class LineOverlay {
     EdgeClass edge_class;
   };
 
-  Carrier carrier_of(std::uint32_t line) const { return hsr::carrier_of(projection_.mesh(), lines_, lines_.lines[line]); }
+  SupportingLine supporting_line_of(std::uint32_t line) const {
+    return hsr::supporting_line_of(projection_.mesh(), lines_, lines_.lines[line]);
+  }
   const Cut& cut_of(const PlaceOnEdge& p) const { return lines_.cuts[p.cut]; }
   void collect(std::span<const std::uint32_t> group);
   void rank();

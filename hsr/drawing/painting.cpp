@@ -13,11 +13,11 @@ namespace hsr {
 namespace {
 
 /// Every edge beyond the near plane, as if nothing hid anything: what the page has to hold.
-VisibleLines all_edges(const Mesh& mesh, const Sight& sight) {
+VisibleLines all_edges(const Mesh& mesh, const ProjectedMesh& projected) {
   VisibleLines all;
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const EdgeId e(i);
-    const Sign a = sight.beyond_near(mesh.edges[e].a), b = sight.beyond_near(mesh.edges[e].b);
+    const Sign a = projected.beyond_near(mesh.edges[e].a), b = projected.beyond_near(mesh.edges[e].b);
     if (a != Sign::positive && b != Sign::positive) continue;
     Line line;
     line.edge = e;
@@ -30,14 +30,14 @@ VisibleLines all_edges(const Mesh& mesh, const Sight& sight) {
   return all;
 }
 
-std::vector<std::uint8_t> edges_of_classes(const Mesh& mesh, const Sight& sight, const LineOptions& options) {
+std::vector<std::uint8_t> edges_of_classes(const Mesh& mesh, const ProjectedMesh& projected, const LineOptions& options) {
   std::vector<std::uint8_t> asked(mesh.edges.size(), 0);
   const Crease crease(options.crease);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, asked.size(), 512), [&](const Range& range) {
-    Predicates exact = sight.predicates();
+    Predicates exact = projected.predicates();
     for (std::size_t e = range.begin(); e < range.end(); ++e) {
-      const auto c = edge_class(sight, exact, EdgeId(e), crease);
+      const auto c = edge_class(projected, exact, EdgeId(e), crease);
       asked[e] = c && options.classes[static_cast<std::size_t>(*c)] ? 1 : 0;
     }
   });
@@ -72,8 +72,8 @@ class Placer {
 
 Painting paint_on_page(const Mesh& mesh, const View& view, const PaintersOrder& order, const std::vector<Colour>& colours,
                        const LineOptions& lines, const DrawingOptions& options) {
-  const Sight sight(mesh, view, Arithmetic::staged);
-  const VisibleLines all = all_edges(mesh, sight);
+  const ProjectedMesh projected(mesh, view, Arithmetic::staged);
+  const VisibleLines all = all_edges(mesh, projected);
   std::vector<std::uint32_t> drawn(all.lines.size());
   std::iota(drawn.begin(), drawn.end(), 0U);
   const Placement place = placement(mesh, view, all, drawn, options);
@@ -83,12 +83,12 @@ Painting paint_on_page(const Mesh& mesh, const View& view, const PaintersOrder& 
   painting.scale = place.scale;
   painting.fits = place.fits;
   painting.frame = place.frame;
-  const std::vector<std::uint8_t> asked = edges_of_classes(mesh, sight, lines);
+  const std::vector<std::uint8_t> asked = edges_of_classes(mesh, projected, lines);
   painting.points.resize(order.corners.size());
   painting.sides.resize(order.corners.size());
   painting.pieces.resize(order.pieces.size());
   const Placer placer(mesh, view, place.projection);
-  for_each(order.pieces.size(), [&](std::size_t i) {
+  parallel_for_each(order.pieces.size(), [&](std::size_t i) {
     const OrderedPiece& piece = order.pieces[i];
     const FaceId face = mesh.face_of[piece.facet];
     painting.pieces[i] = {face.value, colours[face.value], piece.first_corner, piece.end_corner};

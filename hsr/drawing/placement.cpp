@@ -58,14 +58,14 @@ struct Box {
 Wide wide(const Rational& x) { return enclose(x).middle; }
 
 void add_line(Box& box, const Projection& projection, const VisibleLines& lines, const Line& line) {
-  const Carrier carrier = carrier_of(projection.mesh(), lines, line);
+  const SupportingLine support = supporting_line_of(projection.mesh(), lines, line);
   for (const std::uint32_t cut : {line.first_cut, line.end_cut - 1}) {
-    const HomogeneousPoint h = projection.at(carrier, lines.cuts[cut]);
+    const HomogeneousPoint h = projection.at(support, lines.cuts[cut]);
     const Enclosure p[2] = {h.x / h.w, h.y / h.w};
     if (p[0].is_finite() && p[1].is_finite()) {
       for (int k = 0; k < 2; ++k) box.add(k, p[k].middle);
     } else {
-      const auto exact = projection.exact(carrier, lines.cuts[cut]);
+      const auto exact = projection.exact(support, lines.cuts[cut]);
       for (std::size_t k = 0; k < 2; ++k) box.add(static_cast<int>(k), wide(exact[k]));
     }
   }

@@ -87,12 +87,12 @@ HomogeneousPoint Projection::at(const Plane& s, const Plane& t, const Plane& u) 
   return at(enclosed_meet(s, t, u, anchor_));
 }
 
-HomogeneousPoint Projection::at(const Carrier& carrier, const Cut& cut) const {
-  if (cut.kind == Cut::Kind::start) return at(carrier.a);
-  if (cut.kind == Cut::Kind::end) return at(carrier.b);
-  if (!carrier.is_edge()) return at(enclosed_point(mesh_, view_, carrier, cut, anchor_));
-  const HomogeneousPoint a = at(carrier.a), b = at(carrier.b);
-  const Enclosure t = enclosed_parameter(mesh_, view_, carrier, cut);
+HomogeneousPoint Projection::at(const SupportingLine& support, const Cut& cut) const {
+  if (cut.kind == Cut::Kind::start) return at(support.a);
+  if (cut.kind == Cut::Kind::end) return at(support.b);
+  if (!support.is_edge()) return at(enclosed_point(mesh_, view_, support, cut, anchor_));
+  const HomogeneousPoint a = at(support.a), b = at(support.b);
+  const Enclosure t = enclosed_parameter(mesh_, view_, support, cut);
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
 }
 
@@ -105,13 +105,13 @@ std::array<Rational, 3> Projection::homogeneous(const std::array<Rational, 3>& p
 
 std::array<Rational, 3> Projection::exact(VertexId v) const { return homogeneous(rational(mesh_.points[v])); }
 
-std::array<Rational, 2> Projection::exact(const Carrier& carrier, const Cut& cut) const {
-  return exact(exact_point(mesh_, view_, carrier, cut));
+std::array<Rational, 2> Projection::exact(const SupportingLine& support, const Cut& cut) const {
+  return exact(exact_point(mesh_, view_, support, cut));
 }
 
-PaperPoint Projection::rounded(const Carrier& carrier, const Cut& cut, const HomogeneousPoint& at) const {
+PaperPoint Projection::rounded(const SupportingLine& support, const Cut& cut, const HomogeneousPoint& at) const {
   if (const auto known = rounded(at)) return *known;
-  return rounded(exact(carrier, cut));
+  return rounded(exact(support, cut));
 }
 
 std::optional<PaperPoint> Projection::rounded(const HomogeneousPoint& at) {

@@ -29,17 +29,17 @@ class Projection {
   void place(const std::array<Rational, 2>& centre, const Rational& scale, double x, double y);
 
   HomogeneousPoint at(VertexId v) const;
-  HomogeneousPoint at(const Carrier& carrier, const Cut& cut) const;
+  HomogeneousPoint at(const SupportingLine& support, const Cut& cut) const;
 
   /// Where three planes meet. @pre s is a span
   HomogeneousPoint at(const Plane& s, const Plane& t, const Plane& u) const;
 
   /// x / w and y / w of a cut, exactly.
-  std::array<Rational, 2> exact(const Carrier& carrier, const Cut& cut) const;
+  std::array<Rational, 2> exact(const SupportingLine& support, const Cut& cut) const;
   std::array<Rational, 3> exact(VertexId v) const;  ///< x, y, w
 
   /// The cut in thousandths of a unit, correctly rounded, halves away from zero. `at` is its enclosure.
-  PaperPoint rounded(const Carrier& carrier, const Cut& cut, const HomogeneousPoint& at) const;
+  PaperPoint rounded(const SupportingLine& support, const Cut& cut, const HomogeneousPoint& at) const;
 
   /// The same of any point: nothing where its enclosure leaves two answers.
   static std::optional<PaperPoint> rounded(const HomogeneousPoint& at);

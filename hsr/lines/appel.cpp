@@ -14,7 +14,7 @@
 #include "hsr/lines/invisibility_events.h"
 #include "hsr/lines/line_progress.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/occluding_edges.h"
+#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/occluders.h"
 #include "hsr/scene/projected_mesh.h"
 
@@ -30,9 +30,9 @@ struct Sides {
 };
 
 struct Part {
-  std::vector<Course> courses;
+  std::vector<EdgeWalk> walks;
   std::vector<std::uint32_t> first_change;  // one more
-  std::vector<LayerChange> changes;
+  std::vector<InvisibilityChange> changes;
   // Of the triangles at the ends, just inside.
   std::vector<Sides> at_start, at_end;
   DecisionCounts decisions;
@@ -41,16 +41,16 @@ struct Part {
 
 class Appel {
  public:
-  Appel(const Sight& sight, const RequestedEdges& requested, const Layers& layers, const Occluders& occluders,
-        const LineOptions& options)
+  Appel(const ProjectedMesh& projected, const ClassifiedEdges& requested, const OccludingEdges& layers,
+        const Occluders& occluders, const LineOptions& options)
       : options_(options),
-        sight_(sight),
+        projected_(projected),
         requested_(requested),
         layers_(layers),
         occluders_(occluders),
         order_(hilbert_order(requested_.boxes)),
         parts_((order_.size() + edges_of_block - 1) / edges_of_block),
-        counts_(sight.mesh().points.size()) {}
+        counts_(projected.mesh().points.size()) {}
 
   VisibleLines lines() {
     LineProgress progress(options_.progress, 2 * order_.size());
@@ -87,36 +87,37 @@ class Appel {
     });
   }
   bool is_hidden(std::size_t k) const { return !requested_.hidden.empty() && requested_.hidden[order_[k]] != 0; }
-  const Edge& edge(std::size_t k) const { return sight_.mesh().edges[requested_.edges[order_[k]]]; }
+  const Edge& edge(std::size_t k) const { return projected_.mesh().edges[requested_.edges[order_[k]]]; }
 
   void find_courses(Part& part, std::size_t begin, std::size_t end) const;
-  Sides at_vertex(LayerCount& count, VertexId v, VertexId to) const;
+  Sides at_vertex(InvisibilityCount& count, VertexId v, VertexId to) const;
   void carry_on();
   void count_roots();
-  Sides start(const Part& part, std::size_t i, const Edge& e, LayerCount& count) const;
+  Sides start(const Part& part, std::size_t i, const Edge& e, InvisibilityCount& count) const;
   VisibleLines tiled(const Part& part, std::size_t begin, std::size_t end) const;
-  void add_shadows(Shadows& shadows, std::span<const LayerChange> changes, Sides layers, std::vector<Shadow>& hidden) const;
+  void add_shadows(TriangleOcclusion& occlusion, std::span<const InvisibilityChange> changes, Sides layers,
+                   std::vector<HiddenInterval>& hidden) const;
 
   const LineOptions& options_;
-  const Sight& sight_;
-  const RequestedEdges& requested_;
-  const Layers& layers_;
+  const ProjectedMesh& projected_;
+  const ClassifiedEdges& requested_;
+  const OccludingEdges& layers_;
   const Occluders& occluders_;
   std::vector<std::uint32_t> order_;
   std::vector<Part> parts_;
-  RelativeCounts counts_;
+  WeightedDisjointSets counts_;
   std::vector<std::int32_t> before_;  // by vertex: the layers before it, without the triangles at it, where it is clean
   DecisionCounts root_decisions_;
 };
 
-Sides Appel::at_vertex(LayerCount& count, VertexId v, VertexId to) const {
+Sides Appel::at_vertex(InvisibilityCount& count, VertexId v, VertexId to) const {
   if (layers_.is_plain(v)) return {};
   return {count.at_vertex(v, to, Sign::positive), count.at_vertex(v, to, Sign::negative)};
 }
 
 void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
-  Crossings crossings(sight_, layers_, occluders_);
-  LayerCount count(sight_, layers_);
+  InvisibilityEvents crossings(projected_, layers_, occluders_);
+  InvisibilityCount count(projected_, layers_);
   part.first_change.push_back(0);
   constexpr std::size_t group = 16;
   std::vector<ImageBox> boxes;
@@ -127,19 +128,19 @@ void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
       crossings.turn_to(boxes);
     }
     const EdgeId id = requested_.edges[order_[k]];
-    Course course;
+    EdgeWalk walk;
     if (is_hidden(k))
-      course.is_hidden = true;
+      walk.is_hidden = true;
     else if (requested_.is_part(order_[k]))
-      course.is_degenerate = true;
+      walk.is_degenerate = true;
     else
-      course = crossings.find(id, boxes[(k - begin) % group], part.changes);
-    part.courses.push_back(course);
+      walk = crossings.find(id, boxes[(k - begin) % group], part.changes);
+    part.walks.push_back(walk);
     check_countable(part.changes.size(), "crossings of neighbouring edges");
     part.first_change.push_back(static_cast<std::uint32_t>(part.changes.size()));
     Sides at_start, at_end;
-    if (course.is_followed()) {
-      const Edge& e = sight_.mesh().edges[id];
+    if (walk.is_followed()) {
+      const Edge& e = projected_.mesh().edges[id];
       at_start = at_vertex(count, e.a, e.b);
       at_end = at_vertex(count, e.b, e.a);
       std::swap(at_end.left, at_end.right);  // seen from b, the other way round
@@ -158,7 +159,7 @@ void Appel::carry_on() {
     const Part& part = parts_[p];
     for (std::size_t k = begin; k < end; ++k) {
       const std::size_t i = k - begin;
-      const Course& c = part.courses[i];
+      const EdgeWalk& c = part.walks[i];
       if (!c.is_followed() || !c.start_is_clean || !c.end_is_clean) continue;
       const Edge& e = edge(k);
       const std::int32_t left = part.at_start[i].left + c.left - part.at_end[i].left;
@@ -184,15 +185,15 @@ void Appel::carry_on() {
 /// One query for each connected part: at the clean end of its first edge in order.
 void Appel::count_roots() {
   constexpr std::uint32_t none = 0xffffffffU;
-  std::vector<std::uint32_t> first_edge(sight_.mesh().points.size(), none);  // by root
+  std::vector<std::uint32_t> first_edge(projected_.mesh().points.size(), none);  // by root
   const auto clean_end = [&](std::size_t k) {
     const Edge& e = edge(k);
-    const bool from_start = parts_[k / edges_of_block].courses[k % edges_of_block].start_is_clean;
+    const bool from_start = parts_[k / edges_of_block].walks[k % edges_of_block].start_is_clean;
     return from_start ? std::pair(e.a, e.b) : std::pair(e.b, e.a);
   };
   for_each_part([&](std::size_t part, std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const Course& c = parts_[part].courses[k - begin];
+      const EdgeWalk& c = parts_[part].walks[k - begin];
       if (!c.is_followed() || (!c.start_is_clean && !c.end_is_clean)) continue;
       const std::atomic_ref first(first_edge[counts_.find(clean_end(k).first.value).root]);
       const auto own = static_cast<std::uint32_t>(k);
@@ -209,7 +210,7 @@ void Appel::count_roots() {
   std::vector<DecisionCounts> decisions((roots.size() + block - 1) / block);
   tbb::parallel_for(Range(0, decisions.size(), 1), [&](const Range& range) {
     for (std::size_t k = range.begin(); k < range.end(); ++k) {
-      LayerCount count(sight_, layers_);
+      InvisibilityCount count(projected_, layers_);
       for (std::size_t r = k * block; r < std::min(roots.size(), (k + 1) * block); ++r) {
         const auto [from, to] = clean_end(first_edge[roots[r]]);
         root_count[roots[r]] = count.before(from, to, Sign::positive, occluders_) - counts_.find(from.value).above;
@@ -228,8 +229,8 @@ void Appel::count_roots() {
 }
 
 /// From a clean end, or else by a query of its own.
-Sides Appel::start(const Part& part, std::size_t i, const Edge& e, LayerCount& count) const {
-  const Course& c = part.courses[i];
+Sides Appel::start(const Part& part, std::size_t i, const Edge& e, InvisibilityCount& count) const {
+  const EdgeWalk& c = part.walks[i];
   const Sides &at_start = part.at_start[i], &at_end = part.at_end[i];
   if (c.start_is_clean) {
     const std::int32_t before = before_[e.a.value];
@@ -244,27 +245,27 @@ Sides Appel::start(const Part& part, std::size_t i, const Edge& e, LayerCount& c
 }
 
 /// The parts of the edge before which, on one side or the other, there is a layer.
-void Appel::add_shadows(Shadows& shadows, std::span<const LayerChange> changes, Sides layers,
-                        std::vector<Shadow>& hidden) const {
+void Appel::add_shadows(TriangleOcclusion& occlusion, std::span<const InvisibilityChange> changes, Sides layers,
+                        std::vector<HiddenInterval>& hidden) const {
   struct Place {
-    Bound at;
+    Breakpoint at;
     std::int32_t left, right;
   };
   std::vector<Place> places;
   places.reserve(changes.size());
-  for (const LayerChange& c : changes) {
-    const Edge& e = sight_.mesh().edges[EdgeId(c.is_face ? 0U : c.by)];
+  for (const InvisibilityChange& c : changes) {
+    const Edge& e = projected_.mesh().edges[EdgeId(c.is_face ? 0U : c.by)];
     const Cut cut = c.is_face ? Cut{Cut::Kind::face, 0, c.by, 0} : Cut{Cut::Kind::sight, 0, e.a.value, e.b.value};
-    places.push_back({shadows.place(cut), c.left, c.right});
+    places.push_back({occlusion.place(cut), c.left, c.right});
   }
   std::sort(places.begin(), places.end(),
-            [&](const Place& x, const Place& y) { return shadows.order(x.at, y.at) == Sign::negative; });
-  Bound from = shadows.first();
+            [&](const Place& x, const Place& y) { return occlusion.order(x.at, y.at) == Sign::negative; });
+  Breakpoint from = occlusion.first();
   for (std::size_t k = 0; k <= places.size(); ++k) {
-    const Bound& to = k < places.size() ? places[k].at : shadows.last();
+    const Breakpoint& to = k < places.size() ? places[k].at : occlusion.last();
     const bool is_hidden = layers.left > 0 || layers.right > 0;
     // Places that coincide have no length between them.
-    const bool has_length = k == 0 || k == places.size() || shadows.order(from, to) != Sign::zero;
+    const bool has_length = k == 0 || k == places.size() || occlusion.order(from, to) != Sign::zero;
     if (is_hidden && has_length) hidden.push_back({from, to, {}});
     if (k == places.size()) break;
     layers.left += places[k].left;
@@ -274,47 +275,47 @@ void Appel::add_shadows(Shadows& shadows, std::span<const LayerChange> changes, 
 }
 
 VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) const {
-  Tiling tiling(sight_, options_);
-  LayerCount count(sight_, layers_);
-  std::vector<Shadow> hidden;
+  HiddenIntervals intervals(projected_, options_);
+  InvisibilityCount count(projected_, layers_);
+  std::vector<HiddenInterval> hidden;
   for (std::size_t k = begin; k < end; ++k) {
     const std::size_t i = k - begin;
     const EdgeId id = requested_.edges[order_[k]];
     const RequestedPart line = requested_[order_[k]];
     const ImageBox& box = requested_.boxes[order_[k]];
-    const Course& course = part.courses[i];
-    if (course.is_hidden) {
-      tiling.add_whole(line, true);
+    const EdgeWalk& walk = part.walks[i];
+    if (walk.is_hidden) {
+      intervals.add_whole(line, true);
       continue;
     }
-    if (course.is_degenerate) {
-      tiling.add_by_casting(line, box, occluders_);
+    if (walk.is_degenerate) {
+      intervals.add_by_casting(line, box, occluders_);
       continue;
     }
-    if (course.is_point) {
-      tiling.add_nothing(line);
+    if (walk.is_point) {
+      intervals.add_nothing(line);
       continue;
     }
-    const Sides layers = start(part, i, sight_.mesh().edges[id], count);
-    const std::span<const LayerChange> changes(part.changes.data() + part.first_change[i],
-                                               part.changes.data() + part.first_change[i + 1]);
+    const Sides layers = start(part, i, projected_.mesh().edges[id], count);
+    const std::span<const InvisibilityChange> changes(part.changes.data() + part.first_change[i],
+                                                      part.changes.data() + part.first_change[i + 1]);
     const bool starts_hidden = layers.left > 0 || layers.right > 0;
     if (changes.empty() && (starts_hidden || layers_.cast().empty())) {
-      tiling.add_whole(line, starts_hidden);
+      intervals.add_whole(line, starts_hidden);
       continue;
     }
-    Shadows& shadows = tiling.shadows();
-    shadows.start(id);
+    TriangleOcclusion& occlusion = intervals.occlusion();
+    occlusion.start(id);
     hidden.clear();
-    add_shadows(shadows, changes, layers, hidden);
+    add_shadows(occlusion, changes, layers, hidden);
     layers_.cast_tree().visit(box, [&](std::uint32_t t) {
-      ++tiling.pairs();
-      shadows.cast(layers_.cast()[t], hidden);
+      ++intervals.pairs();
+      occlusion.cast(layers_.cast()[t], hidden);
       return true;
     });
-    tiling.add(line, hidden);
+    intervals.add(line, hidden);
   }
-  VisibleLines lines = tiling.take();
+  VisibleLines lines = intervals.take();
   lines.decisions += count.decisions();
   return lines;
 }
@@ -328,9 +329,9 @@ VisibleLines appel(const Mesh& mesh, const View& view, const LineOptions& option
   return visible_lines(mesh, view, by_appel);
 }
 
-VisibleLines appel(const Sight& sight, const RequestedEdges& requested, const Layers& layers, const Occluders& occluders,
-                   const LineOptions& options) {
-  return Appel(sight, requested, layers, occluders, options).lines();
+VisibleLines appel(const ProjectedMesh& projected, const ClassifiedEdges& requested, const OccludingEdges& layers,
+                   const Occluders& occluders, const LineOptions& options) {
+  return Appel(projected, requested, layers, occluders, options).lines();
 }
 
 }  // namespace hsr

@@ -12,10 +12,10 @@
 
 namespace hsr {
 
-RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options, const OutsideFrame* outside,
-                               const Occluders* occluders, const std::vector<std::uint8_t>& has_contact) {
+ClassifiedEdges::ClassifiedEdges(const ProjectedMesh& projected, const LineOptions& options, const ViewFrustum* outside,
+                                 const Occluders* occluders, const std::vector<std::uint8_t>& has_contact) {
   using Range = tbb::blocked_range<std::size_t>;
-  const Mesh& mesh = sight.mesh();
+  const Mesh& mesh = projected.mesh();
   const Crease crease(options.crease);
   constexpr std::uint8_t none = 0xff;
   struct PartOfEdge {
@@ -30,16 +30,16 @@ RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options, c
   };
   tbb::parallel_for(Range(0, counts.size(), 1), [&](const Range& range) {
     for (std::size_t block = range.begin(); block < range.end(); ++block) {
-      Shadows shadows(sight);
+      TriangleOcclusion occlusion(projected);
       const std::size_t end = std::min((block + 1) * edges_of_block, mesh.edges.size());
       for (std::size_t e = block * edges_of_block; e < end; ++e) {
         const EdgeId id(e);
         if (outside != nullptr && outside->contains(mesh.edges[id])) continue;
         std::optional<EdgeClass> found;
         if (has_contact.empty() || has_contact[e] == 0) {
-          found = edge_class(sight, shadows.exact(), id, crease);
+          found = edge_class(projected, occlusion.exact(), id, crease);
         } else {
-          const auto of_edge = edge_parts(sight, shadows, id, crease, *occluders);
+          const auto of_edge = edge_parts(projected, occlusion, id, crease, *occluders);
           if (of_edge.size() > 1) {
             for (const EdgePart& p : of_edge)
               if (is_requested(p.edge_class)) parts[block].push_back({id, p});
@@ -49,16 +49,16 @@ RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options, c
         }
         if (is_requested(found)) edge_classes[e] = static_cast<std::uint8_t>(*found);
       }
-      counts[block] = shadows.exact().counts();
+      counts[block] = occlusion.exact().counts();
     }
   });
   for (const DecisionCounts& c : counts) decisions += c;
-  edges = collected<EdgeId>(edge_classes.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
+  edges = parallel_collect<EdgeId>(edge_classes.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e)
       if (edge_classes[e] != none) part.emplace_back(e);
   });
   classes.resize(edges.size());
-  for_each(edges.size(), [&](std::size_t i) { classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]); });
+  parallel_for_each(edges.size(), [&](std::size_t i) { classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]); });
   std::vector<PartOfEdge> several;
   for (const auto& block : parts) several.insert(several.end(), block.begin(), block.end());
   if (!several.empty()) {
@@ -82,17 +82,17 @@ RequestedEdges::RequestedEdges(const Sight& sight, const LineOptions& options, c
     edges = std::move(all_edges);
     classes = std::move(all_classes);
   }
-  find_boxes(sight);
+  find_boxes(projected);
 }
 
-const RequestedEdges::Part* RequestedEdges::part(std::size_t i) const {
+const ClassifiedEdges::Part* ClassifiedEdges::part(std::size_t i) const {
   const auto at = std::lower_bound(parts_.begin(), parts_.end(), i, [](const Part& p, std::size_t k) { return p.index < k; });
   return at != parts_.end() && at->index == i ? &*at : nullptr;
 }
 
-bool RequestedEdges::is_part(std::size_t i) const { return part(i) != nullptr; }
+bool ClassifiedEdges::is_part(std::size_t i) const { return part(i) != nullptr; }
 
-RequestedPart RequestedEdges::operator[](std::size_t i) const {
+RequestedPart ClassifiedEdges::operator[](std::size_t i) const {
   RequestedPart r{edges[i], classes[i]};
   if (const Part* p = part(i)) {
     r.from = p->from;
@@ -101,15 +101,16 @@ RequestedPart RequestedEdges::operator[](std::size_t i) const {
   return r;
 }
 
-RequestedEdges::RequestedEdges(const Sight& sight, std::vector<EdgeId> ascending) : edges(std::move(ascending)) {
+ClassifiedEdges::ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending) : edges(std::move(ascending)) {
   classes.resize(edges.size(), EdgeClass::smooth);
-  find_boxes(sight);
+  find_boxes(projected);
 }
 
-void RequestedEdges::find_boxes(const Sight& sight) {
-  const Mesh& mesh = sight.mesh();
+void ClassifiedEdges::find_boxes(const ProjectedMesh& projected) {
+  const Mesh& mesh = projected.mesh();
   boxes.resize(edges.size());
-  for_each(edges.size(), [&](std::size_t i) { boxes[i] = sight.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b); });
+  parallel_for_each(edges.size(),
+                    [&](std::size_t i) { boxes[i] = projected.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b); });
 }
 
 }  // namespace hsr

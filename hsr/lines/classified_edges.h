@@ -12,7 +12,7 @@
 
 namespace hsr {
 
-class OutsideFrame;
+class ViewFrustum;
 
 /// How many edges are handled together: fixed, so that counts are the same for any number of threads.
 constexpr std::size_t edges_of_block = 512;
@@ -26,7 +26,7 @@ struct RequestedPart {
 
 /// The edges that are asked for, ascending, their classes and boxes. An edge of several classes stands there once for each of
 /// its parts. Cost: O(n), parallel.
-struct RequestedEdges {
+struct ClassifiedEdges {
   std::vector<EdgeId> edges;
   std::vector<EdgeClass> classes;
   std::vector<ImageBox> boxes;
@@ -35,10 +35,10 @@ struct RequestedEdges {
 
   /// @param outside the edges to leave out, or nullptr
   /// @param occluders all triangles, or nullptr @param has_contact by edge: whether it may lie in one of them; empty: none does
-  RequestedEdges(const Sight& sight, const LineOptions& options, const OutsideFrame* outside, const Occluders* occluders,
-                 const std::vector<std::uint8_t>& has_contact);
+  ClassifiedEdges(const ProjectedMesh& projected, const LineOptions& options, const ViewFrustum* outside,
+                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact);
   /// Edges for their own sake: their classes are not looked at.
-  RequestedEdges(const Sight& sight, std::vector<EdgeId> ascending);
+  ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending);
 
   /// Whether only a part of edge i of the list is asked for.
   bool is_part(std::size_t i) const;
@@ -50,7 +50,7 @@ struct RequestedEdges {
     Cut from, to;
   };
   const Part* part(std::size_t i) const;
-  void find_boxes(const Sight& sight);
+  void find_boxes(const ProjectedMesh& projected);
 
   std::vector<Part> parts_;  // ascending; edges that are not in it are asked for from end to end
 };

@@ -43,9 +43,9 @@ Point3 normal(const Point3& a, const Point3& b, const Point3& c) {
 }
 
 /// By how many degrees two half-planes at the edge deviate from one plane. @pre both apexes are off the line of the edge
-double deviation(const Sight& sight, const Edge& e, VertexId apex0, VertexId apex1) {
-  const Point3 &a = sight.point(e.a), &b = sight.point(e.b);
-  const Point3 n0 = normal(a, b, sight.point(apex0)), n1 = normal(a, b, sight.point(apex1));
+double deviation(const ProjectedMesh& projected, const Edge& e, VertexId apex0, VertexId apex1) {
+  const Point3 &a = projected.point(e.a), &b = projected.point(e.b);
+  const Point3 n0 = normal(a, b, projected.point(apex0)), n1 = normal(a, b, projected.point(apex1));
   const Point3 n = cross(n0, n1);
   return std::atan2(std::sqrt(dot(n, n)), -dot(n0, n1)) * 180 / std::numbers::pi;
 }
@@ -53,21 +53,22 @@ double deviation(const Sight& sight, const Edge& e, VertexId apex0, VertexId ape
 /// Two half-planes at one edge, told apart exactly.
 class HalfPlanes {
  public:
-  HalfPlanes(const Sight& sight, Predicates& exact, const Edge& edge) : sight_(sight), exact_(exact), edge_(edge) {}
+  HalfPlanes(const ProjectedMesh& projected, Predicates& exact, const Edge& edge)
+      : projected_(projected), exact_(exact), edge_(edge) {}
 
-  HalfPlane of(TriangleId t) const { return {t, sight_.mesh().apex(t, edge_), sight_.side_of_edge(t, edge_)}; }
+  HalfPlane of(TriangleId t) const { return {t, projected_.mesh().apex(t, edge_), projected_.side_of_edge(t, edge_)}; }
 
   /// The halves of a triangle that the edge runs through, or the one that begins along its side.
   void add(const EdgeContact& contact, std::vector<HalfPlane>& out) const {
-    const auto& c = sight_.mesh().triangles[contact.triangle];
-    const bool edge_on = sight_.facing(contact.triangle) == Sign::zero;
-    const Point3 &a = sight_.point(edge_.a), &b = sight_.point(edge_.b);
-    const Plane line = edge_on ? Plane::along_axis(a, b, dropped_axis(sight_, contact.triangle, exact_))
-                               : sight_.sight_plane(edge_.a, edge_.b);
+    const auto& c = projected_.mesh().triangles[contact.triangle];
+    const bool edge_on = projected_.facing(contact.triangle) == Sign::zero;
+    const Point3 &a = projected_.point(edge_.a), &b = projected_.point(edge_.b);
+    const Plane line = edge_on ? Plane::along_axis(a, b, dropped_axis(projected_, contact.triangle, exact_))
+                               : projected_.sight_plane(edge_.a, edge_.b);
     bool has[2] = {false, false};
     for (std::size_t k = 0; k < 3; ++k) {
       if (contact.along < 3 && k != (contact.along + 2) % 3) continue;
-      const Sign s = exact_.side(line, sight_.point(c[k]));
+      const Sign s = exact_.side(line, projected_.point(c[k]));
       if (s == Sign::zero || has[s == Sign::positive ? 0 : 1]) continue;
       has[s == Sign::positive ? 0 : 1] = true;
       out.push_back({contact.triangle, c[k], edge_on ? Sign::zero : s, true});
@@ -75,16 +76,16 @@ class HalfPlanes {
   }
 
   Sign side(const HalfPlane& plane, const HalfPlane& other) const {
-    return exact_.side(sight_.face_plane(plane.triangle), sight_.point(other.apex));
+    return exact_.side(projected_.face_plane(plane.triangle), projected_.point(other.apex));
   }
 
   bool coincide(const HalfPlane& x, const HalfPlane& y) const {
     if (x.side != y.side || side(x, y) != Sign::zero) return false;
     // In one plane with the edge: on the same side of it where the plane is seen as two coordinates.
     for (int axis = 0; axis < 3; ++axis) {
-      const Plane line = Plane::along_axis(sight_.point(edge_.a), sight_.point(edge_.b), axis);
-      const Sign s = exact_.side(line, sight_.point(x.apex));
-      if (s != Sign::zero) return s == exact_.side(line, sight_.point(y.apex));
+      const Plane line = Plane::along_axis(projected_.point(edge_.a), projected_.point(edge_.b), axis);
+      const Sign s = exact_.side(line, projected_.point(x.apex));
+      if (s != Sign::zero) return s == exact_.side(line, projected_.point(y.apex));
     }
     return true;
   }
@@ -92,11 +93,11 @@ class HalfPlanes {
   /// Both on one side of the view plane: the eye lies on the side -facing of a triangle's plane, and what is farther on the
   /// other.
   bool is_nearer(const HalfPlane& x, const HalfPlane& y) const {
-    return side(x, y) * sight_.facing(x.triangle) == Sign::positive;
+    return side(x, y) * projected_.facing(x.triangle) == Sign::positive;
   }
 
  private:
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   Predicates& exact_;
   const Edge& edge_;
 };
@@ -112,13 +113,13 @@ bool is_pierced(const HalfPlane& plane, std::span<const HalfPlane> all, const Ha
   return positive && negative;
 }
 
-std::optional<EdgeClass> class_by_faces(const Sight& sight, Predicates& exact, EdgeId id, double crease,
+std::optional<EdgeClass> class_by_faces(const ProjectedMesh& projected, Predicates& exact, EdgeId id, double crease,
                                         std::span<const EdgeContact> contacts) {
-  const Edge& edge = sight.mesh().edges[id];
+  const Edge& edge = projected.mesh().edges[id];
   const bool only_diagonal = edge.diagonal && !edge.of_face;
-  const HalfPlanes half_planes(sight, exact, edge);
+  const HalfPlanes half_planes(projected, exact, edge);
   std::vector<HalfPlane> all;
-  for (const TriangleId t : sight.mesh().triangles_at(id)) all.push_back(half_planes.of(t));
+  for (const TriangleId t : projected.mesh().triangles_at(id)) all.push_back(half_planes.of(t));
   for (const EdgeContact& c : contacts) half_planes.add(c, all);
 
   std::optional<HalfPlane> nearest[2];
@@ -140,23 +141,23 @@ std::optional<EdgeClass> class_by_faces(const Sight& sight, Predicates& exact, E
   if (!nearest[0] || half_planes.side(*nearest[0], *nearest[1]) == Sign::zero) return EdgeClass::smooth;
   for (const auto& n : nearest)
     if (n->passes && is_pierced(*n, all, half_planes)) return EdgeClass::intersection;
-  return deviation(sight, edge, nearest[0]->apex, nearest[1]->apex) > crease ? EdgeClass::sharp : EdgeClass::smooth;
+  return deviation(projected, edge, nearest[0]->apex, nearest[1]->apex) > crease ? EdgeClass::sharp : EdgeClass::smooth;
 }
 
 /// An edge of two faces on opposite sides whose angle is far enough from the crease: sharp or smooth without any exact sign.
 /// Nothing: to be looked at closely. Each normal is good to nine digits, and the cosine is trusted to six.
-std::optional<EdgeClass> class_at_a_glance(const Sight& sight, EdgeId id, double cosine) {
-  const Edge& edge = sight.mesh().edges[id];
-  const auto triangles = sight.mesh().triangles_at(id);
+std::optional<EdgeClass> class_at_a_glance(const ProjectedMesh& projected, EdgeId id, double cosine) {
+  const Edge& edge = projected.mesh().edges[id];
+  const auto triangles = projected.mesh().triangles_at(id);
   if (triangles.size() != 2 || !edge.of_face || edge.wire) return std::nullopt;
   Point3 n[2];
   Sign side[2];
-  const Point3& a = sight.point(edge.a);
-  const Point3 along = minus(sight.point(edge.b), a);
+  const Point3& a = projected.point(edge.a);
+  const Point3 along = minus(projected.point(edge.b), a);
   for (std::size_t k = 0; k < 2; ++k) {
     const TriangleId t = triangles[k];
-    side[k] = sight.side_of_edge(t, edge);
-    const Point3 out = minus(sight.point(sight.mesh().apex(t, edge)), a);
+    side[k] = projected.side_of_edge(t, edge);
+    const Point3 out = minus(projected.point(projected.mesh().apex(t, edge)), a);
     n[k] = cross(along, out);
     // The normal errs by some roundings of these products.
     if (!(largest(n[k]) > largest(along) * largest(out) * 0x1p-20)) return std::nullopt;
@@ -172,13 +173,13 @@ std::optional<EdgeClass> class_at_a_glance(const Sight& sight, EdgeId id, double
 
 }  // namespace
 
-std::optional<EdgeClass> edge_class(const Sight& sight, Predicates& exact, EdgeId edge, const Crease& crease,
+std::optional<EdgeClass> edge_class(const ProjectedMesh& projected, Predicates& exact, EdgeId edge, const Crease& crease,
                                     std::span<const EdgeContact> contacts) {
   if (exact.arithmetic() == Arithmetic::staged && contacts.empty())
-    if (const auto seen = class_at_a_glance(sight, edge, crease.cosine)) return seen;
-  const auto by_faces = class_by_faces(sight, exact, edge, crease.degrees, contacts);
+    if (const auto seen = class_at_a_glance(projected, edge, crease.cosine)) return seen;
+  const auto by_faces = class_by_faces(projected, exact, edge, crease.degrees, contacts);
   const bool plain = !by_faces || by_faces == EdgeClass::smooth;
-  return sight.mesh().edges[edge].wire && plain ? EdgeClass::wire : by_faces;
+  return projected.mesh().edges[edge].wire && plain ? EdgeClass::wire : by_faces;
 }
 
 }  // namespace hsr

@@ -37,7 +37,7 @@ struct EdgeContact {
 ///   smooth        else; also where two or more half-planes are all seen edge-on
 /// A wire is `wire`, unless faces alone make it more than smooth.
 /// Exact: yes, but for the angle. Cost: O(m^2) degree-3 signs for m faces at the edge, nearly always m = 2.
-std::optional<EdgeClass> edge_class(const Sight& sight, Predicates& exact, EdgeId edge, const Crease& crease,
+std::optional<EdgeClass> edge_class(const ProjectedMesh& projected, Predicates& exact, EdgeId edge, const Crease& crease,
                                     std::span<const EdgeContact> contacts = {});
 
 }  // namespace hsr

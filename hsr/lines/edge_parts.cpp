@@ -10,24 +10,25 @@ namespace {
 
 struct Contact {
   EdgeContact contact;
-  Bound from, to;
+  Breakpoint from, to;
 };
 
 /// Which triangles contain a part of the edge that the shadows were turned to.
-std::vector<Contact> contacts_of(const Sight& sight, Shadows& shadows, EdgeId id, const Occluders& occluders) {
-  const Mesh& mesh = sight.mesh();
+std::vector<Contact> contacts_of(const ProjectedMesh& projected, TriangleOcclusion& occlusion, EdgeId id,
+                                 const Occluders& occluders) {
+  const Mesh& mesh = projected.mesh();
   const Edge& edge = mesh.edges[id];
   const auto own = mesh.triangles_at(id);
   std::vector<Contact> all;
-  occluders.tree.visit_touching(sight.box(edge.a, edge.b), [&](std::uint32_t i) {
+  occluders.tree.visit_touching(projected.box(edge.a, edge.b), [&](std::uint32_t i) {
     const TriangleId t = occluders.triangles[i];
     if (std::find(own.begin(), own.end(), t) != own.end()) return true;
     const auto& c = mesh.triangles[t];
-    const Plane plane = sight.face_plane(t);
+    const Plane plane = projected.face_plane(t);
     for (const VertexId v : {edge.a, edge.b})
-      if (std::find(c.begin(), c.end(), v) == c.end() && sight.side(plane, v, shadows.exact()) != Sign::zero) return true;
+      if (std::find(c.begin(), c.end(), v) == c.end() && projected.side(plane, v, occlusion.exact()) != Sign::zero) return true;
     Contact found{{t, 3}, {}, {}};
-    if (!shadows.within(half_spaces(sight, t, shadows.exact()), found.from, found.to, found.contact.along)) return true;
+    if (!occlusion.within(half_spaces(projected, t, occlusion.exact()), found.from, found.to, found.contact.along)) return true;
     if (found.contact.along < 3 && !is_inner_diagonal(mesh, t, found.contact.along)) return true;
     all.push_back(found);
     return true;
@@ -37,19 +38,19 @@ std::vector<Contact> contacts_of(const Sight& sight, Shadows& shadows, EdgeId id
 
 }  // namespace
 
-std::vector<EdgePart> edge_parts(const Sight& sight, Shadows& shadows, EdgeId edge, const Crease& crease,
-                                 const Occluders& occluders) {
+std::vector<EdgePart> edge_parts(const ProjectedMesh& projected, TriangleOcclusion& occlusion, EdgeId edge,
+                                 const Crease& crease, const Occluders& occluders) {
   const auto whole = [&] {
     return std::vector<EdgePart>{
-        {edge_class(sight, shadows.exact(), edge, crease), {Cut::Kind::start, 0, 0, 0}, {Cut::Kind::end, 0, 0, 0}}};
+        {edge_class(projected, occlusion.exact(), edge, crease), {Cut::Kind::start, 0, 0, 0}, {Cut::Kind::end, 0, 0, 0}}};
   };
-  if (!shadows.start(edge)) return whole();
-  std::vector<Contact> contacts = contacts_of(sight, shadows, edge, occluders);
+  if (!occlusion.start(edge)) return whole();
+  std::vector<Contact> contacts = contacts_of(projected, occlusion, edge, occluders);
   if (contacts.empty()) return whole();
   std::sort(contacts.begin(), contacts.end(),
             [](const Contact& x, const Contact& y) { return x.contact.triangle < y.contact.triangle; });
-  const auto is_before = [&](const Bound& x, const Bound& y) { return shadows.order(x, y) == Sign::negative; };
-  std::vector<Bound> places = {shadows.first(), shadows.last()};
+  const auto is_before = [&](const Breakpoint& x, const Breakpoint& y) { return occlusion.order(x, y) == Sign::negative; };
+  std::vector<Breakpoint> places = {occlusion.first(), occlusion.last()};
   for (const Contact& c : contacts) {
     places.push_back(c.from);
     places.push_back(c.to);
@@ -62,15 +63,15 @@ std::vector<EdgePart> edge_parts(const Sight& sight, Shadows& shadows, EdgeId ed
     here.clear();
     for (const Contact& c : contacts)
       if (!is_before(places[k], c.from) && !is_before(c.to, places[k + 1])) here.push_back(c.contact);
-    const auto found = edge_class(sight, shadows.exact(), edge, crease, here);
+    const auto found = edge_class(projected, occlusion.exact(), edge, crease, here);
     if (!parts.empty() && parts.back().edge_class == found)
       parts.back().to = places[k + 1].cut;
     else
       parts.push_back({found, places[k].cut, places[k + 1].cut});
   }
   // The first and the last place may have been named by a contact that begins or ends there.
-  parts.front().from = shadows.first().cut;
-  parts.back().to = shadows.last().cut;
+  parts.front().from = occlusion.first().cut;
+  parts.back().to = occlusion.last().cut;
   return parts;
 }
 

@@ -20,7 +20,7 @@ struct EdgePart {
 /// a point, has one part from start to end, and its class by its own faces.
 /// @param occluders all triangles that may contain it
 /// Exact: yes. Cost: O(k log k) for k triangles that overlap the edge in the image.
-std::vector<EdgePart> edge_parts(const Sight& sight, Shadows& shadows, EdgeId edge, const Crease& crease,
-                                 const Occluders& occluders);
+std::vector<EdgePart> edge_parts(const ProjectedMesh& projected, TriangleOcclusion& occlusion, EdgeId edge,
+                                 const Crease& crease, const Occluders& occluders);
 
 }  // namespace hsr

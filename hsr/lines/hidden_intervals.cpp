@@ -17,9 +17,11 @@
 namespace hsr {
 
 /// Sorts `cast` and replaces what overlaps or touches by its union.
-void Tiling::unite(std::vector<Shadow>& cast) {
+void HiddenIntervals::unite(std::vector<HiddenInterval>& cast) {
   if (cast.size() < 2) return;
-  const auto before = [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; };
+  const auto before = [&](const HiddenInterval& x, const HiddenInterval& y) {
+    return occlusion_.order(x.from, y.from) == Sign::negative;
+  };
   // Both sorts are stable and stay within bounds even where --arithmetic double gives no order at all. The first takes no
   // memory, which for a few shadows, as most edges have, costs more than to sort them.
   if (cast.size() <= 16) {
@@ -33,27 +35,27 @@ void Tiling::unite(std::vector<Shadow>& cast) {
   }
   std::size_t last = 0;
   for (std::size_t i = 1; i < cast.size(); ++i) {
-    if (shadows_.order(cast[i].from, cast[last].to) == Sign::positive)
+    if (occlusion_.order(cast[i].from, cast[last].to) == Sign::positive)
       cast[++last] = cast[i];
-    else if (shadows_.order(cast[last].to, cast[i].to) == Sign::negative)
+    else if (occlusion_.order(cast[last].to, cast[i].to) == Sign::negative)
       cast[last].to = cast[i].to;
   }
   cast.resize(last + 1);
 }
 
 /// Property (1) of the result, where the build checks its invariants.
-void Tiling::check_ascending([[maybe_unused]] std::span<const Shadow> hidden) {
+void HiddenIntervals::check_ascending([[maybe_unused]] std::span<const HiddenInterval> hidden) {
 #ifdef HSR_CHECKS
   if (options_.arithmetic == Arithmetic::double_only) return;  // it promises nothing
   const DecisionCounts before = exact().counts();              // the report is the same in every build
-  const Bound* reached = &shadows_.first();
-  for (const Shadow& s : hidden) {
-    const Sign gap = shadows_.order(*reached, s.from);
-    if (gap == Sign::positive || (gap == Sign::zero && &s != hidden.data()) || shadows_.order(s.from, s.to) != Sign::negative)
+  const Breakpoint* reached = &occlusion_.first();
+  for (const HiddenInterval& s : hidden) {
+    const Sign gap = occlusion_.order(*reached, s.from);
+    if (gap == Sign::positive || (gap == Sign::zero && &s != hidden.data()) || occlusion_.order(s.from, s.to) != Sign::negative)
       throw InvariantError("roberts: hidden intervals that are empty, touch or overlap");
     reached = &s.to;
   }
-  if (shadows_.order(*reached, shadows_.last()) == Sign::positive)
+  if (occlusion_.order(*reached, occlusion_.last()) == Sign::positive)
     throw InvariantError("roberts: a hidden interval beyond the end of its edge");
   exact().counts() = before;
 #endif
@@ -61,18 +63,18 @@ void Tiling::check_ascending([[maybe_unused]] std::span<const Shadow> hidden) {
 
 /// Greedy: of the faces whose shadow covers the start, the one that reaches furthest, the lowest index first. One sweep over
 /// the shadows of the faces, which ascend by their start, then by face.
-void Tiling::name_occluders(std::span<const Shadow> hidden, std::span<const Shadow> by_face) {
+void HiddenIntervals::name_occluders(std::span<const HiddenInterval> hidden, std::span<const HiddenInterval> by_face) {
   std::size_t next = 0;
-  const Shadow* furthest = nullptr;
-  for (const Shadow& interval : hidden) {
-    Bound reached = interval.from;
-    while (shadows_.order(reached, interval.to) == Sign::negative) {
-      for (; next < by_face.size() && shadows_.order(by_face[next].from, reached) != Sign::positive; ++next) {
-        const Shadow& s = by_face[next];
-        const Sign further = furthest == nullptr ? Sign::negative : shadows_.order(furthest->to, s.to);
+  const HiddenInterval* furthest = nullptr;
+  for (const HiddenInterval& interval : hidden) {
+    Breakpoint reached = interval.from;
+    while (occlusion_.order(reached, interval.to) == Sign::negative) {
+      for (; next < by_face.size() && occlusion_.order(by_face[next].from, reached) != Sign::positive; ++next) {
+        const HiddenInterval& s = by_face[next];
+        const Sign further = furthest == nullptr ? Sign::negative : occlusion_.order(furthest->to, s.to);
         if (further == Sign::negative || (further == Sign::zero && s.face < furthest->face)) furthest = &s;
       }
-      if (furthest == nullptr || shadows_.order(reached, furthest->to) != Sign::negative)
+      if (furthest == nullptr || occlusion_.order(reached, furthest->to) != Sign::negative)
         throw InvariantError("roberts: a hidden interval without an occluder");
       result_.occluders.push_back({furthest->face, furthest->from.cut, furthest->to.cut});
       reached = furthest->to;
@@ -80,21 +82,23 @@ void Tiling::name_occluders(std::span<const Shadow> hidden, std::span<const Shad
   }
 }
 
-void Tiling::sort_by_face() {
+void HiddenIntervals::sort_by_face() {
   by_face_.clear();
-  std::stable_sort(cast_.begin(), cast_.end(), [](const Shadow& x, const Shadow& y) { return x.face < y.face; });
+  std::stable_sort(cast_.begin(), cast_.end(),
+                   [](const HiddenInterval& x, const HiddenInterval& y) { return x.face < y.face; });
   for (auto i = cast_.begin(); i != cast_.end();) {
-    const auto end = std::find_if(i, cast_.end(), [&](const Shadow& s) { return s.face != i->face; });
+    const auto end = std::find_if(i, cast_.end(), [&](const HiddenInterval& s) { return s.face != i->face; });
     one_face_.assign(i, end);
     unite(one_face_);
     by_face_.insert(by_face_.end(), one_face_.begin(), one_face_.end());
     i = end;
   }
-  std::stable_sort(by_face_.begin(), by_face_.end(),
-                   [&](const Shadow& x, const Shadow& y) { return shadows_.order(x.from, y.from) == Sign::negative; });
+  std::stable_sort(by_face_.begin(), by_face_.end(), [&](const HiddenInterval& x, const HiddenInterval& y) {
+    return occlusion_.order(x.from, y.from) == Sign::negative;
+  });
 }
 
-Line Tiling::begun(const Tiled& tiled) const {
+Line HiddenIntervals::begun(const LineTask& tiled) const {
   Line line;
   line.edge = tiled.edge;
   line.intersection = tiled.intersection;
@@ -104,16 +108,16 @@ Line Tiling::begun(const Tiled& tiled) const {
   return line;
 }
 
-void Tiling::end(Line line) {
+void HiddenIntervals::end(Line line) {
   check_countable(std::max(result_.cuts.size(), result_.occluders.size()), "interval ends of neighbouring edges");
   line.end_cut = static_cast<std::uint32_t>(result_.cuts.size());
   line.end_occluder = static_cast<std::uint32_t>(result_.occluders.size());
   result_.lines.push_back(line);
 }
 
-void Tiling::add_nothing(const Tiled& tiled) { end(begun(tiled)); }
+void HiddenIntervals::add_nothing(const LineTask& tiled) { end(begun(tiled)); }
 
-void Tiling::add_whole(const Tiled& tiled, bool is_hidden) {
+void HiddenIntervals::add_whole(const LineTask& tiled, bool is_hidden) {
   Line line = begun(tiled);
   line.starts_hidden = is_hidden;
   result_.cuts.push_back(tiled.from);
@@ -121,60 +125,62 @@ void Tiling::add_whole(const Tiled& tiled, bool is_hidden) {
   end(line);
 }
 
-void Tiling::add(const Tiled& tiled, std::vector<Shadow>& cast) {
+void HiddenIntervals::add(const LineTask& tiled, std::vector<HiddenInterval>& cast) {
   unite(cast);
   check_ascending(cast);
   Line line = begun(tiled);
   if (options_.why) name_occluders(cast, by_face_);
   auto& cuts = result_.cuts;
-  cuts.push_back(shadows_.first().cut);
-  line.starts_hidden = !cast.empty() && shadows_.order(shadows_.first(), cast.front().from) == Sign::zero;
-  for (const Shadow& s : cast) {
+  cuts.push_back(occlusion_.first().cut);
+  line.starts_hidden = !cast.empty() && occlusion_.order(occlusion_.first(), cast.front().from) == Sign::zero;
+  for (const HiddenInterval& s : cast) {
     if (&s != &cast.front() || !line.starts_hidden) cuts.push_back(s.from.cut);
     cuts.push_back(s.to.cut);
   }
-  if (cast.empty() || shadows_.order(cast.back().to, shadows_.last()) != Sign::zero) cuts.push_back(shadows_.last().cut);
+  if (cast.empty() || occlusion_.order(cast.back().to, occlusion_.last()) != Sign::zero) cuts.push_back(occlusion_.last().cut);
   end(line);
 }
 
-void Tiling::add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders,
-                            const HiddenTiles* tiles) {
-  if (!shadows_.start(part.edge, part.from, part.to)) {
+void HiddenIntervals::add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders,
+                                     const OcclusionPyramid* pyramid) {
+  if (!occlusion_.start(part.edge, part.from, part.to)) {
     add_nothing(part);
     return;
   }
   const bool is_whole = part.from.kind == Cut::Kind::start && part.to.kind == Cut::Kind::end;
-  if (tiles == nullptr || options_.why || !is_whole || !cast_unhidden(part, occluders, *tiles)) cast_all(part, box, occluders);
+  if (pyramid == nullptr || options_.why || !is_whole || !cast_unhidden(part, occluders, *pyramid))
+    cast_all(part, box, occluders);
 }
 
-void Tiling::add_by_casting(std::uint32_t i, const Intersection& meet, const ImageBox& box, const Occluders& occluders) {
-  const Tiled line(i, meet);
-  if (shadows_.start(meet))
+void HiddenIntervals::add_by_casting(std::uint32_t i, const Intersection& meet, const ImageBox& box,
+                                     const Occluders& occluders) {
+  const LineTask line(i, meet);
+  if (occlusion_.start(meet))
     cast_all(line, box, occluders);
   else
     add_nothing(line);
 }
 
 /// Whether the shadow covers certainly all of the stretch.
-bool Tiling::covers(const Shadow& s, const Stretch& stretch) const {
-  return (s.from.cut == shadows_.first().cut || s.from.t + s.from.error < stretch.from - stretch.error) &&
-         (s.to.cut == shadows_.last().cut || s.to.t - s.to.error > stretch.to + stretch.error);
+bool HiddenIntervals::covers(const HiddenInterval& s, const Stretch& stretch) const {
+  return (s.from.cut == occlusion_.first().cut || s.from.t + s.from.error < stretch.from - stretch.error) &&
+         (s.to.cut == occlusion_.last().cut || s.to.t - s.to.error > stretch.to + stretch.error);
 }
 
 /// Appends the shadows on a stretch of the line, or some that cover it.
-void Tiling::cast_on(const Stretch& stretch, const ImageBox& box, const Occluders& occluders) {
+void HiddenIntervals::cast_on(const Stretch& stretch, const ImageBox& box, const Occluders& occluders) {
   std::size_t united = cast_.size();  // when they were last united
   const auto one_covers = [&](std::size_t begin) {
     return std::any_of(cast_.begin() + static_cast<std::ptrdiff_t>(begin), cast_.end(),
-                       [&](const Shadow& s) { return covers(s, stretch); });
+                       [&](const HiddenInterval& s) { return covers(s, stretch); });
   };
   occluders.tree.visit_boxes<BoxTree::Depth::hiding>(box, [&](std::uint32_t i, std::uint32_t at) {
     ++result_.pairs;
     const std::size_t before = cast_.size();
     if (occluders.faces.empty())
-      shadows_.cast(occluders.triangles[i], cast_);
+      occlusion_.cast(occluders.triangles[i], cast_);
     else
-      shadows_.cast(occluders.faces[at], cast_);
+      occlusion_.cast(occluders.faces[at], cast_);
     if (options_.why || cast_.size() == before) return true;
     if (one_covers(before)) return false;
     // Now and then the shadows so far are united: together they may hide all of it. As their number doubles, so that a long
@@ -186,7 +192,7 @@ void Tiling::cast_on(const Stretch& stretch, const ImageBox& box, const Occluder
   });
 }
 
-void Tiling::cast_all(const Tiled& line, const ImageBox& box, const Occluders& occluders) {
+void HiddenIntervals::cast_all(const LineTask& line, const ImageBox& box, const Occluders& occluders) {
   cast_.clear();
   cast_on({-HUGE_VAL, HUGE_VAL}, box, occluders);
   if (options_.why) sort_by_face();
@@ -195,9 +201,9 @@ void Tiling::cast_all(const Tiled& line, const ImageBox& box, const Occluders& o
 
 /// In perspective a share s of the way along the image is t = s m / (n + s (m - n)) along the edge, m and n the depths of its
 /// ends. @pre shares from 0 to 1, or infinite
-Tiling::Stretch Tiling::stretch(const Edge& edge, double from_share, double to_share) const {
-  if (!sight_.is_perspective()) return {from_share, to_share};
-  const ErrorBounded m = sight_.depth(sight_.point(edge.a), 0), n = sight_.depth(sight_.point(edge.b), 0);
+HiddenIntervals::Stretch HiddenIntervals::stretch(const Edge& edge, double from_share, double to_share) const {
+  if (!projected_.is_perspective()) return {from_share, to_share};
+  const ErrorBounded m = projected_.depth(projected_.point(edge.a), 0), n = projected_.depth(projected_.point(edge.b), 0);
   const auto t = [&](double share) {
     if (std::isinf(share)) return ErrorBounded{share, 0};
     const ErrorBounded s{share, 0};
@@ -208,12 +214,12 @@ Tiling::Stretch Tiling::stretch(const Edge& edge, double from_share, double to_s
 }
 
 /// Around a stretch of an edge.
-ImageBox Tiling::box_of(const Edge& edge, const Stretch& stretch) const {
+ImageBox HiddenIntervals::box_of(const Edge& edge, const Stretch& stretch) const {
   const auto box_at = [&](double t) {
-    if (t <= 0) return sight_.box(edge.a);
-    if (t >= 1) return sight_.box(edge.b);
-    const NearPoint at = between(sight_.point(edge.a), sight_.point(edge.b), {t, stretch.error});
-    return sight_.box(at.p, 3 * at.error);
+    if (t <= 0) return projected_.box(edge.a);
+    if (t >= 1) return projected_.box(edge.b);
+    const BoundedPoint3 at = between(projected_.point(edge.a), projected_.point(edge.b), {t, stretch.error});
+    return projected_.box(at.p, 3 * at.error);
   };
   ImageBox box = box_at(stretch.from);
   box.add(box_at(stretch.to));
@@ -221,9 +227,9 @@ ImageBox Tiling::box_of(const Edge& edge, const Stretch& stretch) const {
 }
 
 /// Looks only along what the tiles do not hide. False: nothing is known, or not for certain.
-bool Tiling::cast_unhidden(const Tiled& line, const Occluders& occluders, const HiddenTiles& tiles) {
-  const Edge& edge = sight_.mesh().edges[line.edge];
-  if (!tiles.unhidden(edge, unhidden_)) return false;
+bool HiddenIntervals::cast_unhidden(const LineTask& line, const Occluders& occluders, const OcclusionPyramid& pyramid) {
+  const Edge& edge = projected_.mesh().edges[line.edge];
+  if (!pyramid.unhidden(edge, unhidden_)) return false;
   if (unhidden_.empty()) {
     add_whole(line, true);
     return true;
@@ -231,7 +237,7 @@ bool Tiling::cast_unhidden(const Tiled& line, const Occluders& occluders, const 
   cast_.clear();
   unhidden_stretches_.clear();
   looked_at_.clear();
-  for (const UnhiddenPart& part : unhidden_) {
+  for (const UnhiddenInterval& part : unhidden_) {
     unhidden_stretches_.push_back(stretch(edge, part.from, part.to));
     looked_at_.push_back(stretch(edge, part.low, part.high));
     if (!(looked_at_.back().error < HUGE_VAL)) return false;
@@ -247,11 +253,11 @@ bool Tiling::cast_unhidden(const Tiled& line, const Occluders& occluders, const 
 
 /// Between the shadows, which ascend, are what is visible and what was not looked at, as it is hidden: these are closed. Both
 /// ends of a hidden stretch have been looked at: shadows reach some way into it. False: doubles do not tell.
-bool Tiling::close_gaps() {
+bool HiddenIntervals::close_gaps() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::size_t n = looked_at_.size();
   enum class Gap : std::uint8_t { visible, hidden, unknown };
-  const auto gap = [&](const Bound& from, const Bound& to) {
+  const auto gap = [&](const Breakpoint& from, const Breakpoint& to) {
     const double begin = from.t + from.error, end = to.t - to.error;
     for (std::size_t k = 0; k <= n; ++k) {
       const double after = k == 0 ? -infinity : unhidden_stretches_[k - 1].to + unhidden_stretches_[k - 1].error;
@@ -263,7 +269,7 @@ bool Tiling::close_gaps() {
     }
     return Gap::visible;
   };
-  const Bound &first = shadows_.first(), &last = shadows_.last();
+  const Breakpoint &first = occlusion_.first(), &last = occlusion_.last();
   if (cast_.empty()) return gap(first, last) == Gap::visible;
   // Into one what only a hidden gap parts.
   if (cast_.front().from.cut != first.cut) {
@@ -289,21 +295,22 @@ bool Tiling::close_gaps() {
   return true;
 }
 
-VisibleLines tiled_in_blocks(const Sight& sight, const LineOptions& options, std::span<const std::uint32_t> order,
-                             const std::function<void(Tiling&, std::uint32_t)>& add) {
+VisibleLines intervals_in_blocks(const ProjectedMesh& projected, const LineOptions& options,
+                                 std::span<const std::uint32_t> order,
+                                 const std::function<void(HiddenIntervals&, std::uint32_t)>& add) {
   std::vector<VisibleLines> parts((order.size() + edges_of_block - 1) / edges_of_block);
   std::vector<std::array<std::uint32_t, 2>> place(order.size());
   LineProgress progress(options.progress, order.size());
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      Tiling tiling(sight, options);
+      HiddenIntervals intervals(projected, options);
       const std::size_t begin = part * edges_of_block, end = std::min(begin + edges_of_block, order.size());
       for (std::size_t k = begin; k < end; ++k) {
         place[order[k]] = {static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(k - begin)};
-        add(tiling, order[k]);
+        add(intervals, order[k]);
       }
-      parts[part] = tiling.take();
+      parts[part] = intervals.take();
       progress.advance(end - begin);
     }
   });

@@ -15,37 +15,38 @@
 namespace hsr {
 
 /// What is tiled: an edge, or the part of one that is of one class; or where two faces pierce each other.
-struct Tiled {
+struct LineTask {
   EdgeId edge;
   EdgeClass edge_class = EdgeClass::smooth;
   Cut from{Cut::Kind::start}, to{Cut::Kind::end};
   std::uint32_t intersection = 0;
 
-  Tiled(const RequestedPart& p)
+  LineTask(const RequestedPart& p)
       : edge(p.edge), edge_class(p.edge_class), from(p.from), to(p.to) {}  // NOLINT(google-explicit-constructor)
-  Tiled(std::uint32_t i, const Intersection& meet)
+  LineTask(std::uint32_t i, const Intersection& meet)
       : edge_class(EdgeClass::intersection), from(meet.from), to(meet.to), intersection(i) {}
 };
 
 /// Sorts the shadows of one line at a time along it, and of these makes the hidden and visible intervals. One object for each
 /// block of lines.
-class Tiling {
+class HiddenIntervals {
  public:
-  Tiling(const Sight& sight, const LineOptions& options) : sight_(sight), options_(options), shadows_(sight) {}
+  HiddenIntervals(const ProjectedMesh& projected, const LineOptions& options)
+      : projected_(projected), options_(options), occlusion_(projected) {}
 
   /// The line as all the triangles that overlap it in the image leave it. @param tiles none: nothing is known to be hidden
   void add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders,
-                      const HiddenTiles* tiles = nullptr);
+                      const OcclusionPyramid* pyramid = nullptr);
   void add_by_casting(std::uint32_t i, const Intersection& meet, const ImageBox& box, const Occluders& occluders);
   /// The line with these shadows, which are sorted and united here. @pre shadows().start() of it was true
-  void add(const Tiled& line, std::vector<Shadow>& shadows);
+  void add(const LineTask& line, std::vector<HiddenInterval>& occlusion);
   /// A line wholly beyond the near plane that is hidden, or visible, all along.
-  void add_whole(const Tiled& line, bool is_hidden);
+  void add_whole(const LineTask& line, bool is_hidden);
   /// An edge without parts: seen as a point, or before the near plane.
-  void add_nothing(const Tiled& line);
+  void add_nothing(const LineTask& line);
 
-  Shadows& shadows() { return shadows_; }
-  Predicates& exact() { return shadows_.exact(); }
+  TriangleOcclusion& occlusion() { return occlusion_; }
+  Predicates& exact() { return occlusion_.exact(); }
   std::uint64_t& pairs() { return result_.pairs; }
   VisibleLines take() {
     result_.decisions = exact().counts();
@@ -59,33 +60,34 @@ class Tiling {
     double error = 0;
   };
 
-  void unite(std::vector<Shadow>& cast);
-  void check_ascending(std::span<const Shadow> hidden);
+  void unite(std::vector<HiddenInterval>& cast);
+  void check_ascending(std::span<const HiddenInterval> hidden);
   void sort_by_face();
-  void name_occluders(std::span<const Shadow> hidden, std::span<const Shadow> by_face);
-  Line begun(const Tiled& tiled) const;
-  void cast_all(const Tiled& line, const ImageBox& box, const Occluders& occluders);
+  void name_occluders(std::span<const HiddenInterval> hidden, std::span<const HiddenInterval> by_face);
+  Line begun(const LineTask& tiled) const;
+  void cast_all(const LineTask& line, const ImageBox& box, const Occluders& occluders);
   Stretch stretch(const Edge& edge, double from_share, double to_share) const;
   ImageBox box_of(const Edge& edge, const Stretch& stretch) const;
   void cast_on(const Stretch& stretch, const ImageBox& box, const Occluders& occluders);
-  bool covers(const Shadow& s, const Stretch& stretch) const;
-  bool cast_unhidden(const Tiled& line, const Occluders& occluders, const HiddenTiles& tiles);
+  bool covers(const HiddenInterval& s, const Stretch& stretch) const;
+  bool cast_unhidden(const LineTask& line, const Occluders& occluders, const OcclusionPyramid& pyramid);
   bool close_gaps();
   void end(Line line);
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   const LineOptions& options_;
-  Shadows shadows_;
-  std::vector<Shadow> cast_, by_face_, one_face_;
-  std::vector<UnhiddenPart> unhidden_;
+  TriangleOcclusion occlusion_;
+  std::vector<HiddenInterval> cast_, by_face_, one_face_;
+  std::vector<UnhiddenInterval> unhidden_;
   std::vector<Stretch> unhidden_stretches_, looked_at_;  // what may be seen; each a little longer
   VisibleLines result_;
 };
 
 /// The lines of edges that do not depend on one another, in blocks in parallel. @param order the edges to tile, near ones near
 /// @param add tiles one of them
-VisibleLines tiled_in_blocks(const Sight& sight, const LineOptions& options, std::span<const std::uint32_t> order,
-                             const std::function<void(Tiling&, std::uint32_t)>& add);
+VisibleLines intervals_in_blocks(const ProjectedMesh& projected, const LineOptions& options,
+                                 std::span<const std::uint32_t> order,
+                                 const std::function<void(HiddenIntervals&, std::uint32_t)>& add);
 
 /// The lines of all parts in order. @param place where each line is: part, and line in it
 /// @throws InputError beyond 2^32 - 1 interval ends

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "hsr/lines/occluding_edges.h"
+#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/occluders.h"
 #include "hsr/scene/projected_mesh.h"
 
@@ -12,9 +12,10 @@ namespace hsr {
 /// its vertex v, moved a little to one side. First along the edge, then, much less, to the side: so nothing is ever seen on the
 /// border of a triangle.
 /// Exact: yes, where the edge touches nothing in space.
-class LayerCount {
+class InvisibilityCount {
  public:
-  LayerCount(const Sight& sight, const Layers& layers) : sight_(sight), layers_(layers), exact_(sight.predicates()) {}
+  InvisibilityCount(const ProjectedMesh& projected, const OccludingEdges& layers)
+      : projected_(projected), layers_(layers), exact_(projected.predicates()) {}
 
   /// Of the triangles at v. @param to the other vertex of the edge @param side positive, moved to the left of v -> to
   std::int32_t at_vertex(VertexId v, VertexId to, Sign side);
@@ -26,8 +27,8 @@ class LayerCount {
  private:
   bool hides(TriangleId t, VertexId p);
 
-  const Sight& sight_;
-  const Layers& layers_;
+  const ProjectedMesh& projected_;
+  const OccludingEdges& layers_;
   Predicates exact_;
 };
 

@@ -4,13 +4,13 @@
 
 namespace hsr {
 
-void Crossings::add(LayerChange change, std::vector<LayerChange>& changes) {
+void InvisibilityEvents::add(InvisibilityChange change, std::vector<InvisibilityChange>& changes) {
   course_.left += change.left;
   course_.right += change.right;
   changes.push_back(change);
 }
 
-void Crossings::turn_to(std::span<const ImageBox> boxes) {
+void InvisibilityEvents::turn_to(std::span<const ImageBox> boxes) {
   constexpr std::size_t limit = 64;  // more of them cost an edge more than its own way down the tree
   ImageBox all = ImageBox::nothing();
   for (const ImageBox& box : boxes) all.add(box);
@@ -20,14 +20,14 @@ void Crossings::turn_to(std::span<const ImageBox> boxes) {
   shares_face_leaves_ = occluders_.tree.leaves<BoxTree::Depth::touching>(all, limit, face_leaves_);
 }
 
-Course Crossings::find(EdgeId id, const ImageBox& box, std::vector<LayerChange>& changes) {
-  const Edge& edge = sight_.mesh().edges[id];
+EdgeWalk InvisibilityEvents::find(EdgeId id, const ImageBox& box, std::vector<InvisibilityChange>& changes) {
+  const Edge& edge = projected_.mesh().edges[id];
   course_ = {};
-  if (sight_.beyond_near(edge.a) == Sign::negative || sight_.beyond_near(edge.b) == Sign::negative) {
+  if (projected_.beyond_near(edge.a) == Sign::negative || projected_.beyond_near(edge.b) == Sign::negative) {
     course_.is_degenerate = true;
     return course_;
   }
-  const ImageLine line(sight_, edge.a, edge.b);
+  const LineFilter line(projected_, edge.a, edge.b);
   line_ = &line;
   if (line.is_point(exact_)) {
     course_.is_point = true;
@@ -60,8 +60,8 @@ Course Crossings::find(EdgeId id, const ImageBox& box, std::vector<LayerChange>&
   return course_;
 }
 
-void Crossings::cross(const Edge& edge, const OccludingEdge& occluding, std::vector<LayerChange>& changes) {
-  const Edge& f = sight_.mesh().edges[occluding.edge];
+void InvisibilityEvents::cross(const Edge& edge, const OccludingEdge& occluding, std::vector<InvisibilityChange>& changes) {
+  const Edge& f = projected_.mesh().edges[occluding.edge];
   const bool at_start = f.a == edge.a || f.b == edge.a, at_end = f.a == edge.b || f.b == edge.b;
   if (at_start || at_end) {
     // It crosses only in the common vertex. Seen along the edge, it may cover the other end.
@@ -85,7 +85,7 @@ void Crossings::cross(const Edge& edge, const OccludingEdge& occluding, std::vec
       course_.end_is_clean = false;
     return;
   }
-  const ImageLine other(sight_, f.a, f.b);
+  const LineFilter other(projected_, f.a, f.b);
   const Sign sa = other.side(edge.a, exact_), sb = other.side(edge.b, exact_);
   if (sa == sb) return;  // not both zero: the lines differ
   if (sa * sb == Sign::positive) return;
@@ -93,8 +93,8 @@ void Crossings::cross(const Edge& edge, const OccludingEdge& occluding, std::vec
   // side that is turned away from the eye.
   const bool by_first = s0 != Sign::zero;
   const VertexId c = by_first ? f.a : f.b, d = by_first ? f.b : f.a;
-  const Plane plane = Plane::of_face(sight_.point(edge.a), sight_.point(edge.b), sight_.point(c));
-  const Sign behind = sight_.side(plane, d, exact_) * (by_first ? s0 : s1);
+  const Plane plane = Plane::of_face(projected_.point(edge.a), projected_.point(edge.b), projected_.point(c));
+  const Sign behind = projected_.side(plane, d, exact_) * (by_first ? s0 : s1);
   if (behind == Sign::positive) return;
   if (sa == Sign::zero) course_.start_is_clean = false;
   if (sb == Sign::zero) course_.end_is_clean = false;
@@ -110,29 +110,29 @@ void Crossings::cross(const Edge& edge, const OccludingEdge& occluding, std::vec
   add({occluding.edge.value, false, on_left ? change : 0, on_right ? change : 0}, changes);
 }
 
-void Crossings::pierce(const Edge& edge, TriangleId t, std::vector<LayerChange>& changes) {
-  const auto& c = sight_.mesh().triangles[t];
+void InvisibilityEvents::pierce(const Edge& edge, TriangleId t, std::vector<InvisibilityChange>& changes) {
+  const auto& c = projected_.mesh().triangles[t];
   for (const VertexId v : c)
     if (v == edge.a || v == edge.b) return;  // it meets the plane there, or lies in it
   ++pairs_;
   const Sign first = line_->certain_side(c[0]);
   if (first != Sign::zero && line_->certain_side(c[1]) == first && line_->certain_side(c[2]) == first) return;
-  const Plane plane = sight_.face_plane(t);
-  const Sign at_a = sight_.side(plane, edge.a, exact_), at_b = sight_.side(plane, edge.b, exact_);
+  const Plane plane = projected_.face_plane(t);
+  const Sign at_a = projected_.side(plane, edge.a, exact_), at_b = projected_.side(plane, edge.b, exact_);
   if (at_a == at_b) return;  // wholly on one side, or in the plane, where nothing hides
-  const Sign facing = sight_.facing(t);
+  const Sign facing = projected_.facing(t);
   if (at_a == Sign::zero || at_b == Sign::zero) {
     const VertexId v = at_a == Sign::zero ? edge.a : edge.b;
     for (std::size_t k = 0; k < 3; ++k)
-      if (ImageLine(sight_, c[k], c[(k + 1) % 3]).side(v, exact_) * facing == Sign::negative) return;
+      if (LineFilter(projected_, c[k], c[(k + 1) % 3]).side(v, exact_) * facing == Sign::negative) return;
     course_.is_degenerate = true;
     return;
   }
   // The line of the edge passes the three sides of the triangle in one sense iff it goes through the inside.
   bool positive = false, negative = false, zero = false;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Sign s =
-        sight_.side(Plane::of_face(sight_.point(edge.a), sight_.point(edge.b), sight_.point(c[k])), c[(k + 1) % 3], exact_);
+    const Sign s = projected_.side(Plane::of_face(projected_.point(edge.a), projected_.point(edge.b), projected_.point(c[k])),
+                                   c[(k + 1) % 3], exact_);
     (s == Sign::zero ? zero : s == Sign::positive ? positive : negative) = true;
   }
   if (positive && negative) return;

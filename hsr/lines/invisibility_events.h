@@ -4,25 +4,25 @@
 #include <span>
 #include <vector>
 
-#include "hsr/lines/occluding_edges.h"
+#include "hsr/scene/occluding_edges.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/occluders.h"
 #include "hsr/scene/projected_mesh.h"
 
 namespace hsr {
 
-class ImageLine;
+class LineFilter;
 
 /// A place inside an edge where the number of layers before it changes, going from a to b: by `left` just to the left of the
 /// edge, by `right` just to the right. They differ where an occluding edge ends exactly on the edge, as seen.
-struct LayerChange {
+struct InvisibilityChange {
   std::uint32_t by;  ///< an EdgeId; of a pierced face, a TriangleId
   bool is_face;
   std::int32_t left, right;
 };
 
 /// What happens along one edge.
-struct Course {
+struct EdgeWalk {
   bool is_point = false;             ///< seen as a point
   bool is_hidden = false;            ///< known to be hidden, and not followed
   bool is_degenerate = false;        ///< it touches something in space, or crosses the near plane: layers do not tell
@@ -39,34 +39,34 @@ struct Course {
 /// to the right of what is just to the left of it, and to the left of what is just to the right. In space nothing is settled
 /// that way: an edge that touches an occluding edge, or the side or corner of a face, is degenerate.
 /// Exact: yes. Source: Appel 1967.
-class Crossings {
+class InvisibilityEvents {
  public:
-  Crossings(const Sight& sight, const Layers& layers, const Occluders& occluders)
-      : sight_(sight), layers_(layers), occluders_(occluders), exact_(sight.predicates()) {}
+  InvisibilityEvents(const ProjectedMesh& projected, const OccludingEdges& layers, const Occluders& occluders)
+      : projected_(projected), layers_(layers), occluders_(occluders), exact_(projected.predicates()) {}
 
   /// Turns to a few edges that are near one another in the image: the search is then shared.
   void turn_to(std::span<const ImageBox> boxes);
   /// Appends the changes along the edge, in no order. @pre `box` is the edge's, one of those turned to
-  Course find(EdgeId edge, const ImageBox& box, std::vector<LayerChange>& changes);
+  EdgeWalk find(EdgeId edge, const ImageBox& box, std::vector<InvisibilityChange>& changes);
 
   const DecisionCounts& decisions() const { return exact_.counts(); }
   std::uint64_t pairs() const { return pairs_; }
 
  private:
-  void cross(const Edge& edge, const OccludingEdge& occluding, std::vector<LayerChange>& changes);
-  void pierce(const Edge& edge, TriangleId t, std::vector<LayerChange>& changes);
-  void add(LayerChange change, std::vector<LayerChange>& changes);
+  void cross(const Edge& edge, const OccludingEdge& occluding, std::vector<InvisibilityChange>& changes);
+  void pierce(const Edge& edge, TriangleId t, std::vector<InvisibilityChange>& changes);
+  void add(InvisibilityChange change, std::vector<InvisibilityChange>& changes);
 
-  const Sight& sight_;
-  const Layers& layers_;
+  const ProjectedMesh& projected_;
+  const OccludingEdges& layers_;
   const Occluders& occluders_;
   Predicates exact_;
   std::uint64_t pairs_ = 0;
   // The leaves that may matter to the edges turned to; if they are too many, each edge looks for its own.
   std::vector<std::uint32_t> edge_leaves_, face_leaves_;
   bool shares_edge_leaves_ = false, shares_face_leaves_ = false;
-  const ImageLine* line_ = nullptr;
-  Course course_;
+  const LineFilter* line_ = nullptr;
+  EdgeWalk course_;
 };
 
 }  // namespace hsr

@@ -10,21 +10,21 @@
 
 namespace hsr {
 
-class Bodies;
-class HiddenTiles;
-class Layers;
+class ClosedBodies;
+class OcclusionPyramid;
+class OccludingEdges;
 
 /// @param tiles none: nothing is known to be hidden
-VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders,
-                     const LineOptions& options, const HiddenTiles* tiles = nullptr);
-VisibleLines appel(const Sight& sight, const RequestedEdges& requested, const Layers& layers, const Occluders& occluders,
-                   const LineOptions& options);
+VisibleLines roberts(const ProjectedMesh& projected, const ClassifiedEdges& requested, const Occluders& occluders,
+                     const LineOptions& options, const OcclusionPyramid* pyramid = nullptr);
+VisibleLines appel(const ProjectedMesh& projected, const ClassifiedEdges& requested, const OccludingEdges& layers,
+                   const Occluders& occluders, const LineOptions& options);
 /// @pre bodies.is_one_convex_body()
-VisibleLines lines_of_convex_body(const Sight& sight, const RequestedEdges& requested, const Bodies& bodies,
+VisibleLines lines_of_convex_body(const ProjectedMesh& projected, const ClassifiedEdges& requested, const ClosedBodies& bodies,
                                   const LineOptions& options);
 
-/// The visible and the hidden parts of where faces pierce each other, numbered as in `united` (contacts/intersections.h).
-VisibleLines lines_of_intersections(const Sight& sight, const std::vector<Intersection>& united,
+/// The visible and the hidden parts of where faces pierce each other, numbered as in `merge_segments` (contacts/intersections.h).
+VisibleLines lines_of_intersections(const ProjectedMesh& projected, const std::vector<Intersection>& united,
                                     const std::vector<ImageBox>& boxes, const Occluders& occluders, const LineOptions& options);
 
 }  // namespace hsr

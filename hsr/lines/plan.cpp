@@ -14,7 +14,7 @@
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/image_mask.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/occluding_edges.h"
+#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/closed_bodies.h"
 #include "hsr/scene/intersections.h"
 #include "hsr/scene/line_filter.h"
@@ -54,7 +54,7 @@ class Plan {
   void leave_out_far_sides();
   void leave_out_hidden();
   void choose_method();
-  bool few_edges(std::size_t share) const { return requested_->edges.size() * share < sight_.mesh().triangles.size(); }
+  bool few_edges(std::size_t share) const { return requested_->edges.size() * share < projected_.mesh().triangles.size(); }
   std::vector<std::uint8_t> far_from_requested();
   /// Whether to run a stage that a request for few edges does not pay for; else says why not.
   bool wants(LineStage stage, const char* name);
@@ -62,30 +62,30 @@ class Plan {
   bool appel_pays() const;
 
   const LineOptions& options_;
-  Sight sight_;
-  std::optional<OutsideFrame> outside_;
-  std::optional<RequestedEdges> requested_;
+  ProjectedMesh projected_;
+  std::optional<ViewFrustum> outside_;
+  std::optional<ClassifiedEdges> requested_;
   Intersections intersections_;
-  std::vector<Intersection> united_;
+  std::vector<Intersection> merged_segments_;
   std::vector<ImageBox> meet_boxes_;    // of these
   std::vector<ImageBox> boxes_;         // of the triangles
   std::vector<std::uint8_t> left_out_;  // by triangle: whole faces; empty: none
-  std::optional<Bodies> bodies_;
+  std::optional<ClosedBodies> bodies_;
   std::optional<Occluders> occluders_;
-  std::optional<Layers> layers_;
+  std::optional<OccludingEdges> layers_;
   LinePlan outcome_;
 };
 
-std::optional<OutsideFrame> outside_frame(const Mesh& mesh, const View& view, const LineOptions& options) {
+std::optional<ViewFrustum> outside_frame(const Mesh& mesh, const View& view, const LineOptions& options) {
   if (!options.frame || !view.is_perspective() || options.when(LineStage::frame) == When::never) return {};
-  return OutsideFrame(mesh, view, *options.frame);
+  return ViewFrustum(mesh, view, *options.frame);
 }
 
 Plan::Plan(const Mesh& mesh, const View& view, const LineOptions& options)
-    : options_(options), sight_(mesh, view, options.arithmetic), outside_(outside_frame(mesh, view, options)) {
+    : options_(options), projected_(mesh, view, options.arithmetic), outside_(outside_frame(mesh, view, options)) {
   find_bodies();
   find_contacts();
-  requested_.emplace(sight_, options, outside_ ? &*outside_ : nullptr, occluders_ ? &*occluders_ : nullptr,
+  requested_.emplace(projected_, options, outside_ ? &*outside_ : nullptr, occluders_ ? &*occluders_ : nullptr,
                      intersections_.has_contact);
   if (requested_->edges.size() < mesh.edges.size())
     say("edges", of(mesh.edges.size() - requested_->edges.size(), mesh.edges.size(),
@@ -96,7 +96,7 @@ Plan::Plan(const Mesh& mesh, const View& view, const LineOptions& options)
   if (!occluders_) find_occluders();  // a convex body, but it was not to be left at that
   leave_out_hidden();
   const std::vector<std::uint8_t> far = far_from_requested();
-  if (count(far) > 0) occluders_.emplace(sight_, boxes_, far);
+  if (count(far) > 0) occluders_.emplace(projected_, boxes_, far);
   choose_method();
 }
 
@@ -104,13 +104,13 @@ Plan::Plan(const Mesh& mesh, const View& view, const LineOptions& options)
 void Plan::find_bodies() {
   if (options_.why || options_.arithmetic != Arithmetic::staged) return;
   if (options_.when(LineStage::back_faces) == When::never && options_.when(LineStage::convex_body) == When::never) return;
-  bodies_.emplace(sight_);
+  bodies_.emplace(projected_);
 }
 
 void Plan::find_occluders() {
-  boxes_.resize(sight_.mesh().triangles.size());
-  for_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = sight_.box(TriangleId(i)); });
-  occluders_.emplace(sight_, boxes_, left_out_);
+  boxes_.resize(projected_.mesh().triangles.size());
+  parallel_for_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = projected_.box(TriangleId(i)); });
+  occluders_.emplace(projected_, boxes_, left_out_);
 }
 
 void Plan::find_contacts() {
@@ -119,15 +119,15 @@ void Plan::find_contacts() {
     return;
   }
   find_occluders();
-  intersections_ = find_intersections(sight_, *occluders_);
+  intersections_ = find_intersections(projected_, *occluders_);
   if (!options_.classes[static_cast<std::size_t>(EdgeClass::intersection)]) {
     say("intersections", "they are not asked for");
     return;
   }
   if (intersections_.segments.empty()) say("intersections", "no two faces pierce each other");
-  united_ = united(sight_, intersections_.segments);
-  meet_boxes_.resize(united_.size());
-  for_each(united_.size(), [&](std::size_t i) { meet_boxes_[i] = box_of(sight_, united_[i]); });
+  merged_segments_ = merge_segments(projected_, intersections_.segments);
+  meet_boxes_.resize(merged_segments_.size());
+  parallel_for_each(merged_segments_.size(), [&](std::size_t i) { meet_boxes_[i] = box_of(projected_, merged_segments_[i]); });
 }
 
 bool Plan::wants(LineStage stage, const char* name) {
@@ -146,7 +146,7 @@ void Plan::leave_out_far_sides() {
   const bool wants_back_faces = wants(LineStage::back_faces, "back faces");
   const bool wants_convex_body = wants(LineStage::convex_body, "convex body");
   if (!wants_back_faces && !wants_convex_body) return;
-  const Bodies& bodies = *bodies_;
+  const ClosedBodies& bodies = *bodies_;
   if (wants_convex_body && bodies.is_one_convex_body()) {
     outcome_.method = "none";
     say("convex body", "all of it: of one convex body, what is turned to the eye is visible");
@@ -160,8 +160,8 @@ void Plan::leave_out_far_sides() {
   }
   left_out_ = bodies.far_sides();
   requested_->hidden.resize(requested_->edges.size());
-  for_each(requested_->edges.size(),
-           [&](std::size_t i) { requested_->hidden[i] = bodies.is_on_far_side(requested_->edges[i]) ? 1 : 0; });
+  parallel_for_each(requested_->edges.size(),
+                    [&](std::size_t i) { requested_->hidden[i] = bodies.is_on_far_side(requested_->edges[i]) ? 1 : 0; });
   say("back faces", of(count(left_out_), left_out_.size(), "triangles and ") +
                         of(count(requested_->hidden), requested_->hidden.size(), "edges are far sides of ") +
                         std::to_string(bodies.count()) + (bodies.count() == 1 ? " closed body" : " closed bodies"));
@@ -170,20 +170,20 @@ void Plan::leave_out_far_sides() {
 /// Faces that are hidden hide nothing that what hides them does not, and edges that are hidden need no test.
 void Plan::leave_out_hidden() {
   if (!wants(LineStage::hidden_tiles, "hidden tiles")) return;
-  const Mesh& mesh = sight_.mesh();
-  const HiddenTiles tiles(sight_, options_.when(LineStage::hidden_tiles) == When::always);
-  if (tiles.is_empty()) {
+  const Mesh& mesh = projected_.mesh();
+  const OcclusionPyramid pyramid(projected_, options_.when(LineStage::hidden_tiles) == When::always);
+  if (pyramid.is_empty()) {
     say("hidden tiles", "no face is large and near enough to hide much");
     return;
   }
   const std::size_t faces_before = count(left_out_), edges_before = count(requested_->hidden);
-  tiles.mark_hidden(left_out_);
+  pyramid.mark_hidden(left_out_);
   requested_->hidden.resize(requested_->edges.size(), 0);
-  for_each(requested_->edges.size(), [&](std::size_t i) {
+  parallel_for_each(requested_->edges.size(), [&](std::size_t i) {
     const Edge& e = mesh.edges[requested_->edges[i]];
-    if (!tiles.hides(e)) return;
-    Predicates exact = sight_.predicates();
-    if (!ImageLine(sight_, e.a, e.b).is_point(exact)) requested_->hidden[i] = 1;
+    if (!pyramid.hides(e)) return;
+    Predicates exact = projected_.predicates();
+    if (!LineFilter(projected_, e.a, e.b).is_point(exact)) requested_->hidden[i] = 1;
   });
   say("hidden tiles", of(count(left_out_) - faces_before, left_out_.size(), "triangles and ") +
                           of(count(requested_->hidden) - edges_before, requested_->hidden.size(),
@@ -203,7 +203,7 @@ std::vector<std::uint8_t> Plan::far_from_requested() {
   const ImageMask mask(asked_for);
   std::vector<std::uint8_t> far = left_out_;
   far.resize(boxes_.size(), 0);
-  for_each(boxes_.size(), [&](std::size_t i) {
+  parallel_for_each(boxes_.size(), [&](std::size_t i) {
     if (!mask.touches(boxes_[i])) far[i] = 1;
   });
   say("far faces", of(count(far) - count(left_out_), far.size(), "triangles overlap no edge that is asked for, as seen"));
@@ -213,7 +213,7 @@ std::vector<std::uint8_t> Plan::far_from_requested() {
 /// Appel looks at occluding edges where roberts looks at faces, and then has the counts to carry on.
 bool Plan::appel_pays() const {
   const std::size_t faces = tbb::parallel_reduce(
-      Range(0, sight_.mesh().triangles.size(), block), std::size_t{0},
+      Range(0, projected_.mesh().triangles.size(), block), std::size_t{0},
       [&](const Range& range, std::size_t n) {
         for (std::size_t t = range.begin(); t < range.end(); ++t) n += layers_->counts(TriangleId(t)) ? 1U : 0U;
         return n;
@@ -233,7 +233,7 @@ void Plan::choose_method() {
   if (is_automatic && options_.arithmetic != Arithmetic::staged) return roberts_because("arithmetic is compared by roberts");
   // To count the layers takes a look at every edge of the mesh.
   if (is_automatic && few_edges(32)) return roberts_because("few edges are asked for");
-  layers_.emplace(sight_, left_out_);
+  layers_.emplace(projected_, left_out_);
   if (is_automatic && !appel_pays()) return roberts_because("nearly every edge is an outline or a boundary");
   outcome_.method = "appel";
 }
@@ -256,12 +256,13 @@ void append(VisibleLines& all, const VisibleLines& more) {
 }
 
 VisibleLines Plan::run() const {
-  VisibleLines all = outcome_.method == "none"    ? lines_of_convex_body(sight_, *requested_, *bodies_, options_)
-                     : outcome_.method == "appel" ? appel(sight_, *requested_, *layers_, *occluders_, options_)
-                                                  : roberts(sight_, *requested_, *occluders_, options_);
+  VisibleLines all = outcome_.method == "none"    ? lines_of_convex_body(projected_, *requested_, *bodies_, options_)
+                     : outcome_.method == "appel" ? appel(projected_, *requested_, *layers_, *occluders_, options_)
+                                                  : roberts(projected_, *requested_, *occluders_, options_);
   all.decisions += intersections_.decisions;
-  if (!united_.empty()) append(all, lines_of_intersections(sight_, united_, meet_boxes_, *occluders_, options_));
-  all.intersections = united_;
+  if (!merged_segments_.empty())
+    append(all, lines_of_intersections(projected_, merged_segments_, meet_boxes_, *occluders_, options_));
+  all.intersections = merged_segments_;
   all.plan = outcome_;
   return all;
 }

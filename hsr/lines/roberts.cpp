@@ -14,25 +14,26 @@ VisibleLines roberts(const Mesh& mesh, const View& view, const LineOptions& opti
   return visible_lines(mesh, view, by_roberts);
 }
 
-VisibleLines roberts(const Sight& sight, const RequestedEdges& requested, const Occluders& occluders,
-                     const LineOptions& options, const HiddenTiles* tiles) {
+VisibleLines roberts(const ProjectedMesh& projected, const ClassifiedEdges& requested, const Occluders& occluders,
+                     const LineOptions& options, const OcclusionPyramid* pyramid) {
   // Neighbours in the image meet the same triangles: in this order they are still in the cache.
   const std::vector<std::uint32_t> order = hilbert_order(requested.boxes);
-  VisibleLines all = tiled_in_blocks(sight, options, order, [&](Tiling& tiling, std::uint32_t i) {
+  VisibleLines all = intervals_in_blocks(projected, options, order, [&](HiddenIntervals& intervals, std::uint32_t i) {
     if (!requested.hidden.empty() && requested.hidden[i] != 0)
-      tiling.add_whole(requested[i], true);
+      intervals.add_whole(requested[i], true);
     else
-      tiling.add_by_casting(requested[i], requested.boxes[i], occluders, tiles);
+      intervals.add_by_casting(requested[i], requested.boxes[i], occluders, pyramid);
   });
   all.decisions += requested.decisions;
   return all;
 }
 
-VisibleLines lines_of_intersections(const Sight& sight, const std::vector<Intersection>& united,
+VisibleLines lines_of_intersections(const ProjectedMesh& projected, const std::vector<Intersection>& united,
                                     const std::vector<ImageBox>& boxes, const Occluders& occluders,
                                     const LineOptions& options) {
-  return tiled_in_blocks(sight, options, hilbert_order(boxes),
-                         [&](Tiling& tiling, std::uint32_t i) { tiling.add_by_casting(i, united[i], boxes[i], occluders); });
+  return intervals_in_blocks(projected, options, hilbert_order(boxes), [&](HiddenIntervals& intervals, std::uint32_t i) {
+    intervals.add_by_casting(i, united[i], boxes[i], occluders);
+  });
 }
 
 }  // namespace hsr

@@ -19,20 +19,20 @@ Cut cut_of(Cut::Kind kind, std::uint32_t u = 0, std::uint32_t v = 0, int axis = 
 /// Neighbours share the cut by their common side: its vertices in one order.
 Cut sight_cut(VertexId u, VertexId v) { return cut_of(Cut::Kind::sight, std::min(u, v).value, std::max(u, v).value); }
 
-const Bound start_bound = {cut_of(Cut::Kind::start), 0, 0, Sign::positive};
-const Bound end_bound = {cut_of(Cut::Kind::end), 1, 0, Sign::positive};
+const Breakpoint start_bound = {cut_of(Cut::Kind::start), 0, 0, Sign::positive};
+const Breakpoint end_bound = {cut_of(Cut::Kind::end), 1, 0, Sign::positive};
 
 }  // namespace
 
 /// A value whose sign is known exactly. Where the double has the other sign, it is moved to zero and its error grows by as
 /// much.
-Shadows::Value Shadows::known(const ErrorBounded& x, Sign s) {
+TriangleOcclusion::Value TriangleOcclusion::known(const ErrorBounded& x, Sign s) {
   if (s == Sign::zero) return {{0, 0}, s};
   if (sign_of(x.value) != s) return {{0, std::fabs(x.value) + x.error}, s};
   return {x, s};
 }
 
-Shadows::Value Shadows::at(const PlaneFilter& filter, const Plane& plane, const End& end, bool on_plane) {
+TriangleOcclusion::Value TriangleOcclusion::at(const PlaneFilter& filter, const Plane& plane, const End& end, bool on_plane) {
   if (on_plane) return {{0, 0}, Sign::zero};
   ErrorBounded x = filter(end.p);
   if (end.error > 0)
@@ -45,7 +45,7 @@ Shadows::Value Shadows::at(const PlaneFilter& filter, const Plane& plane, const 
   return known(x, exact_.side_beyond_filter(plane, end.p));
 }
 
-Bound Shadows::bound(const Cut& cut, const Value& at_a, const Value& at_b) const {
+Breakpoint TriangleOcclusion::bound(const Cut& cut, const Value& at_a, const Value& at_b) const {
   // t = A / (A - B), where A and B, as computed and exactly, have opposite signs (or are zero): between the two |dt/dA| and
   // |dt/dB| are at most 1 / |A - B|. Difference and quotient round once each.
   const double fall = at_a.x.value - at_b.x.value, loss = at_a.x.error + at_b.x.error;
@@ -55,13 +55,13 @@ Bound Shadows::bound(const Cut& cut, const Value& at_a, const Value& at_b) const
   return {cut, known ? t : 0.5, known ? loss / least * 1.01 + 8 * ErrorBounded::u : HUGE_VAL, at_a.sign};
 }
 
-Bound Shadows::place(const Cut& cut) {
-  const Plane plane = cut_plane(sight_, cut);
-  const PlaneFilter filter = sight_.filter(plane);
+Breakpoint TriangleOcclusion::place(const Cut& cut) {
+  const Plane plane = cut_plane(projected_, cut);
+  const PlaneFilter filter = projected_.filter(plane);
   return bound(cut, at(filter, plane, a_, false), at(filter, plane, b_, false));
 }
 
-Sign Shadows::order(const Bound& x, const Bound& y) {
+Sign TriangleOcclusion::order(const Breakpoint& x, const Breakpoint& y) {
   const double gap = x.t - y.t;
   if (std::fabs(gap) > x.error + y.error) {
     ++exact_.counts().filter;
@@ -71,46 +71,47 @@ Sign Shadows::order(const Bound& x, const Bound& y) {
   using Kind = Cut::Kind;
   if (x.cut.kind == Kind::start || y.cut.kind == Kind::end) return Sign::negative;
   if (x.cut.kind == Kind::end || y.cut.kind == Kind::start) return Sign::positive;
-  const Plane x_plane = cut_plane(sight_, x.cut), y_plane = cut_plane(sight_, y.cut);
+  const Plane x_plane = cut_plane(projected_, x.cut), y_plane = cut_plane(projected_, y.cut);
   // Where y is, the value of x still has the sign that it falls from, if y comes first.
   if (!is_edge()) return x.fall * exact_.side(x_plane, s_plane_, t_plane_, y_plane);
   return -(x.fall * y.fall * exact_.cross(x_plane, y_plane, a_.p, b_.p));
 }
 
-bool Shadows::start(EdgeId id) {
-  const Edge& edge = sight_.mesh().edges[id];
-  a_ = {edge.a, sight_.point(edge.a), 0, {}};
-  b_ = {edge.b, sight_.point(edge.b), 0, {}};
+bool TriangleOcclusion::start(EdgeId id) {
+  const Edge& edge = projected_.mesh().edges[id];
+  a_ = {edge.a, projected_.point(edge.a), 0, {}};
+  b_ = {edge.b, projected_.point(edge.b), 0, {}};
   edge_sight_.reset();
-  if (sight_.image_error() < HUGE_VAL) image_ = {sight_.image(edge.a), sight_.image(edge.b), sight_.image_error()};
+  if (projected_.image_error() < HUGE_VAL)
+    image_ = {projected_.image(edge.a), projected_.image(edge.b), projected_.image_error()};
   first_ = start_bound;
   last_ = end_bound;
-  const Sign near_a = sight_.beyond_near(edge.a), near_b = sight_.beyond_near(edge.b);
+  const Sign near_a = projected_.beyond_near(edge.a), near_b = projected_.beyond_near(edge.b);
   if (near_a != Sign::positive && near_b != Sign::positive && !(near_a == Sign::zero && near_b == Sign::zero)) return false;
   if (near_a * near_b == Sign::negative) {
-    const Plane near = sight_.near_plane();
-    const PlaneFilter filter = sight_.filter(near);
+    const Plane near = projected_.near_plane();
+    const PlaneFilter filter = projected_.filter(near);
     (near_a == Sign::negative ? first_ : last_) =
         bound(cut_of(Cut::Kind::near), known(filter(a_.p), near_a), known(filter(b_.p), near_b));
   }
-  return !ImageLine(sight_, edge.a, edge.b).is_point(exact_);
+  return !LineFilter(projected_, edge.a, edge.b).is_point(exact_);
 }
 
-bool Shadows::start(EdgeId id, const Cut& from, const Cut& to) {
+bool TriangleOcclusion::start(EdgeId id, const Cut& from, const Cut& to) {
   if (!start(id)) return false;
   if (from.kind != Cut::Kind::start) first_ = place(from);
   if (to.kind != Cut::Kind::end) last_ = place(to);
   return true;
 }
 
-bool Shadows::start(const Intersection& meet) {
+bool TriangleOcclusion::start(const Intersection& meet) {
   s_ = meet.s;
   t_ = meet.t;
-  s_plane_ = sight_.face_plane(s_);
-  t_plane_ = sight_.face_plane(t_);
+  s_plane_ = projected_.face_plane(s_);
+  t_plane_ = projected_.face_plane(t_);
   const auto end = [&](const Cut& cut) {
     End e;
-    e.cut = cut_plane(sight_, cut);
+    e.cut = cut_plane(projected_, cut);
     const auto p = near_meet(s_plane_, t_plane_, e.cut);
     e.p = {p[0].value, p[1].value, p[2].value};
     e.error = std::max({p[0].error, p[1].error, p[2].error, 0x1p-1000});
@@ -127,15 +128,16 @@ bool Shadows::start(const Intersection& meet) {
     first_.fall = -first_.fall;
     last_.fall = -last_.fall;
   }
-  return sight_.facing(s_) != Sign::zero || sight_.facing(t_) != Sign::zero;
+  return projected_.facing(s_) != Sign::zero || projected_.facing(t_) != Sign::zero;
 }
 
-bool Shadows::within(const std::array<HalfSpace, 3>& half_spaces, Bound& from, Bound& to, std::size_t& along) {
+bool TriangleOcclusion::within(const std::array<HalfSpace, 3>& half_spaces, Breakpoint& from, Breakpoint& to,
+                               std::size_t& along) {
   begin();
   along = 3;
   for (std::size_t k = 0; k < 3; ++k) {
     const HalfSpace& h = half_spaces[k];
-    const PlaneFilter filter = sight_.filter(h.plane);
+    const PlaneFilter filter = projected_.filter(h.plane);
     const VertexId u(h.cut.u), v(h.cut.v);
     const Value at_a = at(filter, h.plane, a_, a_.vertex == u || a_.vertex == v);
     const Value at_b = at(filter, h.plane, b_, b_.vertex == u || b_.vertex == v);
@@ -149,25 +151,25 @@ bool Shadows::within(const std::array<HalfSpace, 3>& half_spaces, Bound& from, B
 
 /// True only if the corners that are not ends of the edge lie certainly on one side of its view plane: then the triangle's cone
 /// meets that plane in no more than a line of sight through an end.
-bool Shadows::misses(const std::array<VertexId, 3>& corners) {
+bool TriangleOcclusion::misses(const std::array<VertexId, 3>& corners) {
   if (!is_edge()) return false;
-  if (!edge_sight_) edge_sight_ = sight_.filter(sight_.sight_plane(a_.vertex, b_.vertex));
+  if (!edge_sight_) edge_sight_ = projected_.filter(projected_.sight_plane(a_.vertex, b_.vertex));
   bool positive = false, negative = false;
   for (const VertexId c : corners) {
     if (is_end(c)) continue;
-    const ErrorBounded x = (*edge_sight_)(sight_.point(c));
+    const ErrorBounded x = (*edge_sight_)(projected_.point(c));
     if (!x.is_certain()) return false;
     (x.value > 0 ? positive : negative) = true;
   }
   return positive != negative;
 }
 
-bool Shadows::clip(const Cut& cut, const Value& at_a, const Value& at_b, Sign wanted, bool open) {
+bool TriangleOcclusion::clip(const Cut& cut, const Value& at_a, const Value& at_b, Sign wanted, bool open) {
   const Sign a = at_a.sign * wanted, b = at_b.sign * wanted;
   if (a == Sign::zero && b == Sign::zero) return !open;
   if (a != Sign::negative && b != Sign::negative) return true;
   if (a != Sign::positive && b != Sign::positive) return false;
-  const Bound here = bound(cut, at_a, at_b);
+  const Breakpoint here = bound(cut, at_a, at_b);
   if (a == Sign::negative) {
     if (order(from_, here) == Sign::negative) from_ = here;
   } else {
@@ -176,8 +178,8 @@ bool Shadows::clip(const Cut& cut, const Value& at_a, const Value& at_b, Sign wa
   return true;
 }
 
-bool Shadows::clip(const Cut& cut, const Plane& plane, bool a_on, bool b_on, Sign wanted, bool open) {
-  const PlaneFilter filter = sight_.filter(plane);
+bool TriangleOcclusion::clip(const Cut& cut, const Plane& plane, bool a_on, bool b_on, Sign wanted, bool open) {
+  const PlaneFilter filter = projected_.filter(plane);
   if (!is_edge()) {
     a_on = cut == first_.cut;
     b_on = cut == last_.cut;
@@ -185,36 +187,36 @@ bool Shadows::clip(const Cut& cut, const Plane& plane, bool a_on, bool b_on, Sig
   return clip(cut, at(filter, plane, a_, a_on), at(filter, plane, b_, b_on), wanted, open);
 }
 
-void Shadows::cast(const ImageFace& face, std::vector<Shadow>& shadows) {
-  if (!is_edge() || face.has(a_.vertex) || face.has(b_.vertex) || !(sight_.image_error() < HUGE_VAL)) {
-    cast(face.triangle, {}, shadows);
+void TriangleOcclusion::cast(const TriangleFilter& face, std::vector<HiddenInterval>& occlusion) {
+  if (!is_edge() || face.has(a_.vertex) || face.has(b_.vertex) || !(projected_.image_error() < HUGE_VAL)) {
+    cast(face.triangle, {}, occlusion);
     return;
   }
   if (face.is_beside(image_)) return;
   const ErrorBounded at_a = face.plane(a_.p), at_b = face.plane(b_.p);
   const bool before_a = face.facing * at_a.value < -at_a.error, before_b = face.facing * at_b.value < -at_b.error;
   if (before_a && before_b) return;
-  const ImageFace::Overlap overlap = face.overlap(image_);
+  const TriangleFilter::Overlap overlap = face.overlap(image_);
   if (overlap.is_none) return;
   const bool is_behind = face.facing * at_a.value > at_a.error && face.facing * at_b.value > at_b.error;
-  cast(face.triangle, {false, is_behind, &overlap}, shadows);
+  cast(face.triangle, {false, is_behind, &overlap}, occlusion);
 }
 
-void Shadows::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<Shadow>& shadows) {
-  const auto& c = sight_.mesh().triangles[triangle];
-  const Sign facing = sight_.facing(triangle);
+void TriangleOcclusion::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<HiddenInterval>& occlusion) {
+  const auto& c = projected_.mesh().triangles[triangle];
+  const Sign facing = projected_.facing(triangle);
   const bool a_on = is_corner(a_.vertex, c), b_on = is_corner(b_.vertex, c);
   // Nothing hides in its own plane, unless seen edge-on.
   if (facing != Sign::zero && (a_on && b_on)) return;
-  if (facing != Sign::zero && !is_edge() && is_one(facet_of(sight_.mesh(), triangle))) return;
+  if (facing != Sign::zero && !is_edge() && is_one(facet_of(projected_.mesh(), triangle))) return;
   if (prefilter.may_miss && misses(c)) return;
   if (facing == Sign::zero) {
-    edge_on(triangle, shadows);
+    edge_on(triangle, occlusion);
     return;
   }
   begin();
   if (!prefilter.is_behind &&
-      !clip(cut_of(Cut::Kind::face, triangle.value), sight_.face_plane(triangle), a_on, b_on, facing, true))
+      !clip(cut_of(Cut::Kind::face, triangle.value), projected_.face_plane(triangle), a_on, b_on, facing, true))
     return;
   for (std::size_t k = 0; k < 3; ++k) {
     if (prefilter.image != nullptr && (prefilter.image->is_within >> k & 1U) != 0) continue;
@@ -222,12 +224,12 @@ void Shadows::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<
     // O(u, v, .) changes its sign with the order of u and v; the cut is named in one order.
     const Sign wanted = u < v ? facing : -facing;
     // Parallel: images are linear along the edge, and their determinants as good as those in space.
-    if (prefilter.image != nullptr && !sight_.is_perspective()) {
+    if (prefilter.image != nullptr && !projected_.is_perspective()) {
       const auto value = [&](ErrorBounded x, const End& end) -> Value {
         if (u > v) x = -x;
         if (facing == Sign::negative) x = -x;
         if (!x.is_certain())
-          return known(x, exact_.side_beyond_filter(sight_.sight_plane(std::min(u, v), std::max(u, v)), end.p));
+          return known(x, exact_.side_beyond_filter(projected_.sight_plane(std::min(u, v), std::max(u, v)), end.p));
         ++exact_.counts().filter;
         return {x, sign_of(x.value)};
       };
@@ -235,15 +237,15 @@ void Shadows::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<
         return;
       continue;
     }
-    if (!clip(sight_cut(u, v), sight_.sight_plane(std::min(u, v), std::max(u, v)), a_.vertex == u || a_.vertex == v,
+    if (!clip(sight_cut(u, v), projected_.sight_plane(std::min(u, v), std::max(u, v)), a_.vertex == u || a_.vertex == v,
               b_.vertex == u || b_.vertex == v, wanted, false))
       return;
   }
-  if (sight_.reaches_before_near(triangle) &&
-      !clip(cut_of(Cut::Kind::near_line, triangle.value), sight_.near_line(sight_.face_plane(triangle)), false, false, -facing,
-            false))
+  if (projected_.reaches_before_near(triangle) &&
+      !clip(cut_of(Cut::Kind::near_line, triangle.value), projected_.near_line(projected_.face_plane(triangle)), false, false,
+            -facing, false))
     return;
-  if (order(from_, to_) == Sign::negative) shadows.push_back({from_, to_, sight_.mesh().face_of[triangle]});
+  if (order(from_, to_) == Sign::negative) occlusion.push_back({from_, to_, projected_.mesh().face_of[triangle]});
 }
 
 /// A triangle whose plane contains the eye hides only points of that plane. There, with the coordinate `axis` dropped, p is
@@ -252,43 +254,43 @@ void Shadows::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<
 /// or the way from p toward the eye starts inside the triangle: p in T, and where the edge runs along a side of T, the eye is
 /// strictly on the inner side of it, and likewise for the near plane.
 /// (The last point of T before the eye is on a side of T, and differs from p unless the way leaves T at once.)
-void Shadows::edge_on(TriangleId triangle, std::vector<Shadow>& shadows) {
-  const auto& c = sight_.mesh().triangles[triangle];
-  const Plane plane = sight_.face_plane(triangle);
-  const PlaneFilter filter = sight_.filter(plane);
+void TriangleOcclusion::edge_on(TriangleId triangle, std::vector<HiddenInterval>& occlusion) {
+  const auto& c = projected_.mesh().triangles[triangle];
+  const Plane plane = projected_.face_plane(triangle);
+  const PlaneFilter filter = projected_.filter(plane);
   if (at(filter, plane, a_, is_corner(a_.vertex, c)).sign != Sign::zero) return;
   if (at(filter, plane, b_, is_corner(b_.vertex, c)).sign != Sign::zero) return;
 
   int axis = 0;
   Sign inner = Sign::zero;  // the side of the line c0 c1 on which c2 lies
   for (; axis < 3; ++axis) {
-    inner = exact_.side(Plane::along_axis(sight_.point(c[0]), sight_.point(c[1]), axis), sight_.point(c[2]));
+    inner = exact_.side(Plane::along_axis(projected_.point(c[0]), projected_.point(c[1]), axis), projected_.point(c[2]));
     if (inner != Sign::zero) break;
   }
-  const FaceId face = sight_.mesh().face_of[triangle];
-  const bool near_cuts = sight_.reaches_before_near(triangle);
+  const FaceId face = projected_.mesh().face_of[triangle];
+  const bool near_cuts = projected_.reaches_before_near(triangle);
   const auto add = [&] {
-    if (order(from_, to_) == Sign::negative) shadows.push_back({from_, to_, face});
+    if (order(from_, to_) == Sign::negative) occlusion.push_back({from_, to_, face});
   };
   const auto line_cut = [&](VertexId u, VertexId v) { return cut_of(Cut::Kind::line, u.value, v.value, axis); };
 
   std::array<Sign, 3> eye_side;  // of each side's line
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId u = c[k], v = c[(k + 1) % 3];
-    const Plane of_u = Plane::of_sight_along_axis(sight_.eye(), sight_.point(u), axis);
-    const Plane of_v = Plane::of_sight_along_axis(sight_.eye(), sight_.point(v), axis);
-    const Plane line = Plane::along_axis(sight_.point(u), sight_.point(v), axis);
-    const Sign eye = exact_.side(of_u, sight_.point(v));  // also the side of the line on which the eye lies
+    const Plane of_u = Plane::of_sight_along_axis(projected_.eye(), projected_.point(u), axis);
+    const Plane of_v = Plane::of_sight_along_axis(projected_.eye(), projected_.point(v), axis);
+    const Plane line = Plane::along_axis(projected_.point(u), projected_.point(v), axis);
+    const Sign eye = exact_.side(of_u, projected_.point(v));  // also the side of the line on which the eye lies
     eye_side[k] = eye;
     if (eye == Sign::zero) continue;
     begin();
     if (!clip(line_cut(u, v), line, a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v, -eye, true)) continue;
     if (!clip(cut_of(Cut::Kind::sight_of_vertex, u.value, 0, axis), of_u, a_.vertex == u, b_.vertex == u, eye, false)) continue;
     if (!clip(cut_of(Cut::Kind::sight_of_vertex, v.value, 0, axis), of_v, a_.vertex == v, b_.vertex == v,
-              exact_.side(of_v, sight_.point(u)), false))
+              exact_.side(of_v, projected_.point(u)), false))
       continue;
     if (near_cuts &&
-        !clip(cut_of(Cut::Kind::near_line_end, u.value, v.value, axis), sight_.near_line(line), false, false, eye, false))
+        !clip(cut_of(Cut::Kind::near_line_end, u.value, v.value, axis), projected_.near_line(line), false, false, eye, false))
       continue;
     add();
   }
@@ -296,13 +298,14 @@ void Shadows::edge_on(TriangleId triangle, std::vector<Shadow>& shadows) {
   begin();
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId u = c[k], v = c[(k + 1) % 3];
-    const Plane line = Plane::along_axis(sight_.point(u), sight_.point(v), axis);
+    const Plane line = Plane::along_axis(projected_.point(u), projected_.point(v), axis);
     const bool runs_outside = eye_side[k] * inner != Sign::positive;
     if (!clip(line_cut(u, v), line, a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v, inner, runs_outside))
       return;
   }
   // What of the edge lies in the near plane itself has nothing of T before it.
-  if (near_cuts && is_edge() && sight_.beyond_near(a_.vertex) == Sign::zero && sight_.beyond_near(b_.vertex) == Sign::zero)
+  if (near_cuts && is_edge() && projected_.beyond_near(a_.vertex) == Sign::zero &&
+      projected_.beyond_near(b_.vertex) == Sign::zero)
     return;
   add();
 }

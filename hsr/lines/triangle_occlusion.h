@@ -13,15 +13,15 @@
 namespace hsr {
 
 /// A place on a line with an approximate parameter, for sorting: the exact order is asked only where the errors overlap.
-struct Bound {
+struct Breakpoint {
   Cut cut;
   double t = 0, error = 0;
   Sign fall = Sign::positive;  ///< of x(a) - x(b), x the cutting plane
 };
 
 /// A part of a line that one triangle hides.
-struct Shadow {
-  Bound from, to;
+struct HiddenInterval {
+  Breakpoint from, to;
   FaceId face;
 };
 
@@ -34,9 +34,9 @@ struct Shadow {
 ///   the line of sight meets T beyond the near plane, where T reaches before it: -facing * near_line(p) >= 0.
 /// All of these are linear along the line, so the shadow is an interval. A T seen edge-on hides only in its own plane, where it
 /// acts by its three sides and its interior (see edge_on).
-class Shadows {
+class TriangleOcclusion {
  public:
-  explicit Shadows(const Sight& sight) : sight_(sight), exact_(sight.predicates()) {}
+  explicit TriangleOcclusion(const ProjectedMesh& projected) : projected_(projected), exact_(projected.predicates()) {}
 
   /// Turns to another edge. False: it is seen as a point, or nothing of it is beyond the near plane.
   bool start(EdgeId edge);
@@ -46,21 +46,21 @@ class Shadows {
   bool start(const Intersection& meet);
   /// The part of the line within half-spaces; false: a point or nothing. @param along the one on whose border the line runs, or
   /// 3
-  bool within(const std::array<HalfSpace, 3>& half_spaces, Bound& from, Bound& to, std::size_t& along);
+  bool within(const std::array<HalfSpace, 3>& half_spaces, Breakpoint& from, Breakpoint& to, std::size_t& along);
   /// Appends the shadows of `triangle` on the edge, at most four.
-  void cast(TriangleId triangle, std::vector<Shadow>& shadows) { cast(triangle, {}, shadows); }
+  void cast(TriangleId triangle, std::vector<HiddenInterval>& occlusion) { cast(triangle, {}, occlusion); }
   /// The same.
-  void cast(const ImageFace& face, std::vector<Shadow>& shadows);
+  void cast(const TriangleFilter& face, std::vector<HiddenInterval>& occlusion);
 
   /// Where the plane of `cut` crosses the line. @pre it separates the ends of the line
-  Bound place(const Cut& cut);
+  Breakpoint place(const Cut& cut);
 
   /// The ends of the part that is looked at: beyond the near plane.
-  const Bound& first() const { return first_; }
-  const Bound& last() const { return last_; }
+  const Breakpoint& first() const { return first_; }
+  const Breakpoint& last() const { return last_; }
 
   /// Which of two places comes first along the edge: negative, x; zero, they are one place.
-  Sign order(const Bound& x, const Bound& y);
+  Sign order(const Breakpoint& x, const Breakpoint& y);
 
   Predicates& exact() { return exact_; }
 
@@ -71,11 +71,11 @@ class Shadows {
   };
   /// What a prepared triangle tells of the edge for certain.
   struct Prefilter {
-    bool may_miss = true;                       ///< not looked at: whether it misses the edge in the image
-    bool is_behind = false;                     ///< the edge is strictly beyond its plane
-    const ImageFace::Overlap* image = nullptr;  ///< with the edge
+    bool may_miss = true;                            ///< not looked at: whether it misses the edge in the image
+    bool is_behind = false;                          ///< the edge is strictly beyond its plane
+    const TriangleFilter::Overlap* image = nullptr;  ///< with the edge
   };
-  void cast(TriangleId triangle, const Prefilter& prefilter, std::vector<Shadow>& shadows);
+  void cast(TriangleId triangle, const Prefilter& prefilter, std::vector<HiddenInterval>& occlusion);
   /// An end of the line: a vertex, or where a plane cuts the line of two others, and then known within `error`.
   struct End {
     VertexId vertex;
@@ -94,17 +94,17 @@ class Shadows {
   void begin() { from_ = first_, to_ = last_; }
   bool clip(const Cut& cut, const Plane& plane, bool a_on, bool b_on, Sign wanted, bool open);
   bool clip(const Cut& cut, const Value& at_a, const Value& at_b, Sign wanted, bool open);
-  Bound bound(const Cut& cut, const Value& at_a, const Value& at_b) const;
-  void edge_on(TriangleId triangle, std::vector<Shadow>& shadows);
+  Breakpoint bound(const Cut& cut, const Value& at_a, const Value& at_b) const;
+  void edge_on(TriangleId triangle, std::vector<HiddenInterval>& occlusion);
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   Predicates exact_;
   End a_, b_;
-  ImageSegment image_;  // of the edge, where images are known
-  TriangleId s_, t_;    // the facets that pierce each other
+  SegmentFilter image_;  // of the edge, where images are known
+  TriangleId s_, t_;     // the facets that pierce each other
   Plane s_plane_, t_plane_;
   std::optional<PlaneFilter> edge_sight_;  // of the edge's view plane, once it was asked for
-  Bound first_, last_, from_, to_;
+  Breakpoint first_, last_, from_, to_;
 };
 
 }  // namespace hsr

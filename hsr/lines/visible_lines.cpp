@@ -29,34 +29,34 @@ struct Given {
 
 Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut) { return cut_plane(Given{mesh, view}, cut); }
 
-Carrier carrier_of(const Mesh& mesh, const VisibleLines& lines, const Line& line) {
+SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, const Line& line) {
   if (line.is_intersection()) return {{}, {}, lines.intersections[line.intersection]};
   const Edge& edge = mesh.edges[line.edge];
   return {edge.a, edge.b, {}};
 }
 
-std::array<Plane, 2> planes_of(const Mesh& mesh, const View& view, const Carrier& carrier) {
+std::array<Plane, 2> planes_of(const Mesh& mesh, const View& view, const SupportingLine& support) {
   const Given given{mesh, view};
-  return {given.face_plane(carrier.meet.s), given.face_plane(carrier.meet.t)};
+  return {given.face_plane(support.meet.s), given.face_plane(support.meet.t)};
 }
 
-std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut) {
-  if (cut.kind == Cut::Kind::start) return rational(mesh.points[carrier.a]);
-  if (cut.kind == Cut::Kind::end) return rational(mesh.points[carrier.b]);
+std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut) {
+  if (cut.kind == Cut::Kind::start) return rational(mesh.points[support.a]);
+  if (cut.kind == Cut::Kind::end) return rational(mesh.points[support.b]);
   const Plane plane = plane_of(mesh, view, cut);
-  if (carrier.is_edge()) return ConstructedPoint::on_edge(mesh.points[carrier.a], mesh.points[carrier.b], plane).exact();
-  const auto [s, t] = planes_of(mesh, view, carrier);
+  if (support.is_edge()) return ConstructedPoint::on_edge(mesh.points[support.a], mesh.points[support.b], plane).exact();
+  const auto [s, t] = planes_of(mesh, view, support);
   return ConstructedPoint::meet(s, t, plane).exact();
 }
 
-Rational parameter(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut) {
+Rational parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut) {
   if (cut.kind == Cut::Kind::start) return 0.0;
   if (cut.kind == Cut::Kind::end) return 1.0;
-  if (carrier.is_edge()) return parameter_of_cut(plane_of(mesh, view, cut), mesh.points[carrier.a], mesh.points[carrier.b]);
-  if (cut == carrier.meet.from) return 0.0;
-  if (cut == carrier.meet.to) return 1.0;
-  const auto a = exact_point(mesh, view, carrier, carrier.meet.from), b = exact_point(mesh, view, carrier, carrier.meet.to),
-             p = exact_point(mesh, view, carrier, cut);
+  if (support.is_edge()) return parameter_of_cut(plane_of(mesh, view, cut), mesh.points[support.a], mesh.points[support.b]);
+  if (cut == support.meet.from) return 0.0;
+  if (cut == support.meet.to) return 1.0;
+  const auto a = exact_point(mesh, view, support, support.meet.from), b = exact_point(mesh, view, support, support.meet.to),
+             p = exact_point(mesh, view, support, cut);
   for (std::size_t k = 0; k < 3; ++k)
     if (a[k] != b[k]) return (p[k] - a[k]) / (b[k] - a[k]);
   throw InvariantError("parameter: an empty intersection");

@@ -68,24 +68,24 @@ struct VisibleLines {
 VisibleLines visible_lines(const Mesh& mesh, const View& view, const LineOptions& options = {});
 
 /// What a line runs along: from the vertex a to b, or, where they are not valid, along an intersection.
-struct Carrier {
+struct SupportingLine {
   VertexId a, b;
   Intersection meet;
 
   bool is_edge() const { return a.is_valid(); }
 };
-Carrier carrier_of(const Mesh& mesh, const VisibleLines& lines, const Line& line);
+SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, const Line& line);
 
 /// The plane that makes a cut. @pre neither start nor end
 Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut);
 
 /// The parameter t of a cut, exactly: 0 at the first end of the carrier, 1 at the second.
-Rational parameter(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut);
+Rational parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
 
 /// The planes of the two faces of an intersection. @pre the carrier is one
-std::array<Plane, 2> planes_of(const Mesh& mesh, const View& view, const Carrier& carrier);
+std::array<Plane, 2> planes_of(const Mesh& mesh, const View& view, const SupportingLine& support);
 
 /// The point of a cut, exactly.
-std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const Carrier& carrier, const Cut& cut);
+std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
 
 }  // namespace hsr

@@ -25,8 +25,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 ///
 /// The line of sight of p meets the plane L at p + s D with s = -L(p) / n.D, seen in a direction D; seen from an eye e, at
 /// e + s (p - e) with 1 / s = 1 - L(p) / L(e), of which -L(p) / L(e) is kept.
-SampleFunction nearness(const PlaneFilter& face, const Sight& sight, const SampleGrid& grid) {
-  const ErrorBounded b = sight.is_perspective() ? face(sight.eye().at) : SampleFunction::change(face, sight.eye().at);
+SampleFunction nearness(const PlaneFilter& face, const ProjectedMesh& projected, const SampleGrid& grid) {
+  const ErrorBounded b =
+      projected.is_perspective() ? face(projected.eye().at) : SampleFunction::change(face, projected.eye().at);
   return {quotient(-face(grid.origin), b), quotient(-SampleFunction::change(face, grid.right), b),
           quotient(-SampleFunction::change(face, grid.down), b), grid};
 }
@@ -36,7 +37,7 @@ class Tile {
  public:
   Tile(const SampleSigns& signs, const Occluders& occluders, Predicates& exact, int left, int top)
       : signs_(signs),
-        sight_(signs.sight()),
+        projected_(signs.projected()),
         occluders_(occluders),
         exact_(exact),
         left_(left),
@@ -51,7 +52,7 @@ class Tile {
   void cast(Image<TriangleId>& image) {
     query_ = ImageBox::nothing();
     for (const int i : {left_, right_ - 1})
-      for (const int j : {top_, bottom_ - 1}) query_.add(sight_.box(signs_.at(i, j)));
+      for (const int j : {top_, bottom_ - 1}) query_.add(projected_.box(signs_.at(i, j)));
     samples_farthest_ = query_.farthest;
     query_.farthest = -std::numeric_limits<float>::infinity();
     query_.nearest = std::numeric_limits<float>::infinity();
@@ -77,22 +78,22 @@ class Tile {
   }
 
   void add(TriangleId t) {
-    const Sign facing = sight_.facing(t);
-    const auto& corners = sight_.mesh().triangles[t];
-    const auto side_plane = [&](std::size_t k) { return sight_.sight_plane(corners[k], corners[k == 2 ? 0 : k + 1]); };
-    const auto near_plane = [&] { return sight_.near_line(sight_.face_plane(t)); };
+    const Sign facing = projected_.facing(t);
+    const auto& corners = projected_.mesh().triangles[t];
+    const auto side_plane = [&](std::size_t k) { return projected_.sight_plane(corners[k], corners[k == 2 ? 0 : k + 1]); };
+    const auto near_plane = [&] { return projected_.near_line(projected_.face_plane(t)); };
     std::array<SampleFunction, 4> sides;
     for (std::size_t k = 0; k < 3; ++k) {
-      sides[k] = {sight_.filter(side_plane(k)), signs_.grid()};
+      sides[k] = {projected_.filter(side_plane(k)), signs_.grid()};
       if (is_apart(sides[k], facing)) return;
     }
     // Where the near line is positive, and the eye on the positive side of the face, the face is beyond the near plane.
-    const std::size_t count = sight_.reaches_before_near(t) ? 4 : 3;
+    const std::size_t count = projected_.reaches_before_near(t) ? 4 : 3;
     if (count == 4) {
-      sides[3] = {sight_.filter(near_plane()), signs_.grid()};
+      sides[3] = {projected_.filter(near_plane()), signs_.grid()};
       if (is_apart(sides[3], -facing)) return;
     }
-    const SampleFunction depth = nearness(sight_.filter(sight_.face_plane(t)), sight_, signs_.grid());
+    const SampleFunction depth = nearness(projected_.filter(projected_.face_plane(t)), projected_, signs_.grid());
     bool changed = false;
     for (int j = top_; j < bottom_; ++j) {
       int begin = left_, end = right_;
@@ -129,10 +130,10 @@ class Tile {
   Sign nearer(TriangleId t, TriangleId g, int i, int j) {
     if (t != last_[0] || g != last_[1]) {
       last_ = {t, g};
-      const Plane plane = sight_.face_plane(t);
-      const auto& corners = sight_.mesh().triangles[g];
-      are_coplanar_ =
-          std::all_of(corners.begin(), corners.end(), [&](VertexId v) { return sight_.side(plane, v, exact_) == Sign::zero; });
+      const Plane plane = projected_.face_plane(t);
+      const auto& corners = projected_.mesh().triangles[g];
+      are_coplanar_ = std::all_of(corners.begin(), corners.end(),
+                                  [&](VertexId v) { return projected_.side(plane, v, exact_) == Sign::zero; });
     }
     if (are_coplanar_) return Sign::zero;
     // The difference of two affine functions is affine: the ties are broken as in SampleSigns::side.
@@ -144,35 +145,35 @@ class Tile {
   /// The eye is on the side -facing of a face, and n.D has that sign, too. With the formulas of `nearness`: from an eye,
   /// z_t - z_g = (T(e) G(p) - T(p) G(e)) / T(e) G(e); in a direction, T is at the point where g is seen (z_g - z_t) n.D.
   Sign nearer_at(TriangleId t, TriangleId g, const Point3& p) {
-    const Plane of_t = sight_.face_plane(t), of_g = sight_.face_plane(g);
-    const Viewpoint& e = sight_.eye();
-    if (sight_.is_perspective()) return exact_.cross(of_t, of_g, e.at, p) * sight_.facing(t) * sight_.facing(g);
+    const Plane of_t = projected_.face_plane(t), of_g = projected_.face_plane(g);
+    const Viewpoint& e = projected_.eye();
+    if (projected_.is_perspective()) return exact_.cross(of_t, of_g, e.at, p) * projected_.facing(t) * projected_.facing(g);
     const int axis = e.at.x != 0 ? 0 : e.at.y != 0 ? 1 : 2;
     return exact_.side(of_t, of_g, Plane::of_sight_along_axis(e, p, (axis + 1) % 3),
                        Plane::of_sight_along_axis(e, p, (axis + 2) % 3)) *
-           sight_.facing(t);
+           projected_.facing(t);
   }
 
   /// All samples are covered: what is farther than the farthest of them need not be looked at. The nearness of boxes is that of
-  /// Sight::add_to: p.depth in a direction, -(p - e).depth from an eye.
+  /// ProjectedMesh::add_to: p.depth in a direction, -(p - e).depth from an eye.
   void shrink_query() {
     double farthest = infinity;
     for (int j = top_; j < bottom_; ++j)
       for (int i = left_; i < right_; ++i) farthest = std::min(farthest, low_[place(i, j)]);
     const double of_samples = samples_farthest_;
-    const Point3& d = sight_.eye().at;
+    const Point3& d = projected_.eye().at;
     const double along = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)}) * farthest;
-    const double bound = sight_.is_perspective() ? of_samples / (1 + farthest) : of_samples + along;
+    const double bound = projected_.is_perspective() ? of_samples / (1 + farthest) : of_samples + along;
     const double margin =
-        0x1p-20 * (std::fabs(bound) + std::fabs(of_samples) + (sight_.is_perspective() ? 0 : std::fabs(along)));
-    const bool is_known = !sight_.is_perspective() || (of_samples < 0 && 1 + farthest > 0x1p-20);
+        0x1p-20 * (std::fabs(bound) + std::fabs(of_samples) + (projected_.is_perspective() ? 0 : std::fabs(along)));
+    const bool is_known = !projected_.is_perspective() || (of_samples < 0 && 1 + farthest > 0x1p-20);
     const double limit = bound - margin;
     if (is_known && limit > query_.farthest)
       query_.farthest = std::nextafter(static_cast<float>(limit), -std::numeric_limits<float>::infinity());
   }
 
   const SampleSigns& signs_;
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   const Occluders& occluders_;
   Predicates& exact_;
   int left_, top_, right_, bottom_;
@@ -188,20 +189,20 @@ class Tile {
 }  // namespace
 
 CastImage cast(const Mesh& mesh, const View& view, const SampleGrid& samples, const CastOptions& options) {
-  const Sight sight(mesh, view, options.arithmetic, samples.certificate());
-  const SampleSigns signs(sight, samples);
+  const ProjectedMesh projected(mesh, view, options.arithmetic, samples.bit_range());
+  const SampleSigns signs(projected, samples);
   std::vector<ImageBox> boxes(mesh.triangles.size());
   std::vector<std::uint8_t> is_edge_on(boxes.size());
-  for_each(boxes.size(), [&](std::size_t t) {
-    boxes[t] = sight.box(TriangleId(t));
-    is_edge_on[t] = sight.facing(TriangleId(t)) == Sign::zero ? 1 : 0;
+  parallel_for_each(boxes.size(), [&](std::size_t t) {
+    boxes[t] = projected.box(TriangleId(t));
+    is_edge_on[t] = projected.facing(TriangleId(t)) == Sign::zero ? 1 : 0;
   });
-  const Occluders occluders(sight, boxes, is_edge_on);
+  const Occluders occluders(projected, boxes, is_edge_on);
 
   CastImage result;
   result.triangles = Image<TriangleId>(samples.width, samples.height);
   const int across = (samples.width + tile_width - 1) / tile_width, down = (samples.height + tile_width - 1) / tile_width;
-  tbb::enumerable_thread_specific<Predicates> predicates([&] { return sight.predicates(); });
+  tbb::enumerable_thread_specific<Predicates> predicates([&] { return projected.predicates(); });
   tbb::parallel_for(tbb::blocked_range<int>(0, across * down, 8), [&](const tbb::blocked_range<int>& range) {
     for (int k = range.begin(); k < range.end(); ++k)
       Tile(signs, occluders, predicates.local(), k % across * tile_width, k / across * tile_width).cast(result.triangles);

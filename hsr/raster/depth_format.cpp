@@ -47,7 +47,7 @@ int fixed_bits(DepthFormat format) {
 }
 
 DepthRange depth_range(const Mesh& mesh, const View& view, const SampleGrid& samples) {
-  const Projection<double> project(view, samples);
+  const SampleProjection<double> project(view, samples);
   double low = HUGE_VAL, high = -HUGE_VAL;
   const auto add = [&](double nearness) {
     if (!std::isfinite(nearness)) return;
@@ -76,7 +76,7 @@ DepthRange depth_range(const Mesh& mesh, const View& view, const SampleGrid& sam
 DepthRange depth_range(const View& view, const SampleGrid& samples, double near, double far) {
   if (!view.is_perspective()) throw InputError("near, far: found a parallel view, expected a perspective");
   if (!(near > 0 && near < far && std::isfinite(far))) throw InputError("near, far: expected 0 < near < far");
-  const Projection<double> project(view, samples);
+  const SampleProjection<double> project(view, samples);
   const Point3 &e = view.viewpoint.at, &t = view.target;
   const double x = t.x - e.x, y = t.y - e.y, z = t.z - e.z, length = std::hypot(x, y, z);
   const auto nearness = [&](double distance) {

@@ -31,7 +31,7 @@ class DrawnTriangles {
       : mesh_(mesh), view_(view), depth_of_(std::move(depth_of)), project_(view, samples), points_(mesh.points.size()) {
     state_.resize(points_.size(), drawn);
     std::atomic<bool> all_are_drawn = true;
-    for_each(points_.size(), [&](std::size_t v) {
+    parallel_for_each(points_.size(), [&](std::size_t v) {
       const Point3& p = mesh.points[VertexId(v)];
       points_[v] = rounded(project_(p));
       state_[v] = view.is_perspective() && is_before_near(view, p) ? cut_away
@@ -75,7 +75,7 @@ class DrawnTriangles {
   const Mesh& mesh_;
   const View& view_;
   DepthOf depth_of_;
-  Projection<double> project_;
+  SampleProjection<double> project_;
   std::vector<Seen<Real>> points_;   // by vertex
   std::vector<std::uint8_t> state_;  // by vertex; empty: all are drawn
 };

@@ -6,12 +6,12 @@
 namespace hsr {
 
 Culled occlusion_culled(const Mesh& mesh, const View& view) {
-  const Sight sight(mesh, view, Arithmetic::staged);
-  const HiddenTiles tiles(sight, true);
+  const ProjectedMesh projected(mesh, view, Arithmetic::staged);
+  const OcclusionPyramid pyramid(projected, true);
   std::vector<std::uint8_t> hidden(mesh.triangles.size(), 0);
-  if (!tiles.is_empty()) tiles.mark_hidden(hidden);
+  if (!pyramid.is_empty()) pyramid.mark_hidden(hidden);
   Culled result;
-  result.tests = tiles.is_empty() ? 0 : hidden.size();
+  result.tests = pyramid.is_empty() ? 0 : hidden.size();
   for (std::size_t k = 0; k < hidden.size(); ++k)
     if (hidden[k] == 0)
       result.kept.push_back(TriangleId(k));

@@ -19,14 +19,14 @@ namespace {
 class PieceSpans {
  public:
   PieceSpans(const SampleSigns& signs, const PaintersOrder& order)
-      : signs_(signs), sight_(signs.sight()), order_(order), rasterizer_(signs) {}
+      : signs_(signs), projected_(signs.projected()), order_(order), rasterizer_(signs) {}
 
   /// Whether every corner is in front of the eye as the samples are.
   bool is_in_front(const OrderedPiece& piece) {
     const auto corners = order_.corners_of(piece);
     return std::all_of(corners.begin(), corners.end(), [&](const PieceCorner& c) {
       if (c.vertex.is_valid()) return signs_.is_in_front(c.vertex, rasterizer_.exact());
-      const Plane face = sight_.face_plane(piece.facet), a = cut_plane(sight_, c.a), b = cut_plane(sight_, c.b);
+      const Plane face = projected_.face_plane(piece.facet), a = cut_plane(projected_, c.a), b = cut_plane(projected_, c.b);
       const auto near = near_meet(face, a, b);
       const Sign certain = signs_.certain_front({near[0].value, near[1].value, near[2].value},
                                                 std::max({near[0].error, near[1].error, near[2].error}));
@@ -52,28 +52,28 @@ class PieceSpans {
   ViewPlane line(TriangleId facet, const Cut& cut) {
     // A side of the face, however its plane is chosen.
     if (cut.kind == Cut::Kind::sight || cut.kind == Cut::Kind::line)
-      return ViewPlane::of(sight_.sight_plane(VertexId(cut.u), VertexId(cut.v)));
-    const Plane face = sight_.face_plane(facet);
-    if (cut.kind == Cut::Kind::near) return ViewPlane::of(sight_.near_line(face));
-    const Plane plane = cut_plane(sight_, cut);
+      return ViewPlane::of(projected_.sight_plane(VertexId(cut.u), VertexId(cut.v)));
+    const Plane face = projected_.face_plane(facet);
+    if (cut.kind == Cut::Kind::near) return ViewPlane::of(projected_.near_line(face));
+    const Plane plane = cut_plane(projected_, cut);
     return contains_viewpoint(cut) ? ViewPlane::of(plane) : ViewPlane::of_meet(face, plane);
   }
   bool contains_viewpoint(const Cut& cut) const {
-    if (cut.kind == Cut::Kind::face) return sight_.facing(TriangleId(cut.u)) == Sign::zero;
-    const double e = sight_.eye().at[cut.axis];
-    return e == (sight_.is_perspective() ? sight_.point(VertexId(cut.u))[cut.axis] : 0);
+    if (cut.kind == Cut::Kind::face) return projected_.facing(TriangleId(cut.u)) == Sign::zero;
+    const double e = projected_.eye().at[cut.axis];
+    return e == (projected_.is_perspective() ? projected_.point(VertexId(cut.u))[cut.axis] : 0);
   }
   int rows_above(TriangleId facet, const PieceCorner& c) {
     Predicates& exact = rasterizer_.exact();
     if (c.vertex.is_valid()) return signs_.rows_above(c.vertex, exact);
     const ViewPlane l = line(facet, c.a), m = line(facet, c.b);
-    const auto near = near_meet(sight_.face_plane(facet), cut_plane(sight_, c.a), cut_plane(sight_, c.b));
+    const auto near = near_meet(projected_.face_plane(facet), cut_plane(projected_, c.a), cut_plane(projected_, c.b));
     return signs_.rows_above(std::ceil(signs_.row_of({near[0].value, near[1].value, near[2].value}).value),
-                             [&](int j) { return exact.side(sight_.camera(), ViewPlane::of(signs_.row_plane(j)), l, m); });
+                             [&](int j) { return exact.side(projected_.camera(), ViewPlane::of(signs_.row_plane(j)), l, m); });
   }
 
   const SampleSigns& signs_;
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   const PaintersOrder& order_;
   Rasterizer rasterizer_;
   std::vector<RasterSide> sides_;
@@ -85,8 +85,8 @@ template <class Visit>
 void visit_spans(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples,
                  const Visit& visit) {
   if (order.pieces.empty()) return;
-  const Sight sight(mesh, view, Arithmetic::staged, samples.certificate());
-  const SampleSigns signs(sight, samples);
+  const ProjectedMesh projected(mesh, view, Arithmetic::staged, samples.bit_range());
+  const SampleSigns signs(projected, samples);
   constexpr std::size_t block = 1024;
   struct Part {
     std::vector<SampleSpan> spans;
@@ -96,7 +96,7 @@ void visit_spans(const Mesh& mesh, const View& view, const PaintersOrder& order,
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
     PieceSpans spans_of(signs, order);
     for (std::size_t k = p * block; k < std::min((p + 1) * block, order.pieces.size()); ++k) {
-      require(!sight.is_perspective() || spans_of.is_in_front(order.pieces[k]),
+      require(!projected.is_perspective() || spans_of.is_in_front(order.pieces[k]),
               "paint: a part of the model is not in front of the eye as the samples are");
       for (const SampleSpan& span : spans_of(order.pieces[k])) {
         parts[p].spans.push_back(span);

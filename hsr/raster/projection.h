@@ -75,11 +75,11 @@ struct Seen {
 
 /// From space to samples.
 template <class N>
-class Projection {
+class SampleProjection {
   using V = projection_numbers::Vector<N>;
 
  public:
-  Projection(const View& view, const SampleGrid& grid) : is_perspective_(view.is_perspective()) {
+  SampleProjection(const View& view, const SampleGrid& grid) : is_perspective_(view.is_perspective()) {
     using namespace projection_numbers;
     scaled_ = Scaling<N>(power_to_one(grid.right));
     const V right = scaled_(vector<N>(grid.right)), down = scaled_(vector<N>(grid.down)), n = cross(right, down);
@@ -136,7 +136,7 @@ inline bool is_before_near(const View& view, const Point3& p) {
 
 /// The point where an edge meets the near plane. From the lower index, so that two faces cut their edge at the same point.
 template <class N>
-Seen<N> seen_near_cut(const Projection<N>& project, const View& view, const Point3& lower, const Point3& higher) {
+Seen<N> seen_near_cut(const SampleProjection<N>& project, const View& view, const Point3& lower, const Point3& higher) {
   using namespace projection_numbers;
   const N at_lower = beyond_near<N>(view, lower), at_higher = beyond_near<N>(view, higher);
   const auto p = vector<N>(lower);
@@ -145,8 +145,8 @@ Seen<N> seen_near_cut(const Projection<N>& project, const View& view, const Poin
 
 /// The corners, as seen, of what is left of a triangle beyond the near plane: a convex polygon of at most four.
 template <class N, class IsCutAway, class SeenVertex>
-int seen_corners(const Mesh& mesh, const View& view, const Projection<N>& project, TriangleId t, const IsCutAway& is_cut_away,
-                 const SeenVertex& seen_vertex, std::array<Seen<N>, 4>& corners) {
+int seen_corners(const Mesh& mesh, const View& view, const SampleProjection<N>& project, TriangleId t,
+                 const IsCutAway& is_cut_away, const SeenVertex& seen_vertex, std::array<Seen<N>, 4>& corners) {
   const auto& vertices = mesh.triangles[t];
   int count = 0;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -52,11 +52,11 @@ std::span<const SampleSpan> Rasterizer::spans(std::span<const RasterSide> sides)
 }
 
 const Rasterizer::Place& Rasterizer::place(VertexId v) {
-  if (places_.empty()) places_.resize(signs_.sight().mesh().points.size());
+  if (places_.empty()) places_.resize(signs_.projected().mesh().points.size());
   Place& p = places_[v.value];
   if (p.row != unknown) return p;
   if (signs_.is_in_front(v, exact_)) {
-    const Point3& at = signs_.sight().point(v);
+    const Point3& at = signs_.projected().point(v);
     p.y = signs_.row_of(at);
     p.x = signs_.column_of(at);
     p.row = signs_.rows_above(v, p.y, exact_);
@@ -68,12 +68,12 @@ const Rasterizer::Place& Rasterizer::place(VertexId v) {
 }
 
 void Rasterizer::append_sides(TriangleId t, std::vector<RasterSide>& sides) {
-  const auto& corners = signs_.sight().mesh().triangles[t];
+  const auto& corners = signs_.projected().mesh().triangles[t];
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId a = corners[k], b = corners[(k + 1) % 3];
     const auto [first, end] = std::minmax({place(a).row, place(b).row});
     require(first != not_in_front, "Rasterizer: corners in front of the viewpoint expected");
-    if (first < end) sides.push_back({ViewPlane::of(signs_.sight().sight_plane(a, b)), first, end});
+    if (first < end) sides.push_back({ViewPlane::of(signs_.projected().sight_plane(a, b)), first, end});
   }
 }
 
@@ -86,9 +86,9 @@ struct Rasterizer::SideOfTriangle {
 
 std::span<const SampleSpan> Rasterizer::spans(TriangleId t) {
   spans_.clear();
-  const Sight& sight = signs_.sight();
-  if (sight.facing(t) == Sign::zero) return {};
-  const auto& corners = sight.mesh().triangles[t];
+  const ProjectedMesh& projected = signs_.projected();
+  if (projected.facing(t) == Sign::zero) return {};
+  const auto& corners = projected.mesh().triangles[t];
   const std::array<const Place*, 3> places = {&place(corners[0]), &place(corners[1]), &place(corners[2])};
   const std::array<int, 3> rows = {places[0]->row, places[1]->row, places[2]->row};
   const auto [top, bottom] = std::minmax({rows[0], rows[1], rows[2]});
@@ -96,7 +96,7 @@ std::span<const SampleSpan> Rasterizer::spans(TriangleId t) {
   if (top == bottom && top != not_in_front) return {};
   const int column = places[0]->column;
   if (column >= 0 && column == places[1]->column && column == places[2]->column) return {};
-  if (top == not_in_front || sight.reaches_before_near(t)) {
+  if (top == not_in_front || projected.reaches_before_near(t)) {
     cut_rows(t);
     return spans_;
   }
@@ -117,8 +117,8 @@ std::span<const SampleSpan> Rasterizer::spans(TriangleId t) {
       before = certain_count(s.from->x + (ErrorBounded{static_cast<double>(j), 0} - s.from->y) * s.columns_a_row,
                              signs_.grid().width);
       if (before >= 0) continue;
-      const auto plane = [&] { return sight.sight_plane(corners[k], corners[k == 2 ? 0 : k + 1]); };
-      if (!s.function) s.function = SampleFunction(sight.filter(plane()), signs_.grid());
+      const auto plane = [&] { return projected.sight_plane(corners[k], corners[k == 2 ? 0 : k + 1]); };
+      if (!s.function) s.function = SampleFunction(projected.filter(plane()), signs_.grid());
       before = samples_before(*s.function, j, [&] { return ViewPlane::of(plane()); });
     }
     const auto [begin, end] = std::minmax(crossing[0], crossing[1]);
@@ -129,16 +129,16 @@ std::span<const SampleSpan> Rasterizer::spans(TriangleId t) {
 
 /// Where the rows of corners mean nothing: on every row what its planes leave.
 void Rasterizer::cut_rows(TriangleId t) {
-  const Sight& sight = signs_.sight();
-  if (!sight.reaches_beyond_near(t)) return;
-  const auto& corners = sight.mesh().triangles[t];
-  const Sign facing = sight.facing(t);
+  const ProjectedMesh& projected = signs_.projected();
+  if (!projected.reaches_beyond_near(t)) return;
+  const auto& corners = projected.mesh().triangles[t];
+  const Sign facing = projected.facing(t);
   std::array<Plane, 4> planes;
   std::array<SampleFunction, 4> functions;
-  const std::size_t count = sight.reaches_before_near(t) ? 4 : 3;
+  const std::size_t count = projected.reaches_before_near(t) ? 4 : 3;
   for (std::size_t k = 0; k < count; ++k) {
-    planes[k] = k < 3 ? sight.sight_plane(corners[k], corners[(k + 1) % 3]) : sight.near_line(sight.face_plane(t));
-    functions[k] = {sight.filter(planes[k]), signs_.grid()};
+    planes[k] = k < 3 ? projected.sight_plane(corners[k], corners[(k + 1) % 3]) : projected.near_line(projected.face_plane(t));
+    functions[k] = {projected.filter(planes[k]), signs_.grid()};
   }
   for (int j = 0; j < signs_.grid().height; ++j) {
     int begin = 0, end = signs_.grid().width;

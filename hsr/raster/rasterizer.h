@@ -38,7 +38,7 @@ struct SampleSpan {
 /// Source: scan conversion as in Wylie, Romney, Evans & Erdahl 1967; the rule for edges, samples.h.
 class Rasterizer {
  public:
-  explicit Rasterizer(const SampleSigns& signs) : signs_(signs), exact_(signs.sight().predicates()) {}
+  explicit Rasterizer(const SampleSigns& signs) : signs_(signs), exact_(signs.projected().predicates()) {}
 
   /// The spans of a polygon, rows ascending, in a row from the left, none touching the next; valid until the next call.
   std::span<const SampleSpan> spans(std::span<const RasterSide> sides);

@@ -12,23 +12,23 @@ namespace hsr {
 namespace {
 
 /// For c = O + k V and U along the row of c: det(c - e, U, p - e); seen in a direction D, det(U, D, p - O) - k det(U, D, V).
-SampleCoordinate coordinate(const Sight& sight, const Point3& origin, const Point3& along, const Point3& step) {
+SampleCoordinate coordinate(const ProjectedMesh& projected, const Point3& origin, const Point3& along, const Point3& step) {
   SampleCoordinate c;
   Plane plane;
   plane.u_is = plane.v_is = Plane::Support::direction;
-  if (sight.is_perspective()) {
-    plane.o = sight.eye().at;
+  if (projected.is_perspective()) {
+    plane.o = projected.eye().at;
     plane.u = step;
     plane.v = along;
-    c.next = sight.filter(plane);
+    c.next = projected.filter(plane);
     plane.u = origin;
     plane.u_is = Plane::Support::point;
-    c.first = sight.filter(plane);
+    c.first = projected.filter(plane);
   } else {
     plane.o = origin;
     plane.u = along;
-    plane.v = sight.eye().at;
-    c.first = sight.filter(plane);
+    plane.v = projected.eye().at;
+    c.first = projected.filter(plane);
     const ErrorBounded change = SampleFunction::change(c.first, step);
     c.next.offset = -change.value;
     c.next.least = change.error;
@@ -38,55 +38,55 @@ SampleCoordinate coordinate(const Sight& sight, const Point3& origin, const Poin
 
 }  // namespace
 
-SampleSigns::SampleSigns(const Sight& sight, const SampleGrid& grid)
-    : sight_(&sight),
-      grid_{sight.scaled(grid.origin), sight.scaled(grid.right), sight.scaled(grid.down), grid.width, grid.height},
-      row_(coordinate(sight, grid_.origin, grid_.right, grid_.down)),
-      column_(coordinate(sight, grid_.origin, grid_.down, grid_.right)) {
-  Predicates exact = sight.predicates();
+SampleSigns::SampleSigns(const ProjectedMesh& projected, const SampleGrid& grid)
+    : projected_(&projected),
+      grid_{projected.scaled(grid.origin), projected.scaled(grid.right), projected.scaled(grid.down), grid.width, grid.height},
+      row_(coordinate(projected, grid_.origin, grid_.right, grid_.down)),
+      column_(coordinate(projected, grid_.origin, grid_.down, grid_.right)) {
+  Predicates exact = projected.predicates();
   turn_ = exact.side(row_plane(0), at(0, 1));
   require(turn_ != Sign::zero, "SampleSigns: the viewpoint is in the plane of the samples");
 }
 
 Sign SampleSigns::side(const ViewPlane& plane, int i, int j, Predicates& exact) const {
   for (const Point3& p : {at(i, j), at(i + 1, j), at(i, j + 1)})
-    if (const Sign s = exact.side(sight_->camera(), plane, p); s != Sign::zero) return s;
+    if (const Sign s = exact.side(projected_->camera(), plane, p); s != Sign::zero) return s;
   return Sign::zero;
 }
 
 SampleFunction SampleSigns::function(const ViewPlane& plane) const {
-  const PlaneFilter x = sight_->filter(plane.x);
+  const PlaneFilter x = projected_->filter(plane.x);
   if (!plane.is_meet) return {x, grid_};
   // y(E) x(p) - x(E) y(p)
-  const PlaneFilter y = sight_->filter(plane.y);
-  const Point3& e = sight_->eye().at;
-  const auto at_eye = [&](const PlaneFilter& f) { return sight_->is_perspective() ? f(e) : SampleFunction::change(f, e); };
+  const PlaneFilter y = projected_->filter(plane.y);
+  const Point3& e = projected_->eye().at;
+  const auto at_eye = [&](const PlaneFilter& f) { return projected_->is_perspective() ? f(e) : SampleFunction::change(f, e); };
   const ErrorBounded xe = at_eye(x), ye = at_eye(y);
   const auto change = [&](const Point3& d) { return ye * SampleFunction::change(x, d) - xe * SampleFunction::change(y, d); };
   return {ye * x(grid_.origin) - xe * y(grid_.origin), change(grid_.right), change(grid_.down), grid_};
 }
 
 Plane SampleSigns::row_plane(int j) const {
-  return turn_ == Sign::positive ? Plane::of_sight(sight_->eye(), at(0, j), at(1, j))
-                                 : Plane::of_sight(sight_->eye(), at(1, j), at(0, j));
+  return turn_ == Sign::positive ? Plane::of_sight(projected_->eye(), at(0, j), at(1, j))
+                                 : Plane::of_sight(projected_->eye(), at(1, j), at(0, j));
 }
 
 bool SampleSigns::is_in_front(VertexId v, Predicates& exact) const {
-  if (!sight_->is_perspective()) return true;
+  if (!projected_->is_perspective()) return true;
   // det(V, U, p - e), which turns as rows do.
-  const ErrorBounded x = row_.next(sight_->point(v));
+  const ErrorBounded x = row_.next(projected_->point(v));
   if (x.is_certain()) return sign_of(x.value) == -turn_;
   const Plane paper = Plane::of_face(at(0, 0), at(1, 0), at(0, 1));
-  return slope(paper, sight_->eye().at, sight_->point(v)) == -exact.side(paper, sight_->eye().at);
+  return slope(paper, projected_->eye().at, projected_->point(v)) == -exact.side(paper, projected_->eye().at);
 }
 
 bool SampleSigns::is_in_front(const std::array<Rational, 3>& p) const {
   const RationalVector n = cross(rational(grid_.down), rational(grid_.right));
-  return dot(n, minus(p, rational(sight_->eye().at))).sign() == -turn_;
+  return dot(n, minus(p, rational(projected_->eye().at))).sign() == -turn_;
 }
 
 Sign SampleSigns::certain_front(const Point3& p, double error) const {
-  if (!sight_->is_perspective()) return Sign::positive;
+  if (!projected_->is_perspective()) return Sign::positive;
   const PlaneFilter& f = row_.next;
   ErrorBounded x = f(p);
   x.error += (std::fabs(f.nx) + std::fabs(f.ny) + std::fabs(f.nz) + 3 * f.slope) * error * 1.01;
@@ -95,7 +95,7 @@ Sign SampleSigns::certain_front(const Point3& p, double error) const {
 
 int SampleSigns::rows_above(VertexId v, const ErrorBounded& row, Predicates& exact) const {
   const int rows = certain_count(row, grid_.height);
-  if (rows < 0) return rows_above(std::ceil(row.value), [&](int j) { return exact.side(row_plane(j), sight_->point(v)); });
+  if (rows < 0) return rows_above(std::ceil(row.value), [&](int j) { return exact.side(row_plane(j), projected_->point(v)); });
   ++exact.counts().filter;
   return rows;
 }

@@ -74,13 +74,13 @@ inline int certain_count(const ErrorBounded& x, int end) {
 
 /// The signs of planes at samples, exactly, and with the rule for samples on edges (samples.h).
 ///
-/// @pre the sight was made with the certificate of the grid; it outlives this. Planes are among its points and samples.
+/// @pre the sight was made with the bit range of the grid; it outlives this. Planes are among its points and samples.
 /// A sign is zero only for a plane that contains the paper, which no plane through the viewpoint does.
 class SampleSigns {
  public:
-  SampleSigns(const Sight& sight, const SampleGrid& grid);
+  SampleSigns(const ProjectedMesh& projected, const SampleGrid& grid);
 
-  const Sight& sight() const { return *sight_; }
+  const ProjectedMesh& projected() const { return *projected_; }
   /// As the sight scales it.
   const SampleGrid& grid() const { return grid_; }
   Point3 at(int i, int j) const { return grid_.at(i, j); }
@@ -90,7 +90,7 @@ class SampleSigns {
   /// The values of a plane, in doubles.
   SampleFunction function(const ViewPlane& plane) const;
   /// How a plane's value changes along row j. Exact.
-  Sign slope_along_row(const ViewPlane& plane, int j) const { return slope(sight_->camera(), plane, at(0, j), at(1, j)); }
+  Sign slope_along_row(const ViewPlane& plane, int j) const { return slope(projected_->camera(), plane, at(0, j), at(1, j)); }
   /// Where a plane cuts the samples begin ... end - 1 of row j. @pre begin < end, `f` is of the plane, row is f.on_row(j)
   /// @param plane gives the plane; only asked for where doubles cannot tell
   template <class MakePlane>
@@ -114,7 +114,7 @@ class SampleSigns {
   Plane row_plane(int j) const;
   /// How many rows are above what is seen at a vertex: a side from a to b crosses the rows rows_above(a) ... rows_above(b) - 1,
   /// or the other way round. @pre is_in_front(v)
-  int rows_above(VertexId v, Predicates& exact) const { return rows_above(v, row_of(sight_->point(v)), exact); }
+  int rows_above(VertexId v, Predicates& exact) const { return rows_above(v, row_of(projected_->point(v)), exact); }
   /// @param row row_of(v)
   int rows_above(VertexId v, const ErrorBounded& row, Predicates& exact) const;
   /// Where a point in front is seen, in rows and columns of samples. The error is infinite where doubles cannot tell.
@@ -133,7 +133,7 @@ class SampleSigns {
   RowCut exact_cut(const SampleFunction& f, double row, int j, int begin, int end, const ViewPlane& plane,
                    Predicates& exact) const;
 
-  const Sight* sight_;
+  const ProjectedMesh* projected_;
   SampleGrid grid_;
   Sign turn_ = Sign::positive;  // negative: rows as given would be positive above
   SampleCoordinate row_, column_;

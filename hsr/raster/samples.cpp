@@ -20,8 +20,8 @@ Point3 snapped(const Point3& p, int power) { return {snapped(p.x, power), snappe
 
 }  // namespace
 
-Certificate SampleGrid::certificate() const {
-  Certificate c;
+BitRange SampleGrid::bit_range() const {
+  BitRange c;
   for (const Point3& p : {origin, right, down}) c.add(p);
   // Sums of at most 2^17 of each: no coordinate has more than 2^50 units, or the corners would show it.
   for (const int i : {0, width})

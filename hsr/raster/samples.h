@@ -26,7 +26,7 @@ struct SampleGrid {
             origin.z + (i * right.z + j * down.z)};
   }
   /// Of every sample, and the vectors. @throws PreconditionError if the samples are no doubles
-  Certificate certificate() const;
+  BitRange bit_range() const;
 };
 
 /// The samples of a picture of width x height square pixels, as small as shows all of `part`, which is in its middle; samples

@@ -208,7 +208,7 @@ Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples)
 
 Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, const PaintersOrder& pieces) {
   Scanner scanner(samples);
-  const Projection<double> project(view, samples);
+  const SampleProjection<double> project(view, samples);
   std::vector<Corner> corners;
   for (const OrderedPiece& piece : pieces.pieces) {
     corners.clear();

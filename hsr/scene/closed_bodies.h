@@ -22,13 +22,13 @@ namespace hsr {
 /// Cost: O(n), parallel.
 /// Source: Mehlhorn, Näher, Seel et al. 1999, "Checking geometric programs or verification of geometric structures": one ray
 /// from inside that meets one face tells that a surface that turns everywhere the same way goes around once.
-class Bodies {
+class ClosedBodies {
  public:
-  explicit Bodies(const Sight& sight);
+  explicit ClosedBodies(const ProjectedMesh& projected);
 
   std::size_t count() const { return count_; }
   const std::vector<std::uint8_t>& far_sides() const { return far_sides_; }  ///< by triangle: 1, on the far side of a body
-  bool is_on_near_side(TriangleId t) const { return sight_.facing(t) != Sign::zero && far_sides_[t.value] == 0; }
+  bool is_on_near_side(TriangleId t) const { return projected_.facing(t) != Sign::zero && far_sides_[t.value] == 0; }
   /// Some triangle is at the edge, and all are on far sides.
   bool is_on_far_side(EdgeId e) const;
   /// All faces are those of one convex body, and there are no wires: an edge that is seen as a line is visible iff one of its
@@ -36,7 +36,7 @@ class Bodies {
   bool is_one_convex_body() const;
 
  private:
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   std::size_t count_ = 0;
   bool is_alone_ = false;     // the first body, with all triangles
   Sign inside_ = Sign::zero;  // of the first body: on which side of its faces it lies

@@ -7,7 +7,7 @@
 
 namespace hsr {
 
-/// The plane that makes a cut, over the points of a Sight or over points as given. @pre neither start nor end
+/// The plane that makes a cut, over the points of a ProjectedMesh or over points as given. @pre neither start nor end
 template <class Points>
 Plane cut_plane(const Points& points, const Cut& cut) {
   const VertexId u(cut.u), v(cut.v);

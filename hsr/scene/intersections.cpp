@@ -25,12 +25,13 @@ namespace {
 
 class Finder {
  public:
-  Finder(const Sight& sight, const Occluders& occluders, const HiddenTiles* tiles, std::vector<std::uint8_t>& has_contact)
-      : sight_(sight),
-        mesh_(sight.mesh()),
+  Finder(const ProjectedMesh& projected, const Occluders& occluders, const OcclusionPyramid* pyramid,
+         std::vector<std::uint8_t>& has_contact)
+      : projected_(projected),
+        mesh_(projected.mesh()),
         occluders_(occluders),
-        tiles_(tiles),
-        exact_(sight.predicates()),
+        pyramid_(pyramid),
+        exact_(projected.predicates()),
         has_contact_(has_contact) {}
 
   /// Looks at the triangles of a leaf of the tree, with those that come later.
@@ -47,14 +48,14 @@ class Finder {
   bool may_lie_in(VertexId u, VertexId v, TriangleId t);
   bool passes_through(TriangleId t, const std::array<Sign, 3>& at) const;
   bool cross_beyond_common_corner(TriangleId s, TriangleId t);
-  std::array<NearPoint, 2> chord(TriangleId t, const std::array<Sign, 3>& at, const PlaneFilter& plane) const;
-  bool certainly_no_segment(const std::array<NearPoint, 2>& x, const std::array<NearPoint, 2>& y) const;
+  std::array<BoundedPoint3, 2> chord(TriangleId t, const std::array<Sign, 3>& at, const PlaneFilter& plane) const;
+  bool certainly_no_segment(const std::array<BoundedPoint3, 2>& x, const std::array<BoundedPoint3, 2>& y) const;
   std::optional<Intersection> segment(TriangleId s, TriangleId t);
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   const Mesh& mesh_;
   const Occluders& occluders_;
-  const HiddenTiles* tiles_;
+  const OcclusionPyramid* pyramid_;
   Predicates exact_;
   std::vector<std::uint8_t>& has_contact_;
   BoxTree::PairSearch search_;
@@ -62,7 +63,8 @@ class Finder {
 
 /// The plane of an occluder.
 PlaneFilter Finder::filter(std::uint32_t i) const {
-  return occluders_.faces.empty() ? sight_.filter(sight_.face_plane(occluders_.triangles[i])) : occluders_.face(i).plane;
+  return occluders_.faces.empty() ? projected_.filter(projected_.face_plane(occluders_.triangles[i]))
+                                  : occluders_.face(i).plane;
 }
 
 /// On which sides of the plane of s the corners of t are.
@@ -75,8 +77,8 @@ std::array<Sign, 3> Finder::sides(const PlaneFilter& filter, TriangleId s, Trian
       at[k] = Sign::zero;
       continue;
     }
-    const ErrorBounded x = filter(sight_.point(v));
-    at[k] = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(sight_.face_plane(s), sight_.point(v));
+    const ErrorBounded x = filter(projected_.point(v));
+    at[k] = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(projected_.face_plane(s), projected_.point(v));
   }
   return at;
 }
@@ -111,7 +113,7 @@ bool Finder::meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId
     else
       apex = v;
   }
-  return common == 2 && filter(sight_.point(apex)).is_certain() && is_single(s) && is_single(t);
+  return common == 2 && filter(projected_.point(apex)).is_certain() && is_single(s) && is_single(t);
 }
 
 void Finder::look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<Intersection>& found) {
@@ -153,9 +155,9 @@ void Finder::mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign,
 /// Whether the segment uv, in the plane of t, may have more than a point in common with t.
 bool Finder::may_lie_in(VertexId u, VertexId v, TriangleId t) {
   const auto side = [&](const Plane& plane, const Cut& cut, VertexId p) {
-    return p.value == cut.u || p.value == cut.v ? Sign::zero : sight_.side(plane, p, exact_);
+    return p.value == cut.u || p.value == cut.v ? Sign::zero : projected_.side(plane, p, exact_);
   };
-  const auto half_spaces = hsr::half_spaces(sight_, t, exact_);
+  const auto half_spaces = hsr::half_spaces(projected_, t, exact_);
   for (const HalfSpace& h : half_spaces) {
     const Sign a = side(h.plane, h.cut, u) * h.inner, b = side(h.plane, h.cut, v) * h.inner;
     if (a != Sign::positive && b != Sign::positive && !(a == Sign::zero && b == Sign::zero)) return false;
@@ -164,7 +166,7 @@ bool Finder::may_lie_in(VertexId u, VertexId v, TriangleId t) {
   Cut cut = half_spaces[0].cut;
   cut.u = u.value;
   cut.v = v.value;
-  const Plane line = cut_plane(sight_, cut);
+  const Plane line = cut_plane(projected_, cut);
   bool positive = false, negative = false;
   int zeros = 0;
   for (const VertexId w : mesh_.triangles[t]) {
@@ -195,19 +197,19 @@ bool Finder::cross_beyond_common_corner(TriangleId s, TriangleId t) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (c[i] != d[k]) continue;
       const VertexId p = d[(k + 1) % 3], q = d[(k + 2) % 3], a = c[(i + 1) % 3], b = c[(i + 2) % 3];
-      const Plane plane = Plane::of_face(sight_.point(c[i]), sight_.point(p), sight_.point(a));
-      return sight_.side(plane, b, exact_) * sight_.side(plane, q, exact_) == Sign::positive;
+      const Plane plane = Plane::of_face(projected_.point(c[i]), projected_.point(p), projected_.point(a));
+      return projected_.side(plane, b, exact_) * projected_.side(plane, q, exact_) == Sign::positive;
     }
   return true;
 }
 
 /// The ends of what a plane cuts of a triangle, nearly. @pre it has corners on both sides: @param at on which sides
-std::array<NearPoint, 2> Finder::chord(TriangleId t, const std::array<Sign, 3>& at, const PlaneFilter& plane) const {
+std::array<BoundedPoint3, 2> Finder::chord(TriangleId t, const std::array<Sign, 3>& at, const PlaneFilter& plane) const {
   const auto& c = mesh_.triangles[t];
-  std::array<NearPoint, 2> ends;
+  std::array<BoundedPoint3, 2> ends;
   std::size_t n = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point3 &p = sight_.point(c[k]), &q = sight_.point(c[(k + 1) % 3]);
+    const Point3 &p = projected_.point(c[k]), &q = projected_.point(c[(k + 1) % 3]);
     if (at[k] == Sign::zero) ends[n++] = {p, 0};
     if (at[k] * at[(k + 1) % 3] != Sign::negative) continue;
     const ErrorBounded x = plane(p), y = plane(q);
@@ -217,38 +219,39 @@ std::array<NearPoint, 2> Finder::chord(TriangleId t, const std::array<Sign, 3>& 
 }
 
 /// Of two parts of one line, whether they have certainly nothing in common, or nothing that is not hidden.
-bool Finder::certainly_no_segment(const std::array<NearPoint, 2>& x, const std::array<NearPoint, 2>& y) const {
+bool Finder::certainly_no_segment(const std::array<BoundedPoint3, 2>& x, const std::array<BoundedPoint3, 2>& y) const {
   const auto length = [&](int k) { return std::fabs(x[1].p[k] - x[0].p[k]); };
   int axis = 0;
   for (const int k : {1, 2})
     if (length(k) > length(axis)) axis = k;
-  const auto ascending = [&](const std::array<NearPoint, 2>& part) {
+  const auto ascending = [&](const std::array<BoundedPoint3, 2>& part) {
     return part[0].p[axis] > part[1].p[axis] ? std::array{&part[1], &part[0]} : std::array{&part[0], &part[1]};
   };
   const auto a = ascending(x), b = ascending(y);
-  const auto is_ordered = [&](const std::array<const NearPoint*, 2>& part) {
+  const auto is_ordered = [&](const std::array<const BoundedPoint3*, 2>& part) {
     return part[1]->p[axis] - part[0]->p[axis] > (part[0]->error + part[1]->error) * 1.01;
   };
   if (!is_ordered(a) || !is_ordered(b)) return false;
-  const NearPoint &low = a[0]->p[axis] > b[0]->p[axis] ? *a[0] : *b[0], &high = a[1]->p[axis] < b[1]->p[axis] ? *a[1] : *b[1];
+  const BoundedPoint3 &low = a[0]->p[axis] > b[0]->p[axis] ? *a[0] : *b[0],
+                      &high = a[1]->p[axis] < b[1]->p[axis] ? *a[1] : *b[1];
   if (low.p[axis] - high.p[axis] > (low.error + high.error) * 1.01) return true;
-  return tiles_ != nullptr && tiles_->hides(low, high);
+  return pyramid_ != nullptr && pyramid_->hides(low, high);
 }
 
 /// A place on the line in which two planes meet, by name.
 struct Crossing {
   Cut cut;
-  MeetLine::Place place;
+  PlaneIntersection::Place place;
 };
 
 /// Which comes first: negative, x.
-Sign order(const MeetLine& line, const Crossing& x, const Crossing& y) {
+Sign order(const PlaneIntersection& line, const Crossing& x, const Crossing& y) {
   return x.cut == y.cut ? Sign::zero : line.order(x.place, y.place);
 }
 
 /// Clips the line in which both planes meet to both triangles. @pre the face of each passes through the other's plane
 std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
-  const MeetLine line(sight_.face_plane(s), sight_.face_plane(t), exact_);
+  const PlaneIntersection line(projected_.face_plane(s), projected_.face_plane(t), exact_);
   struct Bound {
     HalfSpace h;
     bool goes_on;  // the face does, behind it
@@ -258,11 +261,11 @@ std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
   std::size_t n = 0, parallels = 0;
   bool near_cuts = false;
   for (const TriangleId x : {s, t}) {
-    const auto half_spaces = hsr::half_spaces(sight_, x, exact_);
+    const auto half_spaces = hsr::half_spaces(projected_, x, exact_);
     for (std::size_t k = 0; k < 3; ++k) bounds[n++] = {half_spaces[k], is_inner_diagonal(mesh_, x, k)};
-    near_cuts = near_cuts || sight_.reaches_before_near(x);
+    near_cuts = near_cuts || projected_.reaches_before_near(x);
   }
-  if (near_cuts) bounds[n++] = {{{Cut::Kind::near, 0, 0, 0}, sight_.near_plane(), Sign::positive}, false};
+  if (near_cuts) bounds[n++] = {{{Cut::Kind::near, 0, 0, 0}, projected_.near_plane(), Sign::positive}, false};
   std::optional<Crossing> low, high;
   for (std::size_t i = 0; i < n; ++i) {
     const HalfSpace& h = bounds[i].h;
@@ -287,9 +290,9 @@ std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
 
 }  // namespace
 
-Intersections find_intersections(const Sight& sight, const Occluders& occluders, const HiddenTiles* tiles) {
+Intersections find_intersections(const ProjectedMesh& projected, const Occluders& occluders, const OcclusionPyramid* pyramid) {
   Intersections all;
-  all.has_contact.resize(sight.mesh().edges.size(), 0);
+  all.has_contact.resize(projected.mesh().edges.size(), 0);
   constexpr std::size_t block = 64;
   const std::size_t n = occluders.tree.leaf_count();
   std::vector<std::vector<Intersection>> parts((n + block - 1) / block);
@@ -297,7 +300,7 @@ Intersections find_intersections(const Sight& sight, const Occluders& occluders,
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      Finder finder(sight, occluders, tiles, all.has_contact);
+      Finder finder(projected, occluders, pyramid, all.has_contact);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t leaf = part * block; leaf < end; ++leaf)
         finder.look_around(static_cast<std::uint32_t>(leaf), parts[part]);
@@ -316,8 +319,8 @@ Intersections find_intersections(const Sight& sight, const Occluders& occluders,
 namespace {
 
 /// Whether the first place is the lexicographically smaller one.
-bool is_ascending(const MeetLine& line, const Crossing& from, const Crossing& to) {
-  const auto a = line.near_point(from.place), b = line.near_point(to.place);
+bool is_ascending(const PlaneIntersection& line, const Crossing& from, const Crossing& to) {
+  const auto a = line.bounded_point(from.place), b = line.bounded_point(to.place);
   std::optional<std::array<Rational, 3>> p, q;
   for (std::size_t k = 0; k < 3; ++k) {
     const ErrorBounded gap = b[k] - a[k];
@@ -336,14 +339,14 @@ struct Piece {
 };
 
 /// A piece, running along the line.
-Piece piece(const Sight& sight, const MeetLine& line, const Intersection& x) {
-  const auto crossing = [&](const Cut& cut) { return Crossing{cut, line.place(cut_plane(sight, cut))}; };
+Piece piece(const ProjectedMesh& projected, const PlaneIntersection& line, const Intersection& x) {
+  const auto crossing = [&](const Cut& cut) { return Crossing{cut, line.place(cut_plane(projected, cut))}; };
   Piece p{crossing(x.from), crossing(x.to)};
   if (order(line, p.from, p.to) == Sign::positive) std::swap(p.from, p.to);
   return p;
 }
 
-void unite(const MeetLine& line, std::vector<Piece>& parts) {
+void unite(const PlaneIntersection& line, std::vector<Piece>& parts) {
   std::sort(parts.begin(), parts.end(),
             [&](const Piece& x, const Piece& y) { return order(line, x.from, y.from) == Sign::negative; });
   std::size_t last = 0;
@@ -361,8 +364,8 @@ void unite(const MeetLine& line, std::vector<Piece>& parts) {
 
 }  // namespace
 
-std::vector<Intersection> united(const Sight& sight, const std::vector<Intersection>& pieces) {
-  const Mesh& mesh = sight.mesh();
+std::vector<Intersection> merge_segments(const ProjectedMesh& projected, const std::vector<Intersection>& pieces) {
+  const Mesh& mesh = projected.mesh();
   const auto facets = [&](const Intersection& x) { return std::pair(facet_of(mesh, x.s), facet_of(mesh, x.t)); };
   std::vector<std::uint32_t> order(pieces.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -373,28 +376,29 @@ std::vector<Intersection> united(const Sight& sight, const std::vector<Intersect
   for (std::size_t i = 0; i < order.size(); ++i)
     if (i == 0 || facets(pieces[order[i]]) != facets(pieces[order[i - 1]])) first.push_back(i);
   first.push_back(order.size());
-  return collected<Intersection>(first.size() - 1, [&](std::size_t begin, std::size_t end, std::vector<Intersection>& out) {
-    Predicates exact = sight.predicates();
-    for (std::size_t g = begin; g < end; ++g) {
-      const auto [s, t] = facets(pieces[order[first[g]]]);
-      const MeetLine line(sight.face_plane(s), sight.face_plane(t), exact);
-      std::vector<Piece> parts;
-      for (std::size_t i = first[g]; i < first[g + 1]; ++i) parts.push_back(piece(sight, line, pieces[order[i]]));
-      unite(line, parts);
-      for (const Piece& p : parts) out.push_back({s, t, p.from.cut, p.to.cut});
-    }
-  });
+  return parallel_collect<Intersection>(
+      first.size() - 1, [&](std::size_t begin, std::size_t end, std::vector<Intersection>& out) {
+        Predicates exact = projected.predicates();
+        for (std::size_t g = begin; g < end; ++g) {
+          const auto [s, t] = facets(pieces[order[first[g]]]);
+          const PlaneIntersection line(projected.face_plane(s), projected.face_plane(t), exact);
+          std::vector<Piece> parts;
+          for (std::size_t i = first[g]; i < first[g + 1]; ++i) parts.push_back(piece(projected, line, pieces[order[i]]));
+          unite(line, parts);
+          for (const Piece& p : parts) out.push_back({s, t, p.from.cut, p.to.cut});
+        }
+      });
 }
 
-ImageBox box_of(const Sight& sight, const Intersection& meet) {
-  const Plane s = sight.face_plane(meet.s), t = sight.face_plane(meet.t);
+ImageBox box_of(const ProjectedMesh& projected, const Intersection& meet) {
+  const Plane s = projected.face_plane(meet.s), t = projected.face_plane(meet.t);
   ImageBox box = ImageBox::nothing();
   for (const Cut& cut : {meet.from, meet.to}) {
-    const auto p = near_meet(s, t, cut_plane(sight, cut));
+    const auto p = near_meet(s, t, cut_plane(projected, cut));
     const double error = (p[0].error + p[1].error + p[2].error) * 1.01;
     // The triangles' boxes will not do: the segment may run through all of a face.
-    if (!(error < HUGE_VAL) || !sight.predicates().filter_is_proven()) return ImageBox::everything();
-    box.add(sight.box({p[0].value, p[1].value, p[2].value}, error));
+    if (!(error < HUGE_VAL) || !projected.predicates().filter_is_proven()) return ImageBox::everything();
+    box.add(projected.box({p[0].value, p[1].value, p[2].value}, error));
   }
   return box;
 }

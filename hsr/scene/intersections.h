@@ -9,7 +9,7 @@
 
 namespace hsr {
 
-class HiddenTiles;
+class OcclusionPyramid;
 
 /// Where the faces meet other than in common edges.
 struct Intersections {
@@ -25,13 +25,14 @@ struct Intersections {
 /// @param tiles segments that they hide are left out; none: nothing is known to be hidden
 /// Exact: yes; contacts are marked generously. Cost: O(n log n + k) for k pairs whose boxes touch, parallel.
 /// Source: Guigue & Devillers 2003 (signs of degree 3 first).
-Intersections find_intersections(const Sight& sight, const Occluders& occluders, const HiddenTiles* tiles = nullptr);
+Intersections find_intersections(const ProjectedMesh& projected, const Occluders& occluders,
+                                 const OcclusionPyramid* pyramid = nullptr);
 
 /// The pieces of one line in which two facets meet as one where they abut, named by the first triangles of the facets; each
 /// from the lexicographically smaller end to the other. Ascending by (s, t), then by place.
-std::vector<Intersection> united(const Sight& sight, const std::vector<Intersection>& pieces);
+std::vector<Intersection> merge_segments(const ProjectedMesh& projected, const std::vector<Intersection>& pieces);
 
 /// A box of the image in which an intersection lies.
-ImageBox box_of(const Sight& sight, const Intersection& meet);
+ImageBox box_of(const ProjectedMesh& projected, const Intersection& meet);
 
 }  // namespace hsr

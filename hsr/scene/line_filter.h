@@ -9,17 +9,17 @@
 namespace hsr {
 
 /// The line through the images of two vertices a and b, prepared for many points: the sign of O(a, b, p), by the bound of
-/// ImageSegment.
-class ImageLine {
+/// SegmentFilter.
+class LineFilter {
  public:
-  ImageLine(const Sight& sight, VertexId a, VertexId b) : sight_(sight), a_(a), b_(b) {
-    if (is_known()) image_ = {sight.image(a), sight.image(b), sight.image_error()};
+  LineFilter(const ProjectedMesh& projected, VertexId a, VertexId b) : projected_(projected), a_(a), b_(b) {
+    if (is_known()) image_ = {projected.image(a), projected.image(b), projected.image_error()};
   }
 
   /// Zero: doubles cannot tell.
   Sign certain_side(VertexId p) const {
     if (!is_known()) return Sign::zero;
-    const ErrorBounded turn = image_.turn(sight_.image(p));
+    const ErrorBounded turn = image_.turn(projected_.image(p));
     return turn.value > turn.error ? Sign::positive : turn.value < -turn.error ? Sign::negative : Sign::zero;
   }
 
@@ -28,15 +28,15 @@ class ImageLine {
   std::optional<Sign> side_by_doubles(VertexId p) const {
     const Sign certain = certain_side(p);
     if (certain != Sign::zero) return certain;
-    if (sight_.image_error() != 0 || (image_.dx != 0 && image_.dy != 0)) return std::nullopt;
-    const ImagePoint& c = sight_.image(p);
+    if (projected_.image_error() != 0 || (image_.dx != 0 && image_.dy != 0)) return std::nullopt;
+    const ImagePoint& c = projected_.image(p);
     return image_.dx == 0 ? -sign_of(image_.dy) * sign_of(c.x - image_.p.x) : sign_of(image_.dx) * sign_of(c.y - image_.p.y);
   }
 
   /// The sign of O(a, b, p). Exact.
   Sign side(VertexId p, Predicates& exact) const {
     const std::optional<Sign> s = side_by_doubles(p);
-    if (!s) return exact.side_beyond_filter(sight_.sight_plane(a_, b_), sight_.point(p));
+    if (!s) return exact.side_beyond_filter(projected_.sight_plane(a_, b_), projected_.point(p));
     ++exact.counts().filter;
     if (*s == Sign::zero) ++exact.counts().zero;
     return *s;
@@ -44,10 +44,11 @@ class ImageLine {
 
   /// Whether a and b are seen as one point, so that there is no line. Exact.
   bool is_point(Predicates& exact) const {
-    if (is_known() && std::fabs(image_.dx) + std::fabs(image_.dy) > 9 * sight_.image_error() + 0x1p-900) return false;
+    if (is_known() && std::fabs(image_.dx) + std::fabs(image_.dy) > 9 * projected_.image_error() + 0x1p-900) return false;
     // Iff every plane of the line of sight of a contains b.
     for (int axis = 0; axis < 3; ++axis)
-      if (exact.side(Plane::of_sight_along_axis(sight_.eye(), sight_.point(a_), axis), sight_.point(b_)) != Sign::zero)
+      if (exact.side(Plane::of_sight_along_axis(projected_.eye(), projected_.point(a_), axis), projected_.point(b_)) !=
+          Sign::zero)
         return false;
     return true;
   }
@@ -62,16 +63,16 @@ class ImageLine {
   /// The sign of (p - o) . (b - a) in the image, or zero where doubles cannot tell: twice the bound for O.
   Sign along(VertexId p, const ImagePoint& o) const {
     if (!is_known()) return Sign::zero;
-    const ImagePoint& c = sight_.image(p);
+    const ImagePoint& c = projected_.image(p);
     const double rx = c.x - o.x, ry = c.y - o.y, dot = image_.dx * rx + image_.dy * ry;
     const double bound = 2 * (image_.least + image_.slope * (std::fabs(rx) + std::fabs(ry)));
     return dot > bound ? Sign::positive : dot < -bound ? Sign::negative : Sign::zero;
   }
-  bool is_known() const { return sight_.image_error() < HUGE_VAL; }
+  bool is_known() const { return projected_.image_error() < HUGE_VAL; }
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   VertexId a_, b_;
-  ImageSegment image_;
+  SegmentFilter image_;
 };
 
 }  // namespace hsr

@@ -4,21 +4,23 @@
 
 namespace hsr {
 
-Occluders::Occluders(const Sight& sight, const std::vector<ImageBox>& boxes, const std::vector<std::uint8_t>& left_out) {
-  triangles = collected<TriangleId>(boxes.size(), [&](std::size_t begin, std::size_t end, std::vector<TriangleId>& part) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (sight.reaches_beyond_near(TriangleId(i)) && (left_out.empty() || left_out[i] == 0)) part.emplace_back(i);
-  });
+Occluders::Occluders(const ProjectedMesh& projected, const std::vector<ImageBox>& boxes,
+                     const std::vector<std::uint8_t>& left_out) {
+  triangles =
+      parallel_collect<TriangleId>(boxes.size(), [&](std::size_t begin, std::size_t end, std::vector<TriangleId>& part) {
+        for (std::size_t i = begin; i < end; ++i)
+          if (projected.reaches_beyond_near(TriangleId(i)) && (left_out.empty() || left_out[i] == 0)) part.emplace_back(i);
+      });
   if (triangles.size() == boxes.size()) {
     tree = BoxTree(boxes);
     return;
   }
   std::vector<ImageBox> kept(triangles.size());
-  for_each(kept.size(), [&](std::size_t i) { kept[i] = boxes[triangles[i].value]; });
+  parallel_for_each(kept.size(), [&](std::size_t i) { kept[i] = boxes[triangles[i].value]; });
   tree = BoxTree(kept);
 }
 
-void Occluders::prepare(const Sight& sight) {
+void Occluders::prepare(const ProjectedMesh& projected) {
   if (!faces.empty()) return;
   std::vector<TriangleId> along_tree;
   along_tree.reserve(triangles.size());
@@ -30,7 +32,7 @@ void Occluders::prepare(const Sight& sight) {
       return true;
     });
   faces.resize(along_tree.size());
-  for_each(faces.size(), [&](std::size_t k) { faces[k] = ImageFace(sight, along_tree[k]); });
+  parallel_for_each(faces.size(), [&](std::size_t k) { faces[k] = TriangleFilter(projected, along_tree[k]); });
 }
 
 }  // namespace hsr

@@ -14,15 +14,15 @@ namespace hsr {
 /// Cost: O(n log n), parallel.
 struct Occluders {
   std::vector<TriangleId> triangles;
-  BoxTree tree;                      ///< over `triangles`
-  std::vector<ImageFace> faces;      ///< along the tree: near ones near; empty unless prepared
-  std::vector<std::uint32_t> place;  ///< of each of `triangles` in `faces`
+  BoxTree tree;                       ///< over `triangles`
+  std::vector<TriangleFilter> faces;  ///< along the tree: near ones near; empty unless prepared
+  std::vector<std::uint32_t> place;   ///< of each of `triangles` in `faces`
 
   /// @param boxes of all triangles @param left_out by triangle; empty: none
-  Occluders(const Sight& sight, const std::vector<ImageBox>& boxes, const std::vector<std::uint8_t>& left_out);
+  Occluders(const ProjectedMesh& projected, const std::vector<ImageBox>& boxes, const std::vector<std::uint8_t>& left_out);
   /// For many questions about each of them. Cost: O(n), parallel.
-  void prepare(const Sight& sight);
-  const ImageFace& face(std::uint32_t i) const { return faces[place[i]]; }
+  void prepare(const ProjectedMesh& projected);
+  const TriangleFilter& face(std::uint32_t i) const { return faces[place[i]]; }
 };
 
 }  // namespace hsr

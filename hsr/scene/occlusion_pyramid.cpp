@@ -22,7 +22,7 @@ bool is_convertible(double x) { return std::fabs(x) < 0x1p30; }
 }  // namespace
 
 /// Estimated first, then settled by the borders themselves: no rounding of the quotient matters.
-std::int32_t HiddenTiles::Axis::last_border_up_to(double x) const {
+std::int32_t OcclusionPyramid::Axis::last_border_up_to(double x) const {
   const double estimate = (x - first) * per_width;
   if (!is_convertible(estimate)) return x < first ? -1 : tiles;
   std::int32_t i = std::clamp(static_cast<std::int32_t>(estimate), -1, tiles);
@@ -31,7 +31,7 @@ std::int32_t HiddenTiles::Axis::last_border_up_to(double x) const {
   return i;
 }
 
-std::int32_t HiddenTiles::Axis::first_border_from(double x) const {
+std::int32_t OcclusionPyramid::Axis::first_border_from(double x) const {
   const double estimate = (x - first) * per_width;
   if (!is_convertible(estimate)) return x > first ? tiles + 1 : 0;
   std::int32_t i = std::clamp(static_cast<std::int32_t>(estimate), 0, tiles + 1);
@@ -40,29 +40,29 @@ std::int32_t HiddenTiles::Axis::first_border_from(double x) const {
   return i;
 }
 
-HiddenTiles::HiddenTiles(const Sight& sight, bool always) : sight_(sight) {
-  if (!(sight.image_error() < HUGE_VAL)) return;  // another arithmetic is asked for, or doubles do not reach
+OcclusionPyramid::OcclusionPyramid(const ProjectedMesh& projected, bool always) : projected_(projected) {
+  if (!(projected.image_error() < HUGE_VAL)) return;  // another arithmetic is asked for, or doubles do not reach
   choose_grid(always);
   if (levels_.empty()) return;
   cover_all();
   build_levels();
 }
 
-HiddenTiles::Rectangle HiddenTiles::rectangle(std::span<const VertexId> vertices) const {
+OcclusionPyramid::Rectangle OcclusionPyramid::rectangle(std::span<const VertexId> vertices) const {
   Rectangle r = {{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
   for (const VertexId v : vertices) {
-    const ImagePoint& p = sight_.image(v);
+    const ImagePoint& p = projected_.image(v);
     r.low = {std::min(r.low[0], p.x), std::min(r.low[1], p.y)};
     r.high = {std::max(r.high[0], p.x), std::max(r.high[1], p.y)};
   }
-  return grown(r, sight_.image_error());
+  return grown(r, projected_.image_error());
 }
 
 /// Around a triangle, and another one if there is.
-HiddenTiles::Rectangle HiddenTiles::rectangle(TriangleId t, TriangleId s) const {
-  Rectangle r = rectangle(sight_.mesh().triangles[t]);
+OcclusionPyramid::Rectangle OcclusionPyramid::rectangle(TriangleId t, TriangleId s) const {
+  Rectangle r = rectangle(projected_.mesh().triangles[t]);
   if (!s.is_valid()) return r;
-  const Rectangle other = rectangle(sight_.mesh().triangles[s]);
+  const Rectangle other = rectangle(projected_.mesh().triangles[s]);
   for (std::size_t k = 0; k < 2; ++k) {
     r.low[k] = std::min(r.low[k], other.low[k]);
     r.high[k] = std::max(r.high[k], other.high[k]);
@@ -70,7 +70,7 @@ HiddenTiles::Rectangle HiddenTiles::rectangle(TriangleId t, TriangleId s) const 
   return r;
 }
 
-HiddenTiles::Rectangle HiddenTiles::grown(Rectangle r, double error) const {
+OcclusionPyramid::Rectangle OcclusionPyramid::grown(Rectangle r, double error) const {
   if (error == 0) return r;
   for (std::size_t k = 0; k < 2; ++k) {
     r.low[k] -= error * 1.01 + 2 * u * std::fabs(r.low[k]);
@@ -80,28 +80,28 @@ HiddenTiles::Rectangle HiddenTiles::grown(Rectangle r, double error) const {
 }
 
 /// Off by a rounding, and -infinity where it is not known.
-double HiddenTiles::affine(float nearness) const {
-  if (!sight_.is_perspective()) return nearness;
+double OcclusionPyramid::affine(float nearness) const {
+  if (!projected_.is_perspective()) return nearness;
   return nearness < 0 ? -1 / static_cast<double>(nearness) : HUGE_VAL;
 }
 
-PlaneNearness HiddenTiles::plane_nearness(TriangleId t, const Rectangle& around) const {
-  const auto& c = sight_.mesh().triangles[t];
+AffineDepth OcclusionPyramid::plane_nearness(TriangleId t, const Rectangle& around) const {
+  const auto& c = projected_.mesh().triangles[t];
   std::array<double, 3> low, high, middle, x, y;
   for (std::size_t k = 0; k < 3; ++k) {
-    const ImageBox& box = sight_.box(c[k]);
+    const ImageBox& box = projected_.box(c[k]);
     low[k] = affine(box.farthest);
     high[k] = affine(box.nearest);
-    if (sight_.is_perspective()) {  // reciprocals, which are positive
+    if (projected_.is_perspective()) {  // reciprocals, which are positive
       low[k] *= 1 - 4 * u;
       high[k] *= 1 + 4 * u;
     }
     middle[k] = (low[k] + high[k]) / 2;
-    x[k] = sight_.image(c[k]).x - sight_.image(c[0]).x;
-    y[k] = sight_.image(c[k]).y - sight_.image(c[0]).y;
+    x[k] = projected_.image(c[k]).x - projected_.image(c[0]).x;
+    y[k] = projected_.image(c[k]).y - projected_.image(c[0]).y;
   }
-  PlaneNearness n;
-  n.p = sight_.image(c[0]);
+  AffineDepth n;
+  n.p = projected_.image(c[0]);
   n.value = middle[0];
   n.farthest = std::min({low[0], low[1], low[2]});
   n.nearest = std::max({high[0], high[1], high[2]});
@@ -119,7 +119,7 @@ PlaneNearness HiddenTiles::plane_nearness(TriangleId t, const Rectangle& around)
            axes_[k].tiles * axes_[k].width;
   };
   const double reach_x = reach(0, width), reach_y = reach(1, height);
-  const double error = 2 * sight_.image_error();
+  const double error = 2 * projected_.image_error();
   n.error = (most + std::fabs(n.dx) * (error + 16 * u * reach_x) + std::fabs(n.dy) * (error + 16 * u * reach_y) +
              16 * u * std::fabs(n.value)) *
                 1.01 +
@@ -129,19 +129,19 @@ PlaneNearness HiddenTiles::plane_nearness(TriangleId t, const Rectangle& around)
 }
 
 /// At most 24 tiles to a triangle, over the middle of the image: in perspective a few triangles may lie far out.
-void HiddenTiles::choose_grid(bool always) {
-  const Mesh& mesh = sight_.mesh();
+void OcclusionPyramid::choose_grid(bool always) {
+  const Mesh& mesh = projected_.mesh();
   std::array<std::vector<double>, 2> low, high;
   double area = 0;
   const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / 8192);
   for (std::size_t i = 0; i < mesh.triangles.size(); i += step) {
-    if (sight_.reaches_before_near(TriangleId(i))) continue;
+    if (projected_.reaches_before_near(TriangleId(i))) continue;
     const Rectangle r = rectangle(mesh.triangles[TriangleId(i)]);
     for (std::size_t k = 0; k < 2; ++k) {
       low[k].push_back(r.low[k]);
       high[k].push_back(r.high[k]);
     }
-    if (sight_.facing(TriangleId(i)) != Sign::zero) area += (r.high[0] - r.low[0]) * (r.high[1] - r.low[1]) / 2;
+    if (projected_.facing(TriangleId(i)) != Sign::zero) area += (r.high[0] - r.low[0]) * (r.high[1] - r.low[1]) / 2;
   }
   if (low[0].empty()) return;
   const auto share = [](std::vector<double>& x, double at) {
@@ -171,13 +171,13 @@ void HiddenTiles::choose_grid(bool always) {
     if (!(axes_[k].width > 64 * u * (std::fabs(axes_[k].first) + extent[k]))) return;
   }
   Level level{axes_[0].tiles, axes_[1].tiles, {}};
-  level.nearness.assign(static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows), nowhere);
+  level.nearness.assign(static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows), no_occluder);
   levels_.push_back(std::move(level));
 }
 
 /// Each level says for four tiles of the one below what it can say of all of them.
-void HiddenTiles::build_levels() {
-  constexpr float infinity = -nowhere;
+void OcclusionPyramid::build_levels() {
+  constexpr float infinity = -no_occluder;
   while (levels_.back().columns > 1 || levels_.back().rows > 1) {
     const Level& below = levels_.back();
     Level level{(below.columns + 1) / 2, (below.rows + 1) / 2, {}};
@@ -193,9 +193,9 @@ void HiddenTiles::build_levels() {
 
 /// The tiles that a rectangle touches, but where it only touches a border, those on one side of it: each will do. False: it
 /// reaches beyond the grid.
-bool HiddenTiles::is_inside(const Rectangle& r, std::array<Tiles, 2>& range) const {
+bool OcclusionPyramid::is_inside(const Rectangle& r, std::array<Tiles, 2>& range) const {
   for (std::size_t k = 0; k < 2; ++k) {
-    if (sight_.image_error() > 0) {
+    if (projected_.image_error() > 0) {
       // As in between().
       const double first = (r.low[k] - axes_[k].first) * axes_[k].per_width - axes_[k].slack,
                    last = (r.high[k] - axes_[k].first) * axes_[k].per_width + axes_[k].slack;
@@ -212,9 +212,9 @@ bool HiddenTiles::is_inside(const Rectangle& r, std::array<Tiles, 2>& range) con
 }
 
 /// Those of `within` that have something between two values.
-HiddenTiles::Tiles HiddenTiles::between(std::size_t k, double low, double high, const Tiles& within) const {
+OcclusionPyramid::Tiles OcclusionPyramid::between(std::size_t k, double low, double high, const Tiles& within) const {
   const Axis& axis = axes_[k];
-  if (sight_.image_error() == 0) {
+  if (projected_.image_error() == 0) {
     const std::int32_t first = std::clamp(axis.last_border_up_to(low), within.first, within.last);
     return {first, std::clamp(axis.first_border_from(high) - 1, first, within.last)};
   }
@@ -224,7 +224,7 @@ HiddenTiles::Tiles HiddenTiles::between(std::size_t k, double low, double high, 
   return {tile((low - axis.first) * axis.per_width - axis.slack), tile((high - axis.first) * axis.per_width + axis.slack)};
 }
 
-bool HiddenTiles::hides(const std::array<Tiles, 2>& range, float nearest) const {
+bool OcclusionPyramid::hides(const std::array<Tiles, 2>& range, float nearest) const {
   // Start where it meets at most two tiles in each direction.
   std::size_t top = 0;
   const auto spans_more_than_two = [&](const Tiles& r) { return (r.last >> top) - (r.first >> top) > 1; };
@@ -235,7 +235,8 @@ bool HiddenTiles::hides(const std::array<Tiles, 2>& range, float nearest) const 
   return true;
 }
 
-bool HiddenTiles::hides(std::size_t k, std::int32_t i, std::int32_t j, const std::array<Tiles, 2>& range, float nearest) const {
+bool OcclusionPyramid::hides(std::size_t k, std::int32_t i, std::int32_t j, const std::array<Tiles, 2>& range,
+                             float nearest) const {
   if (levels_[k].at(i, j) > nearest) return true;
   if (k == 0) return false;
   for (std::int32_t y = std::max(2 * j, range[1].first >> (k - 1)); y <= std::min(2 * j + 1, range[1].last >> (k - 1)); ++y)
@@ -245,7 +246,7 @@ bool HiddenTiles::hides(std::size_t k, std::int32_t i, std::int32_t j, const std
 }
 
 /// Whether a look at one tile tells that something is not hidden: where it is in the middle. @param nearness affine
-bool HiddenTiles::is_before(const ImagePoint& p, double nearness) const {
+bool OcclusionPyramid::is_before(const ImagePoint& p, double nearness) const {
   const auto at = [&](std::size_t k, double x) {
     const double i = (x - axes_[k].first) * axes_[k].per_width;
     return i >= 0 && i < axes_[k].tiles ? static_cast<std::int32_t>(i) : -1;
@@ -254,27 +255,27 @@ bool HiddenTiles::is_before(const ImagePoint& p, double nearness) const {
   return i < 0 || j < 0 || !(levels_[0].at(i, j) > nearness);
 }
 
-bool HiddenTiles::hides(TriangleId t) const {
-  if (levels_.empty() || sight_.reaches_before_near(t)) return false;
-  const auto& c = sight_.mesh().triangles[t];
-  const ImagePoint &a = sight_.image(c[0]), &b = sight_.image(c[1]), &d = sight_.image(c[2]);
-  const auto farthest = [&](VertexId v) { return affine(sight_.box(v).farthest); };
+bool OcclusionPyramid::hides(TriangleId t) const {
+  if (levels_.empty() || projected_.reaches_before_near(t)) return false;
+  const auto& c = projected_.mesh().triangles[t];
+  const ImagePoint &a = projected_.image(c[0]), &b = projected_.image(c[1]), &d = projected_.image(c[2]);
+  const auto farthest = [&](VertexId v) { return affine(projected_.box(v).farthest); };
   if (is_before({(a.x + b.x + d.x) / 3, (a.y + b.y + d.y) / 3}, (farthest(c[0]) + farthest(c[1]) + farthest(c[2])) / 3))
     return false;
   const Rectangle around = rectangle(c);
   std::array<Tiles, 2> range;
   if (!is_inside(around, range)) return false;
-  const PlaneNearness n = plane_nearness(t, around);
+  const AffineDepth n = plane_nearness(t, around);
   if (hides(range, float_above(n.nearest))) return true;
   // Row by row, what of the triangle lies in each tile: it is widest along its sides.
-  const double error = 2 * sight_.image_error();
+  const double error = 2 * projected_.image_error();
   struct Side {
     ImagePoint p;
     double left, right, low, high, slope, slack;
   };
   std::array<Side, 3> sides;
   for (std::size_t k = 0; k < 3; ++k) {
-    const ImagePoint &p = sight_.image(c[k]), &q = sight_.image(c[(k + 1) % 3]);
+    const ImagePoint &p = projected_.image(c[k]), &q = projected_.image(c[(k + 1) % 3]);
     const double slope = (q.x - p.x) / (q.y - p.y);
     sides[k] = {p,
                 std::min(p.x, q.x) - error,
@@ -312,8 +313,8 @@ bool HiddenTiles::hides(TriangleId t) const {
 /// visit(nearness, shares) for its tiles along pq; shares() are those of the way from p to q between which pq is in the column.
 /// Stops where a visit returns false. False: it did, or pq reaches beyond the grid.
 template <class S, class F>
-bool HiddenTiles::walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const S& start,
-                             const F& visit) const {
+bool OcclusionPyramid::walk_along(std::size_t level, const ImagePoint& p, const ImagePoint& q, double error, const S& start,
+                                  const F& visit) const {
   if (!(error < HUGE_VAL)) return false;
   const Rectangle around = grown({{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}}, error);
   std::array<Tiles, 2> range;
@@ -349,7 +350,7 @@ bool HiddenTiles::walk_along(std::size_t level, const ImagePoint& p, const Image
 }
 
 /// How near a segment is along the way from its one end to the other: between them that changes evenly.
-class HiddenTiles::AlongSegment {
+class OcclusionPyramid::AlongSegment {
  public:
   /// @param a @param b at most, affine
   AlongSegment(double a, double b) : a_(a), b_(b), nearest_(std::max(a, b)), slack_(16 * u * (std::fabs(a) + std::fabs(b))) {}
@@ -368,21 +369,23 @@ class HiddenTiles::AlongSegment {
   double a_, b_, nearest_, slack_;
 };
 
-bool HiddenTiles::hides(const Edge& e) const {
-  if (levels_.empty() || sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return false;
-  return hides(sight_.image(e.a), sight_.box(e.a).nearest, sight_.image(e.b), sight_.box(e.b).nearest, sight_.image_error());
+bool OcclusionPyramid::hides(const Edge& e) const {
+  if (levels_.empty() || projected_.beyond_near(e.a) == Sign::negative || projected_.beyond_near(e.b) == Sign::negative)
+    return false;
+  return hides(projected_.image(e.a), projected_.box(e.a).nearest, projected_.image(e.b), projected_.box(e.b).nearest,
+               projected_.image_error());
 }
 
-bool HiddenTiles::hides(const NearPoint& a, const NearPoint& b) const {
-  const NearImage p = sight_.image(a.p, 3 * a.error), q = sight_.image(b.p, 3 * b.error);
+bool OcclusionPyramid::hides(const BoundedPoint3& a, const BoundedPoint3& b) const {
+  const NearImage p = projected_.image(a.p, 3 * a.error), q = projected_.image(b.p, 3 * b.error);
   const double error = std::max(p.error, q.error);
   return error < HUGE_VAL &&
-         hides(p.at, sight_.box(a.p, 3 * a.error).nearest, q.at, sight_.box(b.p, 3 * b.error).nearest, error);
+         hides(p.at, projected_.box(a.p, 3 * a.error).nearest, q.at, projected_.box(b.p, 3 * b.error).nearest, error);
 }
 
 /// @param error of each coordinate @param nearness_of_p at most, as boxes have it
-bool HiddenTiles::hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q,
-                        double error) const {
+bool OcclusionPyramid::hides(const ImagePoint& p, float nearness_of_p, const ImagePoint& q, float nearness_of_q,
+                             double error) const {
   const AlongSegment nearness(affine(nearness_of_p), affine(nearness_of_q));
   if (levels_.empty() || is_before({(p.x + q.x) / 2, (p.y + q.y) / 2}, nearness.middle())) return false;
   const float nearest = nearness.at_most();
@@ -391,21 +394,22 @@ bool HiddenTiles::hides(const ImagePoint& p, float nearness_of_p, const ImagePoi
       [&](float tile, const auto& shares) { return tile > nearest || tile > nearness.at_most(shares()); });
 }
 
-bool HiddenTiles::unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) const {
+bool OcclusionPyramid::unhidden(const Edge& e, std::vector<UnhiddenInterval>& parts) const {
   constexpr std::int32_t fewest = 3;  // columns of tiles that are worth leaving out
   parts.clear();
-  if (levels_.empty() || sight_.beyond_near(e.a) == Sign::negative || sight_.beyond_near(e.b) == Sign::negative) return false;
-  const AlongSegment nearness(affine(sight_.box(e.a).nearest), affine(sight_.box(e.b).nearest));
+  if (levels_.empty() || projected_.beyond_near(e.a) == Sign::negative || projected_.beyond_near(e.b) == Sign::negative)
+    return false;
+  const AlongSegment nearness(affine(projected_.box(e.a).nearest), affine(projected_.box(e.b).nearest));
   const float nearest = nearness.at_most();
   struct Column {
     double low, high;
-    float least = -nowhere;  // of what hides
+    float least = -no_occluder;  // of what hides
     bool is_hidden = true;
   };
   std::optional<Column> column;
-  float before = -nowhere;               // least of the column before
+  float before = -no_occluder;           // least of the column before
   std::int32_t hidden_columns = fewest;  // since the last part
-  float hidden_least = -nowhere;         // of these
+  float hidden_least = -no_occluder;     // of these
   const auto end_column = [&] {
     if (!column) return;
     const float least = column->least;
@@ -417,17 +421,17 @@ bool HiddenTiles::unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) cons
         parts.push_back({column->low, column->high, 0, 0, std::min(before, least)});
       else
         parts.back().hidden_from = std::min({parts.back().hidden_from, hidden_least, least});
-      UnhiddenPart& part = parts.back();
+      UnhiddenInterval& part = parts.back();
       part.from = std::min(part.from, column->low);
       part.to = std::max(part.to, column->high);
       hidden_columns = 0;
-      hidden_least = -nowhere;
+      hidden_least = -no_occluder;
     }
     before = least;
   };
   double widest = 0, error = 0;
   const bool is_known = walk_along(
-      std::min<std::size_t>(coarse, levels_.size() - 1), sight_.image(e.a), sight_.image(e.b), sight_.image_error(),
+      std::min<std::size_t>(coarse, levels_.size() - 1), projected_.image(e.a), projected_.image(e.b), projected_.image_error(),
       [&](const auto& shares) {
         end_column();
         const Shares here = shares();
@@ -447,22 +451,22 @@ bool HiddenTiles::unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) cons
   }
   end_column();
   if (!parts.empty() && parts.front().from > parts.back().from) std::reverse(parts.begin(), parts.end());
-  for (UnhiddenPart& part : parts) {
+  for (UnhiddenInterval& part : parts) {
     // Never beyond an end: in perspective the edge may have its horizon there.
     const auto share = [](double x) { return x <= 0 ? -HUGE_VAL : x >= 1 ? HUGE_VAL : x; };
     part.low = share(part.from - widest / 4);
     part.high = share(part.to + widest / 4);
     part.from = share(part.from);
     part.to = share(part.to);
-    if (!sight_.is_perspective()) continue;
-    part.hidden_from = part.hidden_from > 0 ? float_below(-1 / static_cast<double>(part.hidden_from)) : nowhere;
+    if (!projected_.is_perspective()) continue;
+    part.hidden_from = part.hidden_from > 0 ? float_below(-1 / static_cast<double>(part.hidden_from)) : no_occluder;
   }
   return true;
 }
 
-float HiddenTiles::hidden_from(const ImagePoint& p, const ImagePoint& q, double error) const {
-  if (levels_.empty()) return nowhere;
-  float least = -nowhere;
+float OcclusionPyramid::hidden_from(const ImagePoint& p, const ImagePoint& q, double error) const {
+  if (levels_.empty()) return no_occluder;
+  float least = -no_occluder;
   // Beside a segment on a border are the tiles on both sides of it.
   // Larger tiles say nearly as much, and there are fewer.
   const bool is_known = walk_along(
@@ -470,17 +474,17 @@ float HiddenTiles::hidden_from(const ImagePoint& p, const ImagePoint& q, double 
       [](const auto&) {},
       [&](float tile, const auto&) {
         least = std::min(least, tile);
-        return least > nowhere;
+        return least > no_occluder;
       });
-  if (!is_known) return nowhere;
-  if (!sight_.is_perspective()) return least;
-  return least > 0 ? float_below(-1 / static_cast<double>(least)) : nowhere;
+  if (!is_known) return no_occluder;
+  if (!projected_.is_perspective()) return least;
+  return least > 0 ? float_below(-1 / static_cast<double>(least)) : no_occluder;
 }
 
-void HiddenTiles::mark_hidden(std::vector<std::uint8_t>& hidden) const {
-  const Mesh& mesh = sight_.mesh();
+void OcclusionPyramid::mark_hidden(std::vector<std::uint8_t>& hidden) const {
+  const Mesh& mesh = projected_.mesh();
   hidden.resize(mesh.triangles.size(), 0);
-  for_each(mesh.faces.size(), [&](std::size_t f) {
+  parallel_for_each(mesh.faces.size(), [&](std::size_t f) {
     const std::uint32_t first = mesh.first_triangle[FaceId(f)], end = mesh.first_triangle[FaceId(f + 1)];
     for (std::uint32_t t = first; t < end; ++t)
       if (!hides(TriangleId(t))) return;

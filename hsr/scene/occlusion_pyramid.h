@@ -12,10 +12,10 @@
 
 namespace hsr {
 
-struct PlaneNearness;
+struct AffineDepth;
 
 /// A part of an edge that may be seen, in shares of the way along its image; infinite: to an end of the edge.
-struct UnhiddenPart {
+struct UnhiddenInterval {
   double from, to;    ///< all beyond them is hidden, up to the next part
   double low, high;   ///< a little beyond them, within the edge
   float hidden_from;  ///< what is less near than this is hidden from low to high
@@ -37,10 +37,10 @@ struct UnhiddenPart {
 ///
 /// Cost: O(n + tiles covered), parallel; a query O(tiles touched), less where all of them hide alike.
 /// Source: Greene, Kass & Miller 1993, "Hierarchical z-buffer visibility"; here with bounds instead of samples.
-class HiddenTiles {
+class OcclusionPyramid {
  public:
   /// @param always even if there is little to hide
-  HiddenTiles(const Sight& sight, bool always);
+  OcclusionPyramid(const ProjectedMesh& projected, bool always);
 
   /// No tile hides anything.
   bool is_empty() const { return levels_.empty(); }
@@ -49,10 +49,10 @@ class HiddenTiles {
   bool hides(TriangleId t) const;
   bool hides(const Edge& e) const;
   /// The same of the segment between two points.
-  bool hides(const NearPoint& a, const NearPoint& b) const;
+  bool hides(const BoundedPoint3& a, const BoundedPoint3& b) const;
   /// The parts of an edge that may be seen, in the order of the way from e.a to e.b. Between them, before the first and after
   /// the last all of it is hidden. False: nothing is known, and there are none.
-  bool unhidden(const Edge& e, std::vector<UnhiddenPart>& parts) const;
+  bool unhidden(const Edge& e, std::vector<UnhiddenInterval>& parts) const;
   /// What is less near than this is hidden all along the segment from p to q of the image, and just beside it; -infinity where
   /// nothing is known to be. @param error of each coordinate
   float hidden_from(const ImagePoint& p, const ImagePoint& q, double error) const;
@@ -96,7 +96,7 @@ class HiddenTiles {
   Rectangle rectangle(std::span<const VertexId> vertices) const;
   Rectangle rectangle(TriangleId t, TriangleId s) const;
   Rectangle grown(Rectangle r, double error) const;
-  PlaneNearness plane_nearness(TriangleId t, const Rectangle& around) const;
+  AffineDepth plane_nearness(TriangleId t, const Rectangle& around) const;
   void choose_grid(bool always);
   template <class F>
   void for_each_cover(std::size_t begin, std::size_t end, const F& visit) const;
@@ -104,7 +104,7 @@ class HiddenTiles {
   void cover_by_triangle(TriangleId t, const Tiles& rows);
   void cover_by_pair(TriangleId t, TriangleId s, const Tiles& rows);
   template <std::size_t n>
-  void cover(const Region& region, const Rectangle& around, const Tiles& rows, const std::array<PlaneNearness, n>& planes);
+  void cover(const Region& region, const Rectangle& around, const Tiles& rows, const std::array<AffineDepth, n>& planes);
   void build_levels();
   bool is_inside(const Rectangle& r, std::array<Tiles, 2>& range) const;
   Tiles between(std::size_t axis, double low, double high, const Tiles& within) const;
@@ -116,7 +116,7 @@ class HiddenTiles {
   bool hides(const std::array<Tiles, 2>& range, float nearest) const;
   bool hides(std::size_t level, std::int32_t i, std::int32_t j, const std::array<Tiles, 2>& range, float nearest) const;
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   std::array<Axis, 2> axes_;
   std::vector<Level> levels_;  // finest first
 };

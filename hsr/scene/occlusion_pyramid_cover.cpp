@@ -30,7 +30,7 @@ std::optional<Edge> common_side(const std::array<VertexId, 3>& t, const std::arr
 }  // namespace
 
 /// What lies to the left of some lines, each through two images.
-class HiddenTiles::Region {
+class OcclusionPyramid::Region {
  public:
   /// With images off by at most E, det(q - p, c - p) is off by at most 2.1 E (|q - p|_1 + |c - p|_1) + 9 E^2, and its roundings
   /// by 8 u |q - p|_1 |c - p|_1. @param reach bounds |c - p|_1
@@ -78,8 +78,8 @@ class HiddenTiles::Region {
 /// Calls visit(t, s) for what may cover tiles: triangles, s being none, and two that may share a side. Those of the edges and
 /// faces begin to end of the mesh, the faces counted on after the edges.
 template <class F>
-void HiddenTiles::for_each_cover(std::size_t begin, std::size_t end, const F& visit) const {
-  const Mesh& mesh = sight_.mesh();
+void OcclusionPyramid::for_each_cover(std::size_t begin, std::size_t end, const F& visit) const {
+  const Mesh& mesh = projected_.mesh();
   for (std::size_t i = begin; i < end; ++i) {
     if (i < mesh.edges.size()) {
       const auto triangles = mesh.triangles_at(EdgeId(i));
@@ -97,11 +97,11 @@ void HiddenTiles::for_each_cover(std::size_t begin, std::size_t end, const F& vi
 }
 
 /// Band by band of rows, so that no two threads are at one tile and the tiles stay in the cache.
-void HiddenTiles::cover_all() {
+void OcclusionPyramid::cover_all() {
   struct Cover {
     TriangleId t, s;
   };
-  const Mesh& mesh = sight_.mesh();
+  const Mesh& mesh = projected_.mesh();
   const std::int32_t rows = axes_[1].tiles, rows_of_band = std::max(16, (rows + 63) / 64);
   const auto bands = static_cast<std::size_t>((rows + rows_of_band - 1) / rows_of_band);
   constexpr std::size_t block = 4096;
@@ -112,7 +112,7 @@ void HiddenTiles::cover_all() {
       covers[part].resize(bands);
       for_each_cover(part * block, std::min(n, (part + 1) * block), [&](TriangleId t, TriangleId s) {
         for (const TriangleId x : {t, s})
-          if (x.is_valid() && (sight_.facing(x) == Sign::zero || sight_.reaches_before_near(x))) return;
+          if (x.is_valid() && (projected_.facing(x) == Sign::zero || projected_.reaches_before_near(x))) return;
         if (s.is_valid() && !common_side(mesh.triangles[t], mesh.triangles[s])) return;
         const Rectangle around = rectangle(t, s);
         const std::int32_t first = axes_[1].first_border_from(around.low[1]), end = axes_[1].last_border_up_to(around.high[1]);
@@ -134,22 +134,23 @@ void HiddenTiles::cover_all() {
   });
 }
 
-void HiddenTiles::cover_by_triangle(TriangleId t, const Tiles& rows) {
-  const auto& c = sight_.mesh().triangles[t];
+void OcclusionPyramid::cover_by_triangle(TriangleId t, const Tiles& rows) {
+  const auto& c = projected_.mesh().triangles[t];
   const Rectangle around = rectangle(c);
   const double reach = around.high[0] - around.low[0] + around.high[1] - around.low[1];
   // The images turn as O says: with a positive sign the inside lies to the left.
-  const bool left = sight_.facing(t) == Sign::positive;
+  const bool left = projected_.facing(t) == Sign::positive;
   Region region;
   for (std::size_t k = 0; k < 3; ++k)
-    region.add(sight_.image(c[left ? k : (k + 1) % 3]), sight_.image(c[left ? (k + 1) % 3 : k]), sight_.image_error(), reach);
+    region.add(projected_.image(c[left ? k : (k + 1) % 3]), projected_.image(c[left ? (k + 1) % 3 : k]),
+               projected_.image_error(), reach);
   cover(region, around, rows, std::array{plane_nearness(t, around)});
 }
 
 /// Two triangles on opposite sides of their common edge hide together what lies within their four other sides: to one side of
 /// the edge it lies within the one, to the other within the other.
-void HiddenTiles::cover_by_pair(TriangleId t, TriangleId s, const Tiles& rows) {
-  const Mesh& mesh = sight_.mesh();
+void OcclusionPyramid::cover_by_pair(TriangleId t, TriangleId s, const Tiles& rows) {
+  const Mesh& mesh = projected_.mesh();
   const Edge edge = *common_side(mesh.triangles[t], mesh.triangles[s]);
   const Rectangle around = rectangle(t, s);
   const double reach = around.high[0] - around.low[0] + around.high[1] - around.low[1];
@@ -158,13 +159,13 @@ void HiddenTiles::cover_by_pair(TriangleId t, TriangleId s, const Tiles& rows) {
   for (const std::size_t k : {0U, 1U}) {
     const TriangleId x = k == 0 ? t : s;
     const auto& c = mesh.triangles[x];
-    const bool left = sight_.facing(x) == Sign::positive;
+    const bool left = projected_.facing(x) == Sign::positive;
     for (std::size_t m = 0; m < 3; ++m) {
       const VertexId from = c[left ? m : (m + 1) % 3], to = c[left ? (m + 1) % 3 : m];
       if (from == edge.a && to == edge.b)
         is_left[k] = true;
       else if (!(from == edge.b && to == edge.a))
-        region.add(sight_.image(from), sight_.image(to), sight_.image_error(), reach);
+        region.add(projected_.image(from), projected_.image(to), projected_.image_error(), reach);
     }
   }
   // In each of them the tile's part of the triangle is no farther than the plane is in the tile.
@@ -172,8 +173,8 @@ void HiddenTiles::cover_by_pair(TriangleId t, TriangleId s, const Tiles& rows) {
 }
 
 template <std::size_t n>
-void HiddenTiles::cover(const Region& region, const Rectangle& around, const Tiles& rows,
-                        const std::array<PlaneNearness, n>& planes) {
+void OcclusionPyramid::cover(const Region& region, const Rectangle& around, const Tiles& rows,
+                             const std::array<AffineDepth, n>& planes) {
   Level& level = levels_.front();
   const std::int32_t first_row = std::max(rows.first, axes_[1].first_border_from(around.low[1])),
                      end_row = std::min(rows.last + 1, axes_[1].last_border_up_to(around.high[1]));
@@ -187,11 +188,11 @@ void HiddenTiles::cover(const Region& region, const Rectangle& around, const Til
     // Each plane at the corner of the tile where it is farthest; in floats, whose roundings are subtracted first.
     std::array<float, n> base, step, farthest;
     for (std::size_t k = 0; k < n; ++k) {
-      const PlaneNearness& p = planes[k];
+      const AffineDepth& p = planes[k];
       const double x = axes_[0].border(p.dx > 0 ? begin : begin + 1), y = p.dy > 0 ? low : high;
       const double value = p.value + p.dx * (x - p.p.x) + p.dy * (y - p.p.y) - p.error, each = p.dx * axes_[0].width;
       const bool is_steady = std::fabs(each) * count < largest_float;  // or only its farthest corner tells
-      base[k] = is_steady ? float_below(value - 0x1p-20 * (std::fabs(value) + std::fabs(each) * count)) : nowhere;
+      base[k] = is_steady ? float_below(value - 0x1p-20 * (std::fabs(value) + std::fabs(each) * count)) : no_occluder;
       step[k] = is_steady ? static_cast<float>(each) : 0;
       farthest[k] = float_below(p.farthest);
     }

@@ -18,15 +18,13 @@ using Range = tbb::blocked_range<std::size_t>;
 constexpr double u = ErrorBounded::u;
 
 /// The power of two that brings the largest number near 1, or 2^0 if that would round the smallest away.
-int scale_of(const Certificate& c) { return c.is_zero() || c.lowest - c.highest < -1000 ? 0 : -c.highest; }
+int scale_of(const BitRange& c) { return c.is_zero() || c.lowest - c.highest < -1000 ? 0 : -c.highest; }
 
 Point3 scaled(const Point3& p, int power) {
   return {std::ldexp(p.x, power) + 0.0, std::ldexp(p.y, power) + 0.0, std::ldexp(p.z, power) + 0.0};
 }
 
-Certificate scaled(const Certificate& c, int power) {
-  return c.is_zero() ? c : Certificate{c.lowest + power, c.highest + power};
-}
+BitRange scaled(const BitRange& c, int power) { return c.is_zero() ? c : BitRange{c.lowest + power, c.highest + power}; }
 
 Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -34,7 +32,7 @@ double size(const Point3& a) { return std::fabs(a.x) + std::fabs(a.y) + std::fab
 
 }  // namespace
 
-Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic, const Certificate& others)
+ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arithmetic, const BitRange& others)
     : mesh_(&mesh), arithmetic_(arithmetic) {
   // Only of the points that are used: a stray one far away must not cost the others the fast arithmetic.
   std::vector<char> is_used(mesh.points.size(), 0);
@@ -44,15 +42,15 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic, const Ce
       for (const VertexId v : {e.a, e.b}) std::atomic_ref<char>(is_used[v.value]).store(1, std::memory_order_relaxed);
     }
   });
-  Certificate direction;
-  Certificate points = tbb::parallel_reduce(
-      Range(0, is_used.size(), 4096), Certificate{},
-      [&](const Range& range, Certificate c) {
+  BitRange direction;
+  BitRange points = tbb::parallel_reduce(
+      Range(0, is_used.size(), 4096), BitRange{},
+      [&](const Range& range, BitRange c) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
           if (is_used[i] != 0) c.add(mesh.points[VertexId(i)]);
         return c;
       },
-      [](Certificate a, const Certificate& b) {
+      [](BitRange a, const BitRange& b) {
         a.add(b);
         return a;
       });
@@ -65,8 +63,8 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic, const Ce
   points.add(others);
   const int power = scale_of(points), direction_power = scale_of(direction);
   power_ = power;
-  points_certificate_ = hsr::scaled(points, power);
-  direction_certificate_ = hsr::scaled(direction, direction_power);
+  points_bit_range_ = hsr::scaled(points, power);
+  direction_bit_range_ = hsr::scaled(direction, direction_power);
   points_.resize(mesh.points.size());
   tbb::parallel_for(Range(0, points_.size(), 4096), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
@@ -104,14 +102,14 @@ Sight::Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic, const Ce
     Predicates exact = predicates();
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const auto& t = mesh.triangles[TriangleId(i)];
-      facing_[TriangleId(i)] = ImageLine(*this, t[0], t[1]).side(t[2], exact);
+      facing_[TriangleId(i)] = LineFilter(*this, t[0], t[1]).side(t[2], exact);
     }
   });
 }
 
-Point3 Sight::scaled(const Point3& p) const { return hsr::scaled(p, power_); }
+Point3 ProjectedMesh::scaled(const Point3& p) const { return hsr::scaled(p, power_); }
 
-void Sight::choose_rows(const View& view) {
+void ProjectedMesh::choose_rows(const View& view) {
   // Any map that is constant along lines of sight serves, so rounded rows are as good as others.
   if (is_perspective()) {
     depth_ = minus(target_, eye_.at);
@@ -151,7 +149,7 @@ void Sight::choose_rows(const View& view) {
 /// Perspective, with M the matrix of the rows and the depth: det(M) O = m_c m_d m_p times the turn of the images, and the
 /// depths m are positive; so it is mirrored where det(M) < 0. The rows are orthogonal but for rounding: |det| is far from zero,
 /// or the images are given up.
-void Sight::compute_images(const std::vector<char>& is_used) {
+void ProjectedMesh::compute_images(const std::vector<char>& is_used) {
   image_error_ = HUGE_VAL;
   if (arithmetic_ != Arithmetic::staged || filter_arithmetic_ != Arithmetic::staged) return;
   if (is_perspective()) {
@@ -178,7 +176,7 @@ void Sight::compute_images(const std::vector<char>& is_used) {
 /// Returns a bound of the error of both coordinates.
 ///
 /// Parallel: see add_to; where the ratio is 0, 1 or -1 the product is exact, and Knuth's two-sum tells whether the sum is.
-double Sight::compute_image(VertexId v) {
+double ProjectedMesh::compute_image(VertexId v) {
   const Point3& p = points_[v];
   if (is_perspective()) {
     const Point3 q = minus(p, eye_.at);
@@ -205,7 +203,7 @@ double Sight::compute_image(VertexId v) {
 }
 
 /// The bounds of compute_image, and of add_to for what the point itself is off by.
-NearImage Sight::image(const Point3& p, double error) const {
+NearImage ProjectedMesh::image(const Point3& p, double error) const {
   if (is_perspective()) {
     const Point3 q = minus(p, eye_.at);
     const double e = 6 * u * size(q) + error * 1.01 + 0x1p-1000, m = dot(depth_, q);
@@ -216,24 +214,24 @@ NearImage Sight::image(const Point3& p, double error) const {
   return {{image_mirror_ * dot(row_[0], p), dot(row_[1], p)}, (5 * u * size(p) + error) * 1.01 + 0x1p-1000};
 }
 
-Sign Sight::side(const Plane& plane, VertexId p, Predicates& exact) const {
+Sign ProjectedMesh::side(const Plane& plane, VertexId p, Predicates& exact) const {
   const ErrorBounded x = filter(plane)(points_[p]);
   if (!x.is_certain()) return exact.side_beyond_filter(plane, points_[p]);
   ++exact.counts().filter;
   return sign_of(x.value);
 }
 
-bool Sight::reaches_before_near(TriangleId t) const {
+bool ProjectedMesh::reaches_before_near(TriangleId t) const {
   const auto& c = mesh_->triangles[t];
   return std::any_of(c.begin(), c.end(), [&](VertexId v) { return beyond_near(v) == Sign::negative; });
 }
 
-bool Sight::reaches_beyond_near(TriangleId t) const {
+bool ProjectedMesh::reaches_beyond_near(TriangleId t) const {
   const auto& c = mesh_->triangles[t];
   return std::any_of(c.begin(), c.end(), [&](VertexId v) { return beyond_near(v) != Sign::negative; });
 }
 
-Plane Sight::face_plane(TriangleId t) const {
+Plane ProjectedMesh::face_plane(TriangleId t) const {
   const auto& corners = mesh_->triangles[t];
   return Plane::of_face(points_[corners[0]], points_[corners[1]], points_[corners[2]]);
 }
@@ -244,7 +242,7 @@ Plane Sight::face_plane(TriangleId t) const {
 /// |p|. Perspective: each coordinate of p - eye carries one rounding, the dot products three more; the quotient of n and m with
 /// errors e_n and e_m differs from the exact one by at most (e_n + |n/m| e_m) / (|m| - e_m), and by u |n/m| for its own
 /// rounding.
-void Sight::add_to(ImageBox& box, const Point3& p, double error) const {
+void ProjectedMesh::add_to(ImageBox& box, const Point3& p, double error) const {
   if (!is_perspective()) {
     const std::array<double, 3> value = {dot(row_[0], p) - middle_[0], dot(row_[1], p) - middle_[1],
                                          dot(depth_, p) - middle_[2]};
@@ -265,7 +263,7 @@ void Sight::add_to(ImageBox& box, const Point3& p, double error) const {
 }
 
 /// The bounds of add_to().
-ErrorBounded Sight::depth(const Point3& p, double error) const {
+ErrorBounded ProjectedMesh::depth(const Point3& p, double error) const {
   if (!is_perspective())
     return {dot(depth_, p) - middle_[2], (5 * u * (size(p) + std::fabs(middle_[2])) + error) * 1.01 + 0x1p-1000};
   const Point3 v = minus(p, eye_.at);
@@ -273,7 +271,7 @@ ErrorBounded Sight::depth(const Point3& p, double error) const {
 }
 
 /// Adds the point where ab crosses the near plane: a + t (b - a), t = near(a) / (near(a) - near(b)).
-void Sight::add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const {
+void ProjectedMesh::add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const {
   const Point3 &p = points_[a], &q = points_[b];
   const ErrorBounded at_p = near_filter_(p), at_q = near_filter_(q);
   const double fall = at_p.value - at_q.value, loss = at_p.error + at_q.error + u * std::fabs(fall);
@@ -287,14 +285,14 @@ void Sight::add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const {
   add_to(box, {p.x + t * d.x, p.y + t * d.y, p.z + t * d.z}, size(d) * (t_error + 4 * u) + 4 * u * (size(p) + size(q)));
 }
 
-ImageBox Sight::box(VertexId a, VertexId b) const {
+ImageBox ProjectedMesh::box(VertexId a, VertexId b) const {
   ImageBox box = vertex_boxes_[a];
   box.add(vertex_boxes_[b]);
   if (beyond_near(a) * beyond_near(b) == Sign::negative) add_near_cut_to(box, a, b);
   return box;
 }
 
-ImageBox Sight::box(TriangleId t) const {
+ImageBox ProjectedMesh::box(TriangleId t) const {
   const auto& c = mesh_->triangles[t];
   ImageBox box = vertex_boxes_[c[0]];
   box.add(vertex_boxes_[c[1]]);

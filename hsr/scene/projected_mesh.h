@@ -9,7 +9,7 @@
 
 namespace hsr {
 
-/// A point in the image that Sight computes in: not the paper's, but constant along lines of sight like it.
+/// A point in the image that ProjectedMesh computes in: not the paper's, but constant along lines of sight like it.
 struct ImagePoint {
   double x, y;
 };
@@ -26,10 +26,10 @@ struct NearImage {
 /// near 1: no predicate and no parameter along an edge changes by that, and scenes of any size pass the filters alike. Where
 /// the scaling would round (numbers about 2^1000 apart), it is left out.
 /// @pre mesh outlives it. Cost: O(n), parallel.
-class Sight {
+class ProjectedMesh {
  public:
-  /// @param others certificate of what else predicates and filters will meet: the samples of an image
-  Sight(const Mesh& mesh, const View& view, Arithmetic arithmetic, const Certificate& others = {});
+  /// @param others bit range of what else predicates and filters will meet: the samples of an image
+  ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arithmetic, const BitRange& others = {});
 
   const Mesh& mesh() const { return *mesh_; }
   const Viewpoint& eye() const { return eye_; }
@@ -38,11 +38,11 @@ class Sight {
   /// The rows that image coordinates in perspective are taken along.
   const std::array<Point3, 2>& rows() const { return row_; }
   const Point3& point(VertexId v) const { return points_[v]; }
-  /// Another point as this sight scales all of them. @pre in the certificate of the others
+  /// Another point as this sight scales all of them. @pre in the bit range of the others
   Point3 scaled(const Point3& p) const;
 
   /// Predicates for these points; one for each thread.
-  Predicates predicates() const { return Predicates(points_certificate_, direction_certificate_, arithmetic_); }
+  Predicates predicates() const { return Predicates(points_bit_range_, direction_bit_range_, arithmetic_); }
   /// A plane prepared for many of these points.
   PlaneFilter filter(const Plane& plane) const { return {plane, filter_arithmetic_}; }
 
@@ -109,7 +109,7 @@ class Sight {
   Viewpoint eye_;
   Point3 target_;
   double near_ = 0;
-  Certificate points_certificate_, direction_certificate_;
+  BitRange points_bit_range_, direction_bit_range_;
   IndexedVector<TriangleId, Sign> facing_;
   IndexedVector<VertexId, Sign> near_side_;
   PlaneFilter near_filter_;

@@ -103,7 +103,7 @@ std::vector<TriangleId> sides_of_faces(const Mesh& mesh, const Polygons& polygon
 }
 
 void count_edges(const Mesh& mesh, const Polygons& polygons, SceneFacts& facts) {
-  const Certificate all = certificate(mesh.points);
+  const BitRange all = bit_range(mesh.points);
   const auto add = [](EdgeCounts a, const EdgeCounts& b) {
     a.boundary += b.boundary;
     a.regular += b.regular;

@@ -14,7 +14,7 @@ struct SceneFacts {
   std::size_t distinct_points = 0;  ///< positions among them
   std::size_t used_points = 0;      ///< positions at a triangle or a wire
   Point3 lowest, highest;           ///< the bounding box of the used points; zero if there are none
-  Certificate coordinates;          ///< of the used points: bits() is what exact arithmetic needs
+  BitRange coordinates;             ///< of the used points: bits() is what exact arithmetic needs
 
   std::size_t faces = 0;                                     ///< as given
   std::size_t triangular = 0, quadrangular = 0, larger = 0;  ///< by corners as given; the rest has fewer than three

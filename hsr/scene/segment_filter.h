@@ -14,14 +14,14 @@ namespace hsr {
 /// |det - exact| <= 2.1 E (|d|_1 + |r|_1) + 9 E^2 + 4.1 u (|d_x r_y| + |d_y r_x|) + 2^-1073, and the last sum is at most
 /// |d|_1 |r|_1. The bound is computed with constants a little larger, which pays for its own roundings. What is not known is
 /// not a number, or has an unbounded error, and is never certain.
-struct ImageSegment {
+struct SegmentFilter {
   ImagePoint p = {0, 0}, q = {0, 0};
   double error = HUGE_VAL;
   double dx = 0, dy = 0;
   double least = HUGE_VAL, slope = 0;  ///< the error of the determinant is at most least + slope |r|_1
 
-  ImageSegment() = default;
-  ImageSegment(const ImagePoint& from, const ImagePoint& to, double e)
+  SegmentFilter() = default;
+  SegmentFilter(const ImagePoint& from, const ImagePoint& to, double e)
       : p(from), q(to), error(e), dx(q.x - p.x), dy(q.y - p.y) {
     const double length = std::fabs(dx) + std::fabs(dy);
     least = 2.2 * e * length + 9.1 * e * e + 0x1p-1000;

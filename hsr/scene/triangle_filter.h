@@ -12,9 +12,9 @@ namespace hsr {
 
 /// A triangle prepared for the many lines that it is asked about: its image, and its plane.
 ///
-/// A determinant of image points that are known within E has the bound of ImageSegment. What is not known is not a number, or
+/// A determinant of image points that are known within E has the bound of SegmentFilter. What is not known is not a number, or
 /// has an unbounded error, and decides nothing.
-struct ImageFace {
+struct TriangleFilter {
   TriangleId triangle;
   std::array<VertexId, 3> corners;
   std::array<double, 3> x = {}, y = {};  ///< of the corners' images
@@ -22,29 +22,30 @@ struct ImageFace {
   PlaneFilter plane;
   ErrorBounded per_eye;  ///< -1 / plane(E), E the viewpoint: times plane(p), how far toward the viewer from p the plane is
 
-  ImageFace() = default;
-  ImageFace(const Sight& sight, TriangleId t)
-      : triangle(t), corners(sight.mesh().triangles[t]), plane(sight.filter(sight.face_plane(t))) {
-    const bool is_known = sight.image_error() < HUGE_VAL && sight.facing(t) != Sign::zero;
-    facing = sight.facing(t) == Sign::positive ? 1 : -1;
+  TriangleFilter() = default;
+  TriangleFilter(const ProjectedMesh& projected, TriangleId t)
+      : triangle(t), corners(projected.mesh().triangles[t]), plane(projected.filter(projected.face_plane(t))) {
+    const bool is_known = projected.image_error() < HUGE_VAL && projected.facing(t) != Sign::zero;
+    facing = projected.facing(t) == Sign::positive ? 1 : -1;
     for (std::size_t k = 0; k < 3; ++k) {
-      const ImagePoint p = is_known ? sight.image(corners[k]) : ImagePoint{NAN, NAN};
+      const ImagePoint p = is_known ? projected.image(corners[k]) : ImagePoint{NAN, NAN};
       x[k] = p.x;
       y[k] = p.y;
     }
-    const Point3& e = sight.eye().at;
+    const Point3& e = projected.eye().at;
     // The bound of a PlaneFilter at o + D is that of n . D.
     const ErrorBounded at_eye =
-        sight.is_perspective() ? plane(e)
-                               : ErrorBounded{plane.nx * e.x + plane.ny * e.y + plane.nz * e.z,
-                                              plane.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + plane.least};
+        projected.is_perspective()
+            ? plane(e)
+            : ErrorBounded{plane.nx * e.x + plane.ny * e.y + plane.nz * e.z,
+                           plane.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + plane.least};
     per_eye = quotient({-1, 0}, at_eye);
   }
 
   bool has(VertexId v) const { return v == corners[0] || v == corners[1] || v == corners[2]; }
 
   /// Whether the triangle certainly lies on one side of the line of the segment.
-  bool is_beside(const ImageSegment& s) const {
+  bool is_beside(const SegmentFilter& s) const {
     const auto side = [&](std::size_t k) {
       const ErrorBounded turn = s.turn({x[k], y[k]});
       return turn.value > turn.error ? 1 : turn.value < -turn.error ? -1 : 0;
@@ -63,7 +64,7 @@ struct ImageFace {
     ErrorBounded at_p(std::size_t k) const { return {value[k][0], error[k][0]}; }
     ErrorBounded at_q(std::size_t k) const { return {value[k][1], error[k][1]}; }
   };
-  Overlap overlap(const ImageSegment& s) const {
+  Overlap overlap(const SegmentFilter& s) const {
     Overlap overlap;
     const TwoDoubles sx = {s.p.x, s.q.x}, sy = {s.p.y, s.q.y};
     const double per_length = 2.2 * s.error, least = 9.1 * s.error * s.error + 0x1p-1000;

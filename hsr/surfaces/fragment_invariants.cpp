@@ -98,7 +98,7 @@ Rational area_of_union(std::span<const std::array<Place, 3>> triangles) {
 
 class Invariants {
  public:
-  Invariants(const Sight& sight, const VisibleFragments& all) : map_(sight), all_(all) {}
+  Invariants(const ProjectedMesh& projected, const VisibleFragments& all) : map_(projected), all_(all) {}
 
   void check() {
     for (const Fragment& f : all_.fragments) check_rings(f);
@@ -110,15 +110,15 @@ class Invariants {
  private:
   /// Together they cover what the faces cover. Of few triangles: it takes their square. Near cuts have no corners to look up.
   void check_area() {
-    const Sight& sight = map_.sight();
-    const auto& triangles = sight.mesh().triangles;
+    const ProjectedMesh& projected = map_.projected();
+    const auto& triangles = projected.mesh().triangles;
     if (triangles.size() > 12) return;
     std::vector<std::array<Place, 3>> seen;
     for (TriangleId t{0}; t.value < triangles.size(); t = TriangleId(t.value + 1U)) {
-      if (!sight.reaches_beyond_near(t)) continue;
-      if (sight.reaches_before_near(t)) return;
+      if (!projected.reaches_beyond_near(t)) continue;
+      if (projected.reaches_before_near(t)) return;
       const auto place = [&](std::size_t k) { return map_.exact_place(MapPoint::of_vertex(triangles[t][k])); };
-      if (sight.facing(t) != Sign::zero) seen.push_back({place(0), place(1), place(2)});
+      if (projected.facing(t) != Sign::zero) seen.push_back({place(0), place(1), place(2)});
     }
     Rational twice;
     for (const auto& rings : rings_)
@@ -218,7 +218,7 @@ class Invariants {
     return map_.order(s.line, a[0], b[1]) == Sign::negative && map_.order(s.line, b[0], a[1]) == Sign::negative;
   }
 
-  MapSight map_;
+  MapPredicates map_;
   const VisibleFragments& all_;
   std::vector<Side> sides_;
   std::vector<std::vector<std::vector<Place>>> rings_;  // of each fragment
@@ -227,8 +227,8 @@ class Invariants {
 
 }  // namespace
 
-void check_invariants(const Sight& sight, const VisibleFragments& fragments) {
-  if (fragments.corners.size() <= 5000) Invariants(sight, fragments).check();
+void check_invariants(const ProjectedMesh& projected, const VisibleFragments& fragments) {
+  if (fragments.corners.size() <= 5000) Invariants(projected, fragments).check();
 }
 
 }  // namespace hsr

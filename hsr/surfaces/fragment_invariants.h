@@ -13,6 +13,6 @@ namespace hsr {
 /// seen. Results of more than 5000 corners are passed over.
 /// @throws InvariantError
 /// Exact: yes. Cost: O(n log n + k) for k pairs of sides, or of sides and fragments, whose boxes touch; rationals.
-void check_invariants(const Sight& sight, const VisibleFragments& fragments);
+void check_invariants(const ProjectedMesh& projected, const VisibleFragments& fragments);
 
 }  // namespace hsr

@@ -10,42 +10,42 @@
 
 namespace hsr {
 
-NearPoint MapStretch::at(double t, double t_error) const {
-  NearPoint at = between(a.p, b.p, {t, t_error});
+BoundedPoint3 MapStretch::at(double t, double t_error) const {
+  BoundedPoint3 at = between(a.p, b.p, {t, t_error});
   at.error += (a.error + b.error) * (1 + std::fabs(t) + t_error) * 1.01;
   return at;
 }
 
-void SeenBeside::start(const MapStretch& stretch, Sign side) {
+void LineEnvelope::start(const MapStretch& stretch, Sign side) {
   stretch_ = &stretch;
   side_ = side;
   is_meeting_ = depends_on_side_ = false;
   parts_.assign(1, {{stretch.from, 0, 0}, {stretch.to, 1, 0}, {}, {}});
   query_ = ImageBox::nothing();
   std::array<ImagePoint, 2> ends;
-  double error = sight_.image_error();
+  double error = projected_.image_error();
   for (const std::size_t k : {0U, 1U}) {
-    const NearPoint& p = k == 0 ? stretch.a : stretch.b;
+    const BoundedPoint3& p = k == 0 ? stretch.a : stretch.b;
     const VertexId v = k == 0 ? stretch.at_a : stretch.at_b;
-    query_.add(v.is_valid() ? sight_.box(v) : sight_.box(p.p, 3 * p.error));
-    if (v.is_valid() && sight_.image_error() < HUGE_VAL) {
-      ends[k] = sight_.image(v);
+    query_.add(v.is_valid() ? projected_.box(v) : projected_.box(p.p, 3 * p.error));
+    if (v.is_valid() && projected_.image_error() < HUGE_VAL) {
+      ends[k] = projected_.image(v);
     } else {
-      const NearImage image = sight_.image(p.p, 3 * p.error);
+      const NearImage image = projected_.image(p.p, 3 * p.error);
       ends[k] = image.at;
       error += image.error;
     }
   }
   image_ = {ends[0], ends[1], error};
-  depth_ = {sight_.depth(stretch.a.p, 3 * stretch.a.error), sight_.depth(stretch.b.p, 3 * stretch.b.error)};
+  depth_ = {projected_.depth(stretch.a.p, 3 * stretch.a.error), projected_.depth(stretch.b.p, 3 * stretch.b.error)};
   least_ = -HUGE_VAL;
-  query_.farthest = tiles_ != nullptr ? tiles_->hidden_from(ends[0], ends[1], error) : -unknown;
+  query_.farthest = pyramid_ != nullptr ? pyramid_->hidden_from(ends[0], ends[1], error) : -unknown;
 }
 
 /// False: no other face changes anything.
-bool SeenBeside::look_at(const ImageFace& face) {
+bool LineEnvelope::look_at(const TriangleFilter& face) {
   if (face.is_beside(image_) || face.triangle == stretch_->elsewhere) return true;
-  const ImageFace::Overlap overlap = face.overlap(image_);
+  const TriangleFilter::Overlap overlap = face.overlap(image_);
   if (overlap.is_none) return true;
   const Linear of_t = nearness(face);
   if (of_t.at_a.value + of_t.at_a.error < least_ && of_t.at_b.value + of_t.at_b.error < least_) return true;
@@ -68,25 +68,25 @@ bool SeenBeside::look_at(const ImageFace& face) {
 }
 
 /// The faces of the tree, but for those that are looked at first.
-void SeenBeside::look_around() {
+void LineEnvelope::look_around() {
   occluders_.tree.visit_boxes<BoxTree::Depth::touching>(query_, [&](std::uint32_t i, std::uint32_t at) {
-    ImageFace own;
+    TriangleFilter own;
     const bool is_prepared = !occluders_.faces.empty();
-    if (!is_prepared) own = ImageFace(sight_, occluders_.triangles[i]);
-    const ImageFace& face = is_prepared ? occluders_.faces[at] : own;
+    if (!is_prepared) own = TriangleFilter(projected_, occluders_.triangles[i]);
+    const TriangleFilter& face = is_prepared ? occluders_.faces[at] : own;
     return &face == stretch_->first[0] || &face == stretch_->first[1] || look_at(face);
   });
 }
 
-std::span<const SeenPart> SeenBeside::result() {
+std::span<const SeenPart> LineEnvelope::result() {
   result_.clear();
   for (const Part& part : parts_) result_.push_back({part.from.p, part.to.p, part.seen, part.to.t, part.to.error});
   return result_;
 }
 
-std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side) {
+std::span<const SeenPart> LineEnvelope::find(const MapStretch& stretch, Sign side) {
   start(stretch, side);
-  for (const ImageFace* face : stretch.first)
+  for (const TriangleFilter* face : stretch.first)
     if (face != nullptr) look_at(*face);
   // The images of visible stretches are closed: what is nearer and ends at one hides it.
   if (!stretch.is_visible) query_.nearest = unknown;
@@ -94,10 +94,10 @@ std::span<const SeenPart> SeenBeside::find(const MapStretch& stretch, Sign side)
   return result();
 }
 
-SeenBeside::Meeting SeenBeside::find_meeting(const MapStretch& stretch) {
+LineEnvelope::EnvelopePair LineEnvelope::both_sides(const MapStretch& stretch) {
   start(stretch, Sign::positive);
   is_meeting_ = true;
-  for (const ImageFace* face : stretch.first) look_at(*face);
+  for (const TriangleFilter* face : stretch.first) look_at(*face);
   query_.nearest = unknown;
   if (parts_.size() == 1 && parts_.front().seen.is_valid()) look_around();
   // Both are seen all along, but for what hides them.
@@ -105,29 +105,29 @@ SeenBeside::Meeting SeenBeside::find_meeting(const MapStretch& stretch) {
   return {result(), is_whole && !depends_on_side_};
 }
 
-void SeenBeside::bound(Part& part) const {
+void LineEnvelope::bound(Part& part) const {
   if (part.farthest != unknown) return;
   double farthest = HUGE_VAL;
   for (const Place* end : {&part.from, &part.to}) {
     const ErrorBounded depth = at(depth_, *end), n = at(part.nearness, *end);
     part.least = std::min(part.least, n.error < HUGE_VAL ? n.value - n.error : -HUGE_VAL);
     // The hit is p + n D, or e + (p - e) / (1 + n).
-    const Point3& e = sight_.eye().at;
-    const ErrorBounded hit = sight_.is_perspective()
+    const Point3& e = projected_.eye().at;
+    const ErrorBounded hit = projected_.is_perspective()
                                  ? -quotient(depth, ErrorBounded{1, 0} + n)
                                  : depth + n * ErrorBounded{std::max({std::fabs(e.x), std::fabs(e.y), std::fabs(e.z)}), 0};
     farthest = std::min(farthest, hit.error < HUGE_VAL ? hit.value - hit.error : -HUGE_VAL);
   }
-  part.farthest = farthest > -HUGE_VAL ? float_below(farthest) : sight_.box(part.seen).farthest;
+  part.farthest = farthest > -HUGE_VAL ? float_below(farthest) : projected_.box(part.seen).farthest;
 }
 
-ErrorBounded SeenBeside::at(const Linear& f, const Place& place) const {
+ErrorBounded LineEnvelope::at(const Linear& f, const Place& place) const {
   const ErrorBounded t{place.t, place.error};
   return f.at_a + t * (f.at_b - f.at_a);
 }
 
-SeenBeside::Linear SeenBeside::along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const {
-  const auto value = [&](const NearPoint& p) {
+LineEnvelope::Linear LineEnvelope::along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const {
+  const auto value = [&](const BoundedPoint3& p) {
     ErrorBounded x = filter(p.p);
     if (p.error > 0)
       x.error += (std::fabs(filter.nx) + std::fabs(filter.ny) + std::fabs(filter.nz) + 3 * filter.slope) * p.error * 1.01;
@@ -137,18 +137,18 @@ SeenBeside::Linear SeenBeside::along(const PlaneFilter& filter, bool zero_at_a, 
 }
 
 /// -t(p) / t(E): how far toward the viewer from the stretch the plane is; see bound().
-SeenBeside::Linear SeenBeside::nearness(const ImageFace& face) const {
+LineEnvelope::Linear LineEnvelope::nearness(const TriangleFilter& face) const {
   const auto is_corner = [&](VertexId v) { return v.is_valid() && face.has(v); };
   const Linear value = along(face.plane, is_corner(stretch_->at_a), is_corner(stretch_->at_b));
   return {value.at_a * face.per_eye, value.at_b * face.per_eye};
 }
 
-SeenBeside::Place SeenBeside::crossing(const MapLine& other, const Linear& value) const {
+LineEnvelope::Place LineEnvelope::crossing(const MapLine& other, const Linear& value) const {
   const ErrorBounded t = quotient(value.at_a, value.at_a - value.at_b);
   return {MapPoint::crossing(stretch_->line, other), t.value, t.error};
 }
 
-Sign SeenBeside::order(const Place& x, const Place& y) {
+Sign LineEnvelope::order(const Place& x, const Place& y) {
   const double gap = x.t - y.t;
   if (std::fabs(gap) > (x.error + y.error) * 1.01) {
     ++map_.exact().counts().filter;
@@ -157,7 +157,7 @@ Sign SeenBeside::order(const Place& x, const Place& y) {
   return map_.order(stretch_->line, x.p, y.p);
 }
 
-void SeenBeside::add(const Place& from, const Place& to, TriangleId t, const Linear& nearness) {
+void LineEnvelope::add(const Place& from, const Place& to, TriangleId t, const Linear& nearness) {
   if (!next_.empty() && next_.back().seen == t) {
     next_.back().to = to;
     next_.back().farthest = unknown;
@@ -168,7 +168,7 @@ void SeenBeside::add(const Place& from, const Place& to, TriangleId t, const Lin
 }
 
 /// Cuts the part of the line to what is within the half-plane just beside it. False: nothing.
-bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, Place& to) {
+bool LineEnvelope::clip(const MapHalfPlane& h, const Linear& value, Place& from, Place& to) {
   if (h.line == stretch_->line) {
     depends_on_side_ = true;
     return h.inner == side_;
@@ -195,23 +195,23 @@ bool SeenBeside::clip(const MapHalfPlane& h, const Linear& value, Place& from, P
 
 /// O of a side of the face, its vertices in the order of the line's name. Parallel, images are linear along the stretch, and
 /// their determinants as good as those in space.
-SeenBeside::Linear SeenBeside::along_side(const ImageFace& face, const ImageFace::Overlap& overlap, std::size_t k,
-                                          const MapHalfPlane& h) const {
+LineEnvelope::Linear LineEnvelope::along_side(const TriangleFilter& face, const TriangleFilter::Overlap& overlap, std::size_t k,
+                                              const MapHalfPlane& h) const {
   const VertexId v(h.line.u), w(h.line.v);
   const auto is_end = [&](VertexId x) { return x.is_valid() && (x == v || x == w); };
   const bool zero_at_a = is_end(stretch_->at_a), zero_at_b = is_end(stretch_->at_b);
-  if (sight_.is_perspective()) return along(sight_.filter(sight_.sight_plane(v, w)), zero_at_a, zero_at_b);
+  if (projected_.is_perspective()) return along(projected_.filter(projected_.sight_plane(v, w)), zero_at_a, zero_at_b);
   const bool is_reversed = (face.facing < 0) == (face.corners[k] == v);
   const auto value = [&](const ErrorBounded& x) { return is_reversed ? -x : x; };
   return {zero_at_a ? ErrorBounded{} : value(overlap.at_p(k)), zero_at_b ? ErrorBounded{} : value(overlap.at_q(k))};
 }
 
-bool SeenBeside::clip(const ImageFace& face, const ImageFace::Overlap& overlap, Place& from, Place& to) {
+bool LineEnvelope::clip(const TriangleFilter& face, const TriangleFilter::Overlap& overlap, Place& from, Place& to) {
   const TriangleId t = face.triangle;
   unsigned is_within = overlap.is_within;
   std::array<MapHalfPlane, 3> sides;
   for (std::size_t k = 0; k < 3; ++k) {
-    sides[k] = side_of_triangle(sight_, t, k);
+    sides[k] = side_of_triangle(projected_, t, k);
     if (sides[k].line != stretch_->line) continue;
     depends_on_side_ = true;
     if (sides[k].inner != side_) return false;
@@ -222,13 +222,13 @@ bool SeenBeside::clip(const ImageFace& face, const ImageFace::Overlap& overlap, 
     const MapHalfPlane& h = sides[k];
     if (!clip(h, along_side(face, overlap, k, h), from, to)) return false;
   }
-  if (!sight_.reaches_before_near(t)) return true;
-  const PlaneFilter filter = sight_.filter(sight_.near_line(sight_.face_plane(t)));
-  return clip(beyond_near(sight_, t), along(filter, false, false), from, to);
+  if (!projected_.reaches_before_near(t)) return true;
+  const PlaneFilter filter = projected_.filter(projected_.near_line(projected_.face_plane(t)));
+  return clip(beyond_near(projected_, t), along(filter, false, false), from, to);
 }
 
 /// Whether the place is on an edge or at a vertex that both triangles have: most ties are, at outlines.
-bool SeenBeside::have_in_common(TriangleId s, TriangleId t, const MapPoint& p) const {
+bool LineEnvelope::have_in_common(TriangleId s, TriangleId t, const MapPoint& p) const {
   const auto &c = map_.mesh().triangles[s], &d = map_.mesh().triangles[t];
   const auto is_common = [&](VertexId v) {
     return (v == c[0] || v == c[1] || v == c[2]) && (v == d[0] || v == d[1] || v == d[2]);
@@ -241,7 +241,7 @@ bool SeenBeside::have_in_common(TriangleId s, TriangleId t, const MapPoint& p) c
 }
 
 /// Whether s is nearer than what is seen along the part, at a place of it.
-Sign SeenBeside::nearer(TriangleId s, const Linear& of_s, const Part& part, const Place& place) {
+Sign LineEnvelope::nearer(TriangleId s, const Linear& of_s, const Part& part, const Place& place) {
   const ErrorBounded gap = at(of_s, place) - at(part.nearness, place);
   if (!gap.is_certain()) return have_in_common(s, part.seen, place.p) ? Sign::zero : map_.nearer(s, part.seen, place.p);
   ++map_.exact().counts().filter;
@@ -249,16 +249,16 @@ Sign SeenBeside::nearer(TriangleId s, const Linear& of_s, const Part& part, cons
 }
 
 /// Two planes that meet in the line itself: the sign of the meet's value beside it is that at any point off the line.
-Sign SeenBeside::nearer_beside(TriangleId s, TriangleId t) {
+Sign LineEnvelope::nearer_beside(TriangleId s, TriangleId t) {
   for (const TriangleId corners : {s, t})
     for (const VertexId v : map_.mesh().triangles[corners]) {
       const Sign at_v = map_.side(stretch_->line, v);
       if (at_v != Sign::zero) return map_.nearer(s, t, MapPoint::of_vertex(v)) * at_v * side_;
     }
-  throw InvariantError("SeenBeside: two triangles on one line");
+  throw InvariantError("LineEnvelope: two triangles on one line");
 }
 
-void SeenBeside::insert(const ImageFace& face, const Linear& of_t, const ImageFace::Overlap& overlap) {
+void LineEnvelope::insert(const TriangleFilter& face, const Linear& of_t, const TriangleFilter::Overlap& overlap) {
   const TriangleId t = face.triangle;
   Place from = parts_.front().from, to = parts_.back().to;
   if (!clip(face, overlap, from, to)) return;

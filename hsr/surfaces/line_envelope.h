@@ -17,16 +17,16 @@ namespace hsr {
 struct MapStretch {
   MapLine line;
   MapPoint from, to;
-  NearPoint a, b;
+  BoundedPoint3 a, b;
   VertexId at_a = {}, at_b = {};  ///< the vertices that are a and b, if they are
   /// It is of an edge, and visible: no face that is wholly nearer is beside it.
   bool is_visible = false;
   TriangleId elsewhere = {};  ///< a face that ends at the line, on the side that is not looked at
   /// Faces that are likely to be seen beside it: looked at first, so that what lies behind them need not be.
-  std::array<const ImageFace*, 2> first = {};
+  std::array<const TriangleFilter*, 2> first = {};
 
   /// The place at t, in space.
-  NearPoint at(double t, double error) const;
+  BoundedPoint3 at(double t, double error) const;
 };
 
 /// A part of a line of the map, and the triangle that is seen just beside it; none: nothing is.
@@ -43,23 +43,23 @@ struct SeenPart {
 /// Doubles with proven bounds tell most places and depths apart; the symbols decide the others.
 /// Exact: yes. Cost: O(k m) for the k triangles that overlap the part and m parts. Source: Hart & Sharir 1986 (envelopes of
 /// segments), here of faces over a line.
-class SeenBeside {
+class LineEnvelope {
  public:
   /// @param tiles none: nothing is known to be hidden
-  SeenBeside(MapSight& map, const Occluders& occluders, const HiddenTiles* tiles)
-      : map_(map), sight_(map.sight()), occluders_(occluders), tiles_(tiles) {}
+  LineEnvelope(MapPredicates& map, const Occluders& occluders, const OcclusionPyramid* pyramid)
+      : map_(map), projected_(map.projected()), occluders_(occluders), pyramid_(pyramid) {}
 
   /// @param side positive, to the left of the line; the answer holds until the next call
   std::span<const SeenPart> find(const MapStretch& stretch, Sign side);
 
   /// What the two faces that meet in a line are seen as.
-  struct Meeting {
+  struct EnvelopePair {
     std::span<const SeenPart> left;  ///< to the left; what hides both is any face before them
     bool is_for_both = false;        ///< where one of the two is seen to the left, the other one is to the right
   };
   /// The same of the line in which the two faces `stretch.first` meet, at once for both sides. Where they are hidden, both
   /// sides are seen the same, but where another line of the map runs.
-  Meeting find_meeting(const MapStretch& stretch);
+  EnvelopePair both_sides(const MapStretch& stretch);
 
  private:
   struct Place {
@@ -81,18 +81,19 @@ class SeenBeside {
   static constexpr float unknown = std::numeric_limits<float>::infinity();
 
   void start(const MapStretch& stretch, Sign side);
-  bool look_at(const ImageFace& face);
+  bool look_at(const TriangleFilter& face);
   void look_around();
   std::span<const SeenPart> result();
   bool meets_here(TriangleId t) const { return t == stretch_->first[0]->triangle || t == stretch_->first[1]->triangle; }
   /// Of two faces that meet: nothing matters any more where others hide them.
   bool is_settled(const Part& part) const { return is_meeting_ && part.seen.is_valid() && !meets_here(part.seen); }
-  void insert(const ImageFace& face, const Linear& of_t, const ImageFace::Overlap& overlap);
-  bool clip(const ImageFace& face, const ImageFace::Overlap& overlap, Place& from, Place& to);
-  Linear along_side(const ImageFace& face, const ImageFace::Overlap& overlap, std::size_t k, const MapHalfPlane& h) const;
+  void insert(const TriangleFilter& face, const Linear& of_t, const TriangleFilter::Overlap& overlap);
+  bool clip(const TriangleFilter& face, const TriangleFilter::Overlap& overlap, Place& from, Place& to);
+  Linear along_side(const TriangleFilter& face, const TriangleFilter::Overlap& overlap, std::size_t k,
+                    const MapHalfPlane& h) const;
   bool clip(const MapHalfPlane& h, const Linear& value, Place& from, Place& to);
   Linear along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const;
-  Linear nearness(const ImageFace& face) const;
+  Linear nearness(const TriangleFilter& face) const;
   ErrorBounded at(const Linear& f, const Place& place) const;
   Place crossing(const MapLine& other, const Linear& value) const;
   Sign order(const Place& x, const Place& y);
@@ -102,17 +103,17 @@ class SeenBeside {
   void add(const Place& from, const Place& to, TriangleId t, const Linear& nearness);
   void bound(Part& part) const;
 
-  MapSight& map_;
-  const Sight& sight_;
+  MapPredicates& map_;
+  const ProjectedMesh& projected_;
   const Occluders& occluders_;
-  const HiddenTiles* tiles_;
+  const OcclusionPyramid* pyramid_;
   const MapStretch* stretch_ = nullptr;
   ImageBox query_;                // of what may change the answer
-  ImageSegment image_;            // of the stretch
+  SegmentFilter image_;           // of the stretch
   double least_ = 0;              // of `nearness` of what matters: what is less near changes nothing
   bool is_meeting_ = false;       // both sides are looked at
   bool depends_on_side_ = false;  // what was found does
-  Linear depth_;                  // of the stretch, as Sight has it
+  Linear depth_;                  // of the stretch, as ProjectedMesh has it
   Sign side_ = Sign::positive;
   std::vector<Part> parts_, next_;
   std::vector<SeenPart> result_;

@@ -30,7 +30,7 @@ void append_rings(const Rings& rings, Regions& out) {
 }
 
 /// For each fragment the group that it is united with: a facet, or the number of its colour.
-std::vector<std::uint32_t> groups_of(MapSight& map, const VisibleFragments& fragments, const std::vector<Colour>& colours,
+std::vector<std::uint32_t> groups_of(MapPredicates& map, const VisibleFragments& fragments, const std::vector<Colour>& colours,
                                      Merge merge) {
   const Mesh& mesh = map.mesh();
   std::vector<std::uint32_t> group;
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> groups_of(MapSight& map, const VisibleFragments& frag
     facets.push_back(f.facet);
     boxes.push_back(ImageBox::nothing());
     for (TriangleId t = f.facet; t < facet_end(mesh, f.facet); t = TriangleId(t.value + 1U))
-      boxes.back().add(map.sight().box(t));
+      boxes.back().add(map.projected().box(t));
   }
   DisjointSets same(mesh.triangles.size());
   const BoxTree tree(boxes);
@@ -70,8 +70,8 @@ Regions regions_of(const Mesh& mesh, const View& view, const VisibleFragments& f
                    Merge merge) {
   Regions out;
   if (fragments.fragments.empty()) return out;
-  const Sight sight(mesh, view, Arithmetic::staged);
-  MapSight map(sight);
+  const ProjectedMesh projected(mesh, view, Arithmetic::staged);
+  MapPredicates map(projected);
   const auto colour_of = [&](const Fragment& f) { return colours[mesh.face_of[f.facet].value]; };
   if (merge == Merge::none) {
     out.first_corner = fragments.first_corner;

@@ -51,7 +51,7 @@ struct LoopRange {
 
 class RingLinker::Linker {
  public:
-  explicit Linker(MapSight& map) : map_(map) {}
+  explicit Linker(MapPredicates& map) : map_(map) {}
 
   const Rings& link(std::span<const PlacedSide> sides, bool mirrored) {
     clear();
@@ -92,7 +92,7 @@ class RingLinker::Linker {
   std::array<Rational, 2> exact(std::uint32_t point) const { return map_.exact_place(points_[point]); }
   Rational exact_area(std::span<const std::uint32_t> pieces) const;
 
-  MapSight& map_;
+  MapPredicates& map_;
   bool mirrored_ = false;
   std::vector<const MapPoint*> end_points_;  // of both ends of each side
   std::vector<MapPlace> end_places_;
@@ -141,7 +141,7 @@ void RingLinker::Linker::clear() {
 bool RingLinker::Linker::certainly_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
   const MapPlace &p = places_[i], &q = places_[j], &r = places_[k];
   const double error = std::max({p.error_x, p.error_y, q.error_x, q.error_y, r.error_x, r.error_y});
-  return ImageSegment({p.x, p.y}, {q.x, q.y}, error).turn({r.x, r.y}).is_certain();
+  return SegmentFilter({p.x, p.y}, {q.x, q.y}, error).turn({r.x, r.y}).is_certain();
 }
 
 /// Gives each point of the image one number.
@@ -484,12 +484,12 @@ void RingLinker::Linker::make_result() {
   }
 }
 
-RingLinker::RingLinker(MapSight& map) : linker_(std::make_unique<Linker>(map)) {}
+RingLinker::RingLinker(MapPredicates& map) : linker_(std::make_unique<Linker>(map)) {}
 RingLinker::~RingLinker() = default;
 
 const Rings& RingLinker::link(std::span<const PlacedSide> sides, bool mirrored) { return linker_->link(sides, mirrored); }
 
-Rings link_rings(MapSight& map, std::span<const MapSide> sides) {
+Rings link_rings(MapPredicates& map, std::span<const MapSide> sides) {
   std::vector<PlacedSide> placed;
   placed.reserve(sides.size());
   for (const MapSide& s : sides) placed.push_back({s, map.place(s.from), map.place(s.to)});

@@ -38,7 +38,7 @@ struct PlacedSide {
 /// of m in a mesh of even triangles; O(m^2) where doubles do not tell points apart.
 class RingLinker {
  public:
-  explicit RingLinker(MapSight& map);
+  explicit RingLinker(MapPredicates& map);
   ~RingLinker();
 
   /// @param mirrored whether the places are those of the mirror image. The answer holds until the next call
@@ -50,6 +50,6 @@ class RingLinker {
 };
 
 /// The same, once.
-Rings link_rings(MapSight& map, std::span<const MapSide> sides);
+Rings link_rings(MapPredicates& map, std::span<const MapSide> sides);
 
 }  // namespace hsr

@@ -22,19 +22,20 @@ namespace {
 
 class Subtraction {
  public:
-  Subtraction(const Sight& sight, const Occluders& occluders) : map_(sight), sight_(sight), occluders_(occluders) {}
+  Subtraction(const ProjectedMesh& projected, const Occluders& occluders)
+      : map_(projected), projected_(projected), occluders_(occluders) {}
 
   /// Appends the sides of the visible pieces of a facet.
   void visible_sides(TriangleId facet, std::vector<MapSide>& sides);
 
-  MapSight& map() { return map_; }
+  MapPredicates& map() { return map_; }
 
  private:
   bool shadow(TriangleId t, TriangleId facet, std::vector<MapHalfPlane>& half_planes);
   void subtract(std::vector<ConvexPiece>& pieces, const std::vector<MapHalfPlane>& shadow);
 
-  MapSight map_;
-  const Sight& sight_;
+  MapPredicates map_;
+  const ProjectedMesh& projected_;
   const Occluders& occluders_;
 };
 
@@ -44,13 +45,13 @@ bool Subtraction::shadow(TriangleId t, TriangleId facet, std::vector<MapHalfPlan
   half_planes.clear();
   const bool coplanar = map_.coplanar(t, facet);
   if (coplanar && t > facet) return false;
-  for (std::size_t k = 0; k < 3; ++k) half_planes.push_back(side_of_triangle(sight_, t, k));
+  for (std::size_t k = 0; k < 3; ++k) half_planes.push_back(side_of_triangle(projected_, t, k));
   if (!coplanar) {
     const MapLine meet = MapLine::meet(t, facet);
-    const Sign nearer = sight_.facing(t) * sight_.facing(facet);
+    const Sign nearer = projected_.facing(t) * projected_.facing(facet);
     half_planes.push_back({meet, meet.u == t.value ? nearer : -nearer});
   }
-  if (sight_.reaches_before_near(t)) half_planes.push_back(beyond_near(sight_, t));
+  if (projected_.reaches_before_near(t)) half_planes.push_back(beyond_near(projected_, t));
   return true;
 }
 
@@ -72,17 +73,17 @@ void Subtraction::subtract(std::vector<ConvexPiece>& pieces, const std::vector<M
 }
 
 void Subtraction::visible_sides(TriangleId facet, std::vector<MapSide>& sides) {
-  const Mesh& mesh = sight_.mesh();
-  if (sight_.facing(facet) == Sign::zero) return;
+  const Mesh& mesh = projected_.mesh();
+  if (projected_.facing(facet) == Sign::zero) return;
   const TriangleId end = facet_end(mesh, facet);
   std::vector<ConvexPiece> pieces;
   std::vector<MapHalfPlane> half_planes;
   for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
-    if (!sight_.reaches_beyond_near(t)) continue;
-    pieces.assign(1, convex_piece(sight_, t));
-    if (sight_.reaches_before_near(t)) cut(map_, pieces[0], beyond_near(sight_, t));
+    if (!projected_.reaches_beyond_near(t)) continue;
+    pieces.assign(1, convex_piece(projected_, t));
+    if (projected_.reaches_before_near(t)) cut(map_, pieces[0], beyond_near(projected_, t));
     if (pieces[0].points.empty()) continue;
-    occluders_.tree.visit(sight_.box(t), [&](std::uint32_t i) {
+    occluders_.tree.visit(projected_.box(t), [&](std::uint32_t i) {
       const TriangleId other = occluders_.triangles[i];
       if (other >= facet && other < end) return true;
       if (!shadow(other, facet, half_planes)) return true;
@@ -99,23 +100,23 @@ void Subtraction::visible_sides(TriangleId facet, std::vector<MapSide>& sides) {
 }  // namespace
 
 VisibleFragments roberts_surfaces(const Mesh& mesh, const View& view, const FragmentOptions& options) {
-  const Sight sight(mesh, view, options.arithmetic);
+  const ProjectedMesh projected(mesh, view, options.arithmetic);
   std::vector<ImageBox> boxes(mesh.triangles.size());
   std::vector<std::uint8_t> edge_on(mesh.triangles.size());
-  for_each(boxes.size(), [&](std::size_t i) {
-    boxes[i] = sight.box(TriangleId(i));
-    edge_on[i] = sight.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
+  parallel_for_each(boxes.size(), [&](std::size_t i) {
+    boxes[i] = projected.box(TriangleId(i));
+    edge_on[i] = projected.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
   });
-  const Occluders occluders(sight, boxes, edge_on);
+  const Occluders occluders(projected, boxes, edge_on);
   const VisibleFragments all = fragments_in_blocks(
-      mesh, options, [&] { return Subtraction(sight, occluders); },
+      mesh, options, [&] { return Subtraction(projected, occluders); },
       [](Subtraction& subtraction, TriangleId facet, FragmentParts& parts) {
         std::vector<MapSide> sides;
         subtraction.visible_sides(facet, sides);
         parts.add(facet, link_rings(subtraction.map(), sides));
       });
 #ifdef HSR_CHECKS
-  if (options.arithmetic != Arithmetic::double_only) check_invariants(sight, all);
+  if (options.arithmetic != Arithmetic::double_only) check_invariants(projected, all);
 #endif
   return all;
 }

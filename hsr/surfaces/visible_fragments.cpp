@@ -9,7 +9,7 @@
 #include "geometry/parallel.h"
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/methods.h"
-#include "hsr/lines/occluding_edges.h"
+#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/closed_bodies.h"
 #include "hsr/scene/cut_plane.h"
 #include "hsr/scene/facet.h"
@@ -42,16 +42,16 @@ struct FacetSides {
 class SideFinder {
  public:
   /// @param place of each triangle among the prepared ones @param tiles none: nothing is known to be hidden
-  SideFinder(const Sight& sight, const Occluders& occluders, const Intersections& intersections,
-             const std::vector<std::uint32_t>& place, const HiddenTiles* tiles)
-      : sight_(sight),
-        mesh_(sight.mesh()),
+  SideFinder(const ProjectedMesh& projected, const Occluders& occluders, const Intersections& intersections,
+             const std::vector<std::uint32_t>& place, const OcclusionPyramid* pyramid)
+      : projected_(projected),
+        mesh_(projected.mesh()),
         occluders_(occluders),
         intersections_(intersections),
         place_(place),
-        map_(sight),
-        left_(map_, occluders, tiles),
-        right_(map_, occluders, tiles) {}
+        map_(projected),
+        left_(map_, occluders, pyramid),
+        right_(map_, occluders, pyramid) {}
 
   void add_edge(const VisibleLines& lines, const Line& line);
   void add_intersection(const Intersection& crossing);
@@ -65,21 +65,21 @@ class SideFinder {
   /// otherwise.
   TriangleId only_triangle(EdgeId e, Sign side) const;
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
-  NearPoint place_of(const Edge& edge, const Cut& cut) const;
-  NearPoint end_of(const Intersection& crossing, const Cut& cut, const MapPoint& seen) const;
+  BoundedPoint3 place_of(const Edge& edge, const Cut& cut) const;
+  BoundedPoint3 end_of(const Intersection& crossing, const Cut& cut, const MapPoint& seen) const;
   void add(MapStretch stretch, TriangleId left, TriangleId right);
   Sign runs_along(const Intersection& crossing, const MapStretch& stretch);
   void add_meeting(const MapStretch& stretch, std::span<const SeenPart> left);
   void add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right);
   MapPlace place(const MapStretch& stretch, const MapPoint& p, double t, double error) const;
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   const Mesh& mesh_;
   const Occluders& occluders_;
   const Intersections& intersections_;
   const std::vector<std::uint32_t>& place_;
-  MapSight map_;
-  SeenBeside left_, right_;
+  MapPredicates map_;
+  LineEnvelope left_, right_;
   FacetSides sides_;
 };
 
@@ -87,10 +87,10 @@ TriangleId SideFinder::only_triangle(EdgeId e, Sign side) const {
   if (intersections_.has_contact[e.value] != 0) return {};
   const Edge& edge = mesh_.edges[e];
   // In the near plane: the triangle may be on the side that is cut away.
-  if (sight_.beyond_near(edge.a) == Sign::zero && sight_.beyond_near(edge.b) == Sign::zero) return {};
+  if (projected_.beyond_near(edge.a) == Sign::zero && projected_.beyond_near(edge.b) == Sign::zero) return {};
   TriangleId only;
   for (const TriangleId t : mesh_.triangles_at(e)) {
-    if (-sight_.side_of_edge(t, edge) != side) continue;
+    if (-projected_.side_of_edge(t, edge) != side) continue;
     if (only.is_valid()) return {};
     only = t;
   }
@@ -127,7 +127,7 @@ void SideFinder::add_edge(const VisibleLines& lines, const Line& line) {
   if (left.is_valid() && right.is_valid() && facet_of(mesh_, left) == facet_of(mesh_, right)) return;
   TriangleId beside;
   for (const TriangleId t : mesh_.triangles_at(line.edge))
-    if (!beside.is_valid() && sight_.facing(t) != Sign::zero) beside = t;
+    if (!beside.is_valid() && projected_.facing(t) != Sign::zero) beside = t;
   const auto cuts = lines.cuts_of(line);
   MapStretch stretch;
   stretch.line = MapLine::edge(edge.a, edge.b);
@@ -162,7 +162,7 @@ void SideFinder::add_intersection(const Intersection& crossing) {
     return;
   }
   stretch.first = {&occluders_.faces[place_[crossing.s.value]], &occluders_.faces[place_[crossing.t.value]]};
-  const SeenBeside::Meeting meeting = left_.find_meeting(stretch);
+  const LineEnvelope::EnvelopePair meeting = left_.both_sides(stretch);
   if (meeting.is_for_both)
     add_meeting(stretch, meeting.left);
   else
@@ -170,17 +170,18 @@ void SideFinder::add_intersection(const Intersection& crossing) {
 }
 
 /// Whether the ends of an intersection are in the order of its line, along its image. Where a corner of s is before the plane
-/// of t, MapSight::nearer(s, t) tells on which side of the line it is seen: to the left iff facing(s) t(corner) < 0. To the
+/// of t, MapPredicates::nearer(s, t) tells on which side of the line it is seen: to the left iff facing(s) t(corner) < 0. To the
 /// left O is negative.
 Sign SideFinder::runs_along(const Intersection& crossing, const MapStretch& stretch) {
-  const NearImage a = sight_.image(stretch.a.p, 3 * stretch.a.error), b = sight_.image(stretch.b.p, 3 * stretch.b.error);
-  const ImageSegment image(a.at, b.at, std::max({a.error, b.error, sight_.image_error()}));
-  const PlaneFilter plane = sight_.filter(sight_.face_plane(crossing.t));
+  const NearImage a = projected_.image(stretch.a.p, 3 * stretch.a.error),
+                  b = projected_.image(stretch.b.p, 3 * stretch.b.error);
+  const SegmentFilter image(a.at, b.at, std::max({a.error, b.error, projected_.image_error()}));
+  const PlaneFilter plane = projected_.filter(projected_.face_plane(crossing.t));
   for (const VertexId v : mesh_.triangles[crossing.s]) {
-    const ErrorBounded at_v = plane(sight_.point(v));
-    if (!at_v.is_certain() || !(sight_.image_error() < HUGE_VAL)) continue;
-    const ErrorBounded turn = image.turn(sight_.image(v));
-    if (turn.is_certain()) return sign_of(at_v.value) * sign_of(turn.value) * sight_.facing(crossing.s);
+    const ErrorBounded at_v = plane(projected_.point(v));
+    if (!at_v.is_certain() || !(projected_.image_error() < HUGE_VAL)) continue;
+    const ErrorBounded turn = image.turn(projected_.image(v));
+    if (turn.is_certain()) return sign_of(at_v.value) * sign_of(turn.value) * projected_.facing(crossing.s);
   }
   return -map_.order(stretch.line, stretch.from, stretch.to);
 }
@@ -203,7 +204,7 @@ void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart
 }
 
 /// Where an intersection ends in space: where an edge of one triangle meets the plane of the other. @param seen where
-NearPoint SideFinder::end_of(const Intersection& crossing, const Cut& cut, const MapPoint& seen) const {
+BoundedPoint3 SideFinder::end_of(const Intersection& crossing, const Cut& cut, const MapPoint& seen) const {
   if (cut.kind == Cut::Kind::sight) {
     const VertexId u(cut.u), v(cut.v);
     const auto has = [&](TriangleId t, VertexId x) {
@@ -211,10 +212,10 @@ NearPoint SideFinder::end_of(const Intersection& crossing, const Cut& cut, const
       return x == c[0] || x == c[1] || x == c[2];
     };
     const TriangleId other = has(crossing.s, u) && has(crossing.s, v) ? crossing.t : crossing.s;
-    const PlaneFilter plane = sight_.filter(sight_.face_plane(other));
-    const auto value = [&](VertexId x) { return has(other, x) ? ErrorBounded{} : plane(sight_.point(x)); };
+    const PlaneFilter plane = projected_.filter(projected_.face_plane(other));
+    const auto value = [&](VertexId x) { return has(other, x) ? ErrorBounded{} : plane(projected_.point(x)); };
     const ErrorBounded at_u = value(u);
-    const NearPoint end = between(sight_.point(u), sight_.point(v), quotient(at_u, at_u - value(v)));
+    const BoundedPoint3 end = between(projected_.point(u), projected_.point(v), quotient(at_u, at_u - value(v)));
     const double size = std::max({std::fabs(end.p.x), std::fabs(end.p.y), std::fabs(end.p.z)});
     if (end.error < size * 0x1p-20) return end;
   }
@@ -224,13 +225,13 @@ NearPoint SideFinder::end_of(const Intersection& crossing, const Cut& cut, const
 /// The part of a triangle in the near plane, where it has been cut; or its side there, which may be a diagonal of its face.
 void SideFinder::add_near_cut(TriangleId t) {
   const auto& c = mesh_.triangles[t];
-  if (std::none_of(c.begin(), c.end(), [&](VertexId v) { return sight_.beyond_near(v) == Sign::positive; })) return;
+  if (std::none_of(c.begin(), c.end(), [&](VertexId v) { return projected_.beyond_near(v) == Sign::positive; })) return;
   const MapLine line = MapLine::near(t);
   std::vector<MapPoint> ends;
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId u = c[k], v = c[(k + 1) % 3];
-    if (sight_.beyond_near(u) == Sign::zero) ends.push_back(MapPoint::of_vertex(u));
-    if (sight_.beyond_near(u) * sight_.beyond_near(v) == Sign::negative)
+    if (projected_.beyond_near(u) == Sign::zero) ends.push_back(MapPoint::of_vertex(u));
+    if (projected_.beyond_near(u) * projected_.beyond_near(v) == Sign::negative)
       ends.push_back(MapPoint::crossing(line, MapLine::edge(u, v)));
   }
   if (ends.size() != 2) return;
@@ -239,11 +240,11 @@ void SideFinder::add_near_cut(TriangleId t) {
 }
 
 /// Where an edge is cut, in space.
-NearPoint SideFinder::place_of(const Edge& edge, const Cut& cut) const {
-  const Point3 &p = sight_.point(edge.a), &q = sight_.point(edge.b);
+BoundedPoint3 SideFinder::place_of(const Edge& edge, const Cut& cut) const {
+  const Point3 &p = projected_.point(edge.a), &q = projected_.point(edge.b);
   if (cut.kind == Cut::Kind::start) return {p, 0};
   if (cut.kind == Cut::Kind::end) return {q, 0};
-  const PlaneFilter filter = sight_.filter(cut_plane(sight_, cut));
+  const PlaneFilter filter = projected_.filter(cut_plane(projected_, cut));
   const ErrorBounded at_p = filter(p), at_q = filter(q);
   return between(p, q, quotient(at_p, at_p - at_q));
 }
@@ -260,13 +261,13 @@ void SideFinder::add(MapStretch stretch, TriangleId left, TriangleId right) {
 /// Where a point of the stretch is seen.
 MapPlace SideFinder::place(const MapStretch& stretch, const MapPoint& p, double t, double error) const {
   constexpr MapPlace unknown = {0, 0, HUGE_VAL, HUGE_VAL};
-  if (!(sight_.image_error() < HUGE_VAL)) return unknown;
+  if (!(projected_.image_error() < HUGE_VAL)) return unknown;
   if (p.is_vertex) {
-    const ImagePoint& at = sight_.image(p.vertex);
-    return {at.x, at.y, sight_.image_error(), sight_.image_error()};
+    const ImagePoint& at = projected_.image(p.vertex);
+    return {at.x, at.y, projected_.image_error(), projected_.image_error()};
   }
-  const NearPoint at = stretch.at(t, error);
-  const NearImage image = sight_.image(at.p, 3 * at.error);
+  const BoundedPoint3 at = stretch.at(t, error);
+  const NearImage image = projected_.image(at.p, 3 * at.error);
   return image.error < HUGE_VAL ? MapPlace{image.at.x, image.at.y, image.error, image.error} : unknown;
 }
 
@@ -311,7 +312,7 @@ void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPa
 class FragmentFinder {
  public:
   FragmentFinder(const Mesh& mesh, const View& view, const FragmentOptions& options)
-      : options_(options), sight_(mesh, view, options.arithmetic), mesh_(mesh) {}
+      : options_(options), projected_(mesh, view, options.arithmetic), mesh_(mesh) {}
 
   VisibleFragments fragments();
 
@@ -324,9 +325,9 @@ class FragmentFinder {
   void collect(std::span<const std::uint32_t> order, const F& visit);
 
   const FragmentOptions& options_;
-  Sight sight_;
+  ProjectedMesh projected_;
   const Mesh& mesh_;
-  std::optional<HiddenTiles> tiles_;  // none: nothing is known to be hidden
+  std::optional<OcclusionPyramid> pyramid_;  // none: nothing is known to be hidden
   std::optional<Occluders> occluders_;
   Intersections intersections_;
   VisibleLines lines_;
@@ -340,22 +341,22 @@ class FragmentFinder {
 /// What is certainly hidden hides nothing that what hides it does not.
 void FragmentFinder::leave_out_hidden(std::vector<std::uint8_t>& left_out) {
   if (options_.stages == When::never || options_.arithmetic != Arithmetic::staged) return;
-  const Bodies bodies(sight_);
-  if (bodies.count() > 0) for_each(left_out.size(), [&](std::size_t i) { left_out[i] |= bodies.far_sides()[i]; });
-  tiles_.emplace(sight_, options_.stages == When::always);
-  if (tiles_->is_empty())
-    tiles_.reset();
+  const ClosedBodies bodies(projected_);
+  if (bodies.count() > 0) parallel_for_each(left_out.size(), [&](std::size_t i) { left_out[i] |= bodies.far_sides()[i]; });
+  pyramid_.emplace(projected_, options_.stages == When::always);
+  if (pyramid_->is_empty())
+    pyramid_.reset();
   else
-    tiles_->mark_hidden(left_out);
+    pyramid_->mark_hidden(left_out);
 }
 
-/// Whether more edges than there are faces occlude for certain, as they are borders: Layers would find no fewer.
+/// Whether more edges than there are faces occlude for certain, as they are borders: OccludingEdges would find no fewer.
 bool FragmentFinder::has_many_borders(const std::vector<std::uint8_t>& left_out) const {
   const auto is_counted = [&](TriangleId t) {
     const FaceId f = mesh_.face_of[t];
     if (left_out[t.value] != 0) return false;
     for (std::uint32_t k = mesh_.first_triangle[f]; k < mesh_.first_triangle[FaceId(f.value + 1U)]; ++k)
-      if (sight_.reaches_before_near(TriangleId(k))) return false;
+      if (projected_.reaches_before_near(TriangleId(k))) return false;
     return true;
   };
   std::size_t borders = 0;
@@ -370,33 +371,33 @@ bool FragmentFinder::has_many_borders(const std::vector<std::uint8_t>& left_out)
 void FragmentFinder::find_lines() {
   std::vector<ImageBox> boxes(mesh_.triangles.size());
   std::vector<std::uint8_t> left_out(mesh_.triangles.size());
-  for_each(boxes.size(), [&](std::size_t i) {
-    boxes[i] = sight_.box(TriangleId(i));
-    left_out[i] = sight_.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
+  parallel_for_each(boxes.size(), [&](std::size_t i) {
+    boxes[i] = projected_.box(TriangleId(i));
+    left_out[i] = projected_.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
   });
   leave_out_hidden(left_out);
-  occluders_.emplace(sight_, boxes, left_out);
+  occluders_.emplace(projected_, boxes, left_out);
   // Of a mesh few lines are looked along, as most edges have a face on each side: records may not pay.
   const bool is_soup = has_many_borders(left_out);
-  if (is_soup) occluders_->prepare(sight_);
-  intersections_ = find_intersections(sight_, *occluders_, tiles_ ? &*tiles_ : nullptr);
-  auto edges = collected<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
+  if (is_soup) occluders_->prepare(projected_);
+  intersections_ = find_intersections(projected_, *occluders_, pyramid_ ? &*pyramid_ : nullptr);
+  auto edges = parallel_collect<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e) {
       const auto triangles = mesh_.triangles_at(EdgeId(e));
       if (std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return left_out[t.value] == 0; }) &&
-          !(tiles_ && tiles_->hides(mesh_.edges[EdgeId(e)])))
+          !(pyramid_ && pyramid_->hides(mesh_.edges[EdgeId(e)])))
         part.emplace_back(e);
     }
   });
-  RequestedEdges requested(sight_, std::move(edges));
+  ClassifiedEdges requested(projected_, std::move(edges));
   LineOptions line_options;
   line_options.arithmetic = options_.arithmetic;
-  std::optional<Layers> layers;
-  if (options_.arithmetic == Arithmetic::staged && !is_soup) layers.emplace(sight_, left_out);
+  std::optional<OccludingEdges> layers;
+  if (options_.arithmetic == Arithmetic::staged && !is_soup) layers.emplace(projected_, left_out);
   const bool appel_pays = layers && layers->edges().size() <= occluders_->triangles.size();
-  if (!appel_pays) occluders_->prepare(sight_);
-  lines_ = appel_pays ? appel(sight_, requested, *layers, *occluders_, line_options)
-                      : roberts(sight_, requested, *occluders_, line_options, tiles_ ? &*tiles_ : nullptr);
+  if (!appel_pays) occluders_->prepare(projected_);
+  lines_ = appel_pays ? appel(projected_, requested, *layers, *occluders_, line_options)
+                      : roberts(projected_, requested, *occluders_, line_options, pyramid_ ? &*pyramid_ : nullptr);
 }
 
 /// The numbers from 0 to n - 1, ascending by key(i) < keys.
@@ -417,7 +418,7 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
   std::vector<DecisionCounts> counts(parts.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      SideFinder finder(sight_, *occluders_, intersections_, place_, tiles_ ? &*tiles_ : nullptr);
+      SideFinder finder(projected_, *occluders_, intersections_, place_, pyramid_ ? &*pyramid_ : nullptr);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t i = part * block; i < end; ++i) visit(finder, order[i]);
       parts[part] = finder.take();
@@ -443,7 +444,7 @@ void FragmentFinder::find_sides() {
           [&](SideFinder& finder, std::size_t i) { finder.add_edge(lines_, lines[i]); });
   collect(along_tree(segments.size(), [&](std::size_t i) { return segments[i].s; }),
           [&](SideFinder& finder, std::size_t i) { finder.add_intersection(segments[i]); });
-  if (sight_.is_perspective())
+  if (projected_.is_perspective())
     collect(along_tree(occluders_->triangles.size(), [&](std::size_t i) { return occluders_->triangles[i]; }),
             [&](SideFinder& finder, std::size_t i) { finder.add_near_cut(occluders_->triangles[i]); });
   // A counting sort by facet.
@@ -462,14 +463,14 @@ VisibleFragments FragmentFinder::fragments() {
   find_lines();
   find_sides();
   struct Worker {
-    MapSight at;
+    MapPredicates at;
     RingLinker linker;
     std::vector<PlacedSide> sides;
-    explicit Worker(const Sight& sight) : at(sight), linker(at) {}
-    MapSight& map() { return at; }
+    explicit Worker(const ProjectedMesh& projected) : at(projected), linker(at) {}
+    MapPredicates& map() { return at; }
   };
   VisibleFragments all = fragments_in_blocks(
-      mesh_, options_, [&] { return Worker(sight_); },
+      mesh_, options_, [&] { return Worker(projected_); },
       [&](Worker& worker, TriangleId facet, FragmentParts& parts) {
         const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
         if (begin == end) return;
@@ -482,7 +483,7 @@ VisibleFragments FragmentFinder::fragments() {
   all.decisions += lines_.decisions;
   all.decisions += intersections_.decisions;
 #ifdef HSR_CHECKS
-  if (options_.arithmetic != Arithmetic::double_only) check_invariants(sight_, all);  // it promises nothing
+  if (options_.arithmetic != Arithmetic::double_only) check_invariants(projected_, all);  // it promises nothing
 #endif
   return all;
 }

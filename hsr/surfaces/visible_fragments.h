@@ -13,7 +13,7 @@ namespace hsr {
 ///       each facet perhaps in another order, from another corner on, and with corners by other names
 ///
 /// Built from the visible lines: each visible part of an edge, of a line where two faces pierce and of a cut by the near plane
-/// bounds what is seen just to its left and just to its right (SeenBeside); where these differ it is a side of both fragments.
+/// bounds what is seen just to its left and just to its right (LineEnvelope); where these differ it is a side of both fragments.
 /// Exact: yes. Degenerate: docs/conventions.md, "Visible fragments". Cost: O((n + k) log n) on meshes, n edges, k overlaps of
 /// visible outlines with the faces beside them.
 /// Source: the completion of boundaries of Auzinger, Wimmer & Jeschke 2013, with exact signs.

@@ -18,7 +18,7 @@ Point3 sum(const Point3& a, double t, const Point3& b) { return {a.x + t * b.x, 
 
 /// With f = (origin - eye) / d of length 1 and p - eye = m (d f + x right + y up): x > w iff (p - eye) . (right - (w / d) f) >
 /// 0, for m > 0.
-OutsideFrame::OutsideFrame(const Mesh& mesh, const View& view, const FrameSize& size) : mesh_(mesh), eye_(view.viewpoint.at) {
+ViewFrustum::ViewFrustum(const Mesh& mesh, const View& view, const FrameSize& size) : mesh_(mesh), eye_(view.viewpoint.at) {
   const Frame& frame = view.frame;
   const Point3 f = sum(frame.origin, -1, eye_);
   const double d = std::hypot(f.x, f.y, f.z);
@@ -31,7 +31,7 @@ OutsideFrame::OutsideFrame(const Mesh& mesh, const View& view, const FrameSize& 
               sum(frame.up, -y, ahead), sum({-frame.up.x, -frame.up.y, -frame.up.z}, -y, ahead)};
 }
 
-bool OutsideFrame::contains(const Edge& e) const {
+bool ViewFrustum::contains(const Edge& e) const {
   const auto is_beyond = [&](const Point3& n, const Point3& p) {
     const auto term = [](double c, double a, double b) { return ErrorBounded{c} * (ErrorBounded{a} - ErrorBounded{b}); };
     const ErrorBounded side = term(n.x, p.x, eye_.x) + term(n.y, p.y, eye_.y) + term(n.z, p.z, eye_.z);

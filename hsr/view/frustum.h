@@ -8,10 +8,10 @@
 namespace hsr {
 
 /// Which edges are certainly outside a picture: four planes through the eye, a little outside its borders. Conservative.
-class OutsideFrame {
+class ViewFrustum {
  public:
   /// @pre a perspective view
-  OutsideFrame(const Mesh& mesh, const View& view, const FrameSize& size);
+  ViewFrustum(const Mesh& mesh, const View& view, const FrameSize& size);
 
   /// No point of the edge that is beyond the near plane is in the picture.
   bool contains(const Edge& e) const;

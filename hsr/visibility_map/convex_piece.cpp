@@ -7,11 +7,13 @@
 
 namespace hsr {
 
-ConvexPiece convex_piece(const Sight& sight, TriangleId t) { return convex_piece(sight, t, sight.mesh().triangles[t]); }
+ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId t) {
+  return convex_piece(projected, t, projected.mesh().triangles[t]);
+}
 
-ConvexPiece convex_piece(const Sight& sight, TriangleId facet, std::span<const VertexId> ring) {
+ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId facet, std::span<const VertexId> ring) {
   ConvexPiece piece;
-  const bool forward = sight.facing(facet) == Sign::negative;
+  const bool forward = projected.facing(facet) == Sign::negative;
   const std::size_t n = ring.size();
   for (std::size_t k = 0; k < n; ++k) {
     const VertexId u = ring[forward ? k : n - 1 - k], v = ring[forward ? (k + 1) % n : (2 * n - 2 - k) % n];
@@ -21,26 +23,26 @@ ConvexPiece convex_piece(const Sight& sight, TriangleId facet, std::span<const V
   return piece;
 }
 
-std::vector<ConvexPiece> convex_pieces(MapSight& map, TriangleId facet) {
-  const Sight& sight = map.sight();
+std::vector<ConvexPiece> convex_pieces(MapPredicates& map, TriangleId facet) {
+  const ProjectedMesh& projected = map.projected();
   const TriangleId end = facet_end(map.mesh(), facet);
   std::vector<ConvexPiece> pieces;
   if (end.value - facet.value > 1)
-    if (const auto ring = convex_ring(sight, facet, map.exact()); !ring.empty())
-      pieces.push_back(convex_piece(sight, facet, ring));
+    if (const auto ring = convex_ring(projected, facet, map.exact()); !ring.empty())
+      pieces.push_back(convex_piece(projected, facet, ring));
   if (pieces.empty())
     for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U))
-      if (sight.reaches_beyond_near(t)) pieces.push_back(convex_piece(sight, t));
+      if (projected.reaches_beyond_near(t)) pieces.push_back(convex_piece(projected, t));
   bool near_cuts = false;
-  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) near_cuts = near_cuts || sight.reaches_before_near(t);
+  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) near_cuts = near_cuts || projected.reaches_before_near(t);
   if (near_cuts) {
-    for (ConvexPiece& piece : pieces) cut(map, piece, beyond_near(sight, facet));
+    for (ConvexPiece& piece : pieces) cut(map, piece, beyond_near(projected, facet));
     std::erase_if(pieces, [](const ConvexPiece& p) { return p.points.empty(); });
   }
   return pieces;
 }
 
-std::optional<ConvexPiece> cut(MapSight& map, ConvexPiece& piece, const MapHalfPlane& h) {
+std::optional<ConvexPiece> cut(MapPredicates& map, ConvexPiece& piece, const MapHalfPlane& h) {
   const std::size_t n = piece.points.size();
   std::vector<Sign> at;
   bool inside = false, outside = false;

@@ -17,15 +17,15 @@ struct ConvexPiece {
 };
 
 /// A triangle that is not seen edge-on.
-ConvexPiece convex_piece(const Sight& sight, TriangleId t);
+ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId t);
 
 /// A convex ring of vertices of the facet, as its triangles run.
-ConvexPiece convex_piece(const Sight& sight, TriangleId facet, std::span<const VertexId> ring);
+ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId facet, std::span<const VertexId> ring);
 
 /// A facet that is not seen edge-on, beyond the near plane: one piece if it is convex, or one of each triangle.
-std::vector<ConvexPiece> convex_pieces(MapSight& map, TriangleId facet);
+std::vector<ConvexPiece> convex_pieces(MapPredicates& map, TriangleId facet);
 
 /// Cuts the piece: what is inside the half-plane stays, what is outside is returned. Exact.
-std::optional<ConvexPiece> cut(MapSight& map, ConvexPiece& piece, const MapHalfPlane& h);
+std::optional<ConvexPiece> cut(MapPredicates& map, ConvexPiece& piece, const MapHalfPlane& h);
 
 }  // namespace hsr

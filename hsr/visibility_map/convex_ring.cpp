@@ -15,8 +15,8 @@ struct RingSide {
 
 }  // namespace
 
-std::vector<VertexId> convex_ring(const Sight& sight, TriangleId facet, Predicates& exact) {
-  const Mesh& mesh = sight.mesh();
+std::vector<VertexId> convex_ring(const ProjectedMesh& projected, TriangleId facet, Predicates& exact) {
+  const Mesh& mesh = projected.mesh();
   const TriangleId end = facet_end(mesh, facet);
   const auto& c = mesh.triangles[facet];
   if (end.value - facet.value == 1) return {c.begin(), c.end()};
@@ -39,9 +39,9 @@ std::vector<VertexId> convex_ring(const Sight& sight, TriangleId facet, Predicat
   }
   if (from(ring.back())->to != ring.front()) return {};
   // Every turn as the first triangle turns, or none.
-  const int axis = dropped_axis(sight, facet, exact);
+  const int axis = dropped_axis(projected, facet, exact);
   const auto turn = [&](VertexId u, VertexId v, VertexId w) {
-    return exact.side(Plane::along_axis(sight.point(u), sight.point(v), axis), sight.point(w));
+    return exact.side(Plane::along_axis(projected.point(u), projected.point(v), axis), projected.point(w));
   };
   const Sign inner = turn(c[0], c[1], c[2]);
   for (std::size_t k = 0; k < ring.size(); ++k)

@@ -9,46 +9,47 @@
 
 namespace hsr {
 
-MapSight::MapSight(const Sight& sight) : sight_(sight), exact_(sight.predicates()), camera_(sight.camera()) {
+MapPredicates::MapPredicates(const ProjectedMesh& projected)
+    : projected_(projected), exact_(projected.predicates()), camera_(projected.camera()) {
   const Point3& e = camera_.eye.at;
   if (camera_.eye.is_direction) {
     mirrored_ = e[largest_axis(e)] < 0;
     return;
   }
   const RationalVector axis = minus(rational(camera_.target), rational(e));
-  mirrored_ = dot(cross(rational(sight.rows()[0]), rational(sight.rows()[1])), axis).sign() == Sign::positive;
+  mirrored_ = dot(cross(rational(projected.rows()[0]), rational(projected.rows()[1])), axis).sign() == Sign::positive;
 }
 
-ViewPlane MapSight::plane(const MapLine& line) const {
+ViewPlane MapPredicates::plane(const MapLine& line) const {
   switch (line.kind) {
     case MapLine::Kind::edge:
-      return ViewPlane::of(sight_.sight_plane(VertexId(line.u), VertexId(line.v)));
+      return ViewPlane::of(projected_.sight_plane(VertexId(line.u), VertexId(line.v)));
     case MapLine::Kind::meet:
-      return ViewPlane::of_meet(sight_.face_plane(TriangleId(line.u)), sight_.face_plane(TriangleId(line.v)));
+      return ViewPlane::of_meet(projected_.face_plane(TriangleId(line.u)), projected_.face_plane(TriangleId(line.v)));
     case MapLine::Kind::near:
       break;
   }
-  return ViewPlane::of(sight_.near_line(sight_.face_plane(TriangleId(line.u))));
+  return ViewPlane::of(projected_.near_line(projected_.face_plane(TriangleId(line.u))));
 }
 
-Sign MapSight::side(const MapLine& line, VertexId v) {
-  if (line.kind != MapLine::Kind::edge) return -exact_.side(camera_, plane(line), sight_.point(v));
+Sign MapPredicates::side(const MapLine& line, VertexId v) {
+  if (line.kind != MapLine::Kind::edge) return -exact_.side(camera_, plane(line), projected_.point(v));
   if (line.u == v.value || line.v == v.value) return Sign::zero;
-  return -ImageLine(sight_, VertexId(line.u), VertexId(line.v)).side(v, exact_);
+  return -LineFilter(projected_, VertexId(line.u), VertexId(line.v)).side(v, exact_);
 }
 
-Sign MapSight::side(const MapLine& line, const MapPoint& p) {
+Sign MapPredicates::side(const MapLine& line, const MapPoint& p) {
   if (p.is_vertex) return side(line, p.vertex);
   if (p.l == line || p.m == line) return Sign::zero;
   return -exact_.side(camera_, plane(line), plane(p.l), plane(p.m));
 }
 
-Sign MapSight::turn(const MapLine& l, const MapLine& m) {
+Sign MapPredicates::turn(const MapLine& l, const MapLine& m) {
   if (l == m) return Sign::zero;
   return -exact_.turn(camera_, plane(l), plane(m));
 }
 
-Sign MapSight::same_way(const MapLine& l, const MapLine& m) {
+Sign MapPredicates::same_way(const MapLine& l, const MapLine& m) {
   if (l == m) return Sign::positive;
   // A corner of what makes the line lies off it, but for the corners of edges: then the mesh has another vertex.
   const auto agree = [&](VertexId v) {
@@ -64,56 +65,56 @@ Sign MapSight::same_way(const MapLine& l, const MapLine& m) {
   const ViewPlane a = plane(l), b = plane(m);
   for (const std::uint32_t v : {l.u, l.v})
     for (int axis = 0; axis < 3; ++axis) {
-      const ViewPlane off = ViewPlane::of(Plane::of_sight_along_axis(sight_.eye(), sight_.point(VertexId(v)), axis));
+      const ViewPlane off = ViewPlane::of(Plane::of_sight_along_axis(projected_.eye(), projected_.point(VertexId(v)), axis));
       const Sign s = exact_.turn(camera_, a, off);
       if (s != Sign::zero) return s * exact_.turn(camera_, b, off);
     }
-  throw InvariantError("MapSight: a line that nothing is beside");
+  throw InvariantError("MapPredicates: a line that nothing is beside");
 }
 
-bool MapSight::equal(const MapPoint& p, const MapPoint& q) {
+bool MapPredicates::equal(const MapPoint& p, const MapPoint& q) {
   if (p == q) return true;
-  if (p.is_vertex && q.is_vertex) return ImageLine(sight_, p.vertex, q.vertex).is_point(exact_);
+  if (p.is_vertex && q.is_vertex) return LineFilter(projected_, p.vertex, q.vertex).is_point(exact_);
   const MapPoint& crossing = p.is_vertex ? q : p;
   const MapPoint& other = p.is_vertex ? p : q;
   return side(crossing.l, other) == Sign::zero && side(crossing.m, other) == Sign::zero;
 }
 
-ViewPlane MapSight::across(const MapLine& line, const MapPoint& q) {
+ViewPlane MapPredicates::across(const MapLine& line, const MapPoint& q) {
   const ViewPlane l = plane(line);
   if (!q.is_vertex) {
     for (const MapLine& m : {q.l, q.m})
       if (m != line && turn(line, m) != Sign::zero) return plane(m);
   } else {
     for (int axis = 0; axis < 3; ++axis) {
-      const ViewPlane m = ViewPlane::of(Plane::of_sight_along_axis(sight_.eye(), sight_.point(q.vertex), axis));
+      const ViewPlane m = ViewPlane::of(Plane::of_sight_along_axis(projected_.eye(), projected_.point(q.vertex), axis));
       if (exact_.turn(camera_, l, m) != Sign::zero) return m;
     }
   }
-  throw InvariantError("MapSight: no line crosses this one at its point");
+  throw InvariantError("MapPredicates: no line crosses this one at its point");
 }
 
-Sign MapSight::order(const MapLine& line, const MapPoint& p, const MapPoint& q) {
+Sign MapPredicates::order(const MapLine& line, const MapPoint& p, const MapPoint& q) {
   if (p == q) return Sign::zero;
   if (!p.is_vertex && q.is_vertex) return -order(line, q, p);
   const ViewPlane l = plane(line), m = across(line, q);
   const Sign rises = -exact_.turn(camera_, l, m);
-  if (p.is_vertex) return rises * exact_.side(camera_, m, sight_.point(p.vertex));
+  if (p.is_vertex) return rises * exact_.side(camera_, m, projected_.point(p.vertex));
   return rises * exact_.side(camera_, m, plane(p.l), plane(p.m));
 }
 
-Sign MapSight::nearer(TriangleId s, TriangleId t, const MapPoint& p) {
+Sign MapPredicates::nearer(TriangleId s, TriangleId t, const MapPoint& p) {
   const MapLine meet = MapLine::meet(s, t);
   const Sign side_of_meet = side(meet, p);
-  const Sign first = sight_.facing(s) * sight_.facing(t) * side_of_meet;
+  const Sign first = projected_.facing(s) * projected_.facing(t) * side_of_meet;
   return meet.u == s.value ? first : -first;
 }
 
-bool MapSight::coplanar(TriangleId s, TriangleId t) {
-  const Plane plane = sight_.face_plane(s);
+bool MapPredicates::coplanar(TriangleId s, TriangleId t) {
+  const Plane plane = projected_.face_plane(s);
   const auto& corners = mesh().triangles[t];
   for (const VertexId v : corners)
-    if (sight_.side(plane, v, exact_) != Sign::zero) return false;
+    if (projected_.side(plane, v, exact_) != Sign::zero) return false;
   return true;
 }
 
@@ -123,32 +124,32 @@ MapPlace to_place(const std::array<ErrorBounded, 2>& at) { return {at[0].value, 
 
 }  // namespace
 
-MapPlace MapSight::place(const MapPoint& p) const {
-  const auto at = p.is_vertex ? image_of_point(camera_, sight_.point(p.vertex), origin(), sight_.rows())
-                              : image_of_crossing(camera_, plane(p.l), plane(p.m), origin(), sight_.rows());
+MapPlace MapPredicates::place(const MapPoint& p) const {
+  const auto at = p.is_vertex ? image_of_point(camera_, projected_.point(p.vertex), origin(), projected_.rows())
+                              : image_of_crossing(camera_, plane(p.l), plane(p.m), origin(), projected_.rows());
   MapPlace place = to_place(at);
   // The rows and errors hold only where the filter is proven.
   if (!exact_.filter_is_proven() || exact_.arithmetic() != Arithmetic::staged) place.error_x = place.error_y = HUGE_VAL;
   return place;
 }
 
-NearPoint MapSight::point(const MapPoint& p, TriangleId t) const {
-  const Plane x = sight_.face_plane(t);
+BoundedPoint3 MapPredicates::point(const MapPoint& p, TriangleId t) const {
+  const Plane x = projected_.face_plane(t);
   if (!p.is_vertex && exact_.filter_is_proven()) {
-    const auto at = near_point(camera_, plane(p.l), plane(p.m), x);
+    const auto at = bounded_point(camera_, plane(p.l), plane(p.m), x);
     const double error = std::max({at[0].error, at[1].error, at[2].error});
     const double size = std::max({std::fabs(at[0].value), std::fabs(at[1].value), std::fabs(at[2].value)});
     if (error < size * 0x1p-20) return {{at[0].value, at[1].value, at[2].value}, error};
   }
   const RationalVector at =
-      p.is_vertex ? exact_point(camera_, sight_.point(p.vertex), x) : exact_point(camera_, plane(p.l), plane(p.m), x);
+      p.is_vertex ? exact_point(camera_, projected_.point(p.vertex), x) : exact_point(camera_, plane(p.l), plane(p.m), x);
   const Point3 q = {at[0].to_double(), at[1].to_double(), at[2].to_double()};
   return {q, ErrorBounded::u * std::max({std::fabs(q.x), std::fabs(q.y), std::fabs(q.z)}) + 0x1p-1000};
 }
 
-std::array<Rational, 2> MapSight::exact_place(const MapPoint& p) const {
-  return p.is_vertex ? exact_image_of_point(camera_, sight_.point(p.vertex), origin(), sight_.rows())
-                     : exact_image_of_crossing(camera_, plane(p.l), plane(p.m), origin(), sight_.rows());
+std::array<Rational, 2> MapPredicates::exact_place(const MapPoint& p) const {
+  return p.is_vertex ? exact_image_of_point(camera_, projected_.point(p.vertex), origin(), projected_.rows())
+                     : exact_image_of_crossing(camera_, plane(p.l), plane(p.m), origin(), projected_.rows());
 }
 
 }  // namespace hsr

@@ -16,12 +16,12 @@ struct MapPlace {
 };
 
 /// What is decided in the image: signs of the symbols of map_point.h. Exact. One object per thread.
-class MapSight {
+class MapPredicates {
  public:
-  explicit MapSight(const Sight& sight);
+  explicit MapPredicates(const ProjectedMesh& projected);
 
-  const Sight& sight() const { return sight_; }
-  const Mesh& mesh() const { return sight_.mesh(); }
+  const ProjectedMesh& projected() const { return projected_; }
+  const Mesh& mesh() const { return projected_.mesh(); }
   Predicates& exact() { return exact_; }
 
   ViewPlane plane(const MapLine& line) const;
@@ -45,7 +45,7 @@ class MapSight {
   /// Where the point is seen, relative to the first vertex of the mesh.
   MapPlace place(const MapPoint& p) const;
   /// The point of the triangle's plane that is seen there.
-  NearPoint point(const MapPoint& p, TriangleId t) const;
+  BoundedPoint3 point(const MapPoint& p, TriangleId t) const;
   std::array<Rational, 2> exact_place(const MapPoint& p) const;
   /// Whether these coordinates are the mirror image of what is seen.
   bool mirrored() const { return mirrored_; }
@@ -53,9 +53,9 @@ class MapSight {
  private:
   /// A line through q across `line`.
   ViewPlane across(const MapLine& line, const MapPoint& q);
-  Point3 origin() const { return sight_.point(sight_.mesh().edges.front().a); }
+  Point3 origin() const { return projected_.point(projected_.mesh().edges.front().a); }
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   Predicates exact_;
   Camera camera_;
   bool mirrored_;

@@ -13,15 +13,17 @@ struct MapHalfPlane {
 };
 
 /// The side of a triangle from corner k to the next, and on which side of it the triangle lies, as seen.
-inline MapHalfPlane side_of_triangle(const Sight& sight, TriangleId t, std::size_t k) {
-  const auto& c = sight.mesh().triangles[t];
+inline MapHalfPlane side_of_triangle(const ProjectedMesh& projected, TriangleId t, std::size_t k) {
+  const auto& c = projected.mesh().triangles[t];
   const VertexId u = c[k], v = c[(k + 1) % 3];
   // Seen counter-clockwise, where O is negative, a triangle has its inside to the left of u -> v.
-  const Sign left = -sight.facing(t);
+  const Sign left = -projected.facing(t);
   return {MapLine::edge(u, v), u < v ? left : -left};
 }
 
 /// What is beyond the near plane, in the plane of a triangle that is not parallel to it.
-inline MapHalfPlane beyond_near(const Sight& sight, TriangleId t) { return {MapLine::near(t), sight.facing(t)}; }
+inline MapHalfPlane beyond_near(const ProjectedMesh& projected, TriangleId t) {
+  return {MapLine::near(t), projected.facing(t)};
+}
 
 }  // namespace hsr

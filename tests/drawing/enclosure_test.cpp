@@ -83,16 +83,16 @@ TEST_CASE("Parameters and places are the exact ones rounded, on random scenes", 
     Projection projection(mesh, view, anchor);
     projection.place({Rational(0.125), Rational(0.5)}, Rational(7.25), 105, 148.5);
     for (const Line& line : lines.lines) {
-      const Carrier carrier = carrier_of(mesh, lines, line);
+      const SupportingLine support = supporting_line_of(mesh, lines, line);
       for (const Cut& cut : lines.cuts_of(line)) {
-        const Rational t = parameter(mesh, view, carrier, cut);
-        REQUIRE(rounded_parameter(mesh, view, carrier, cut) == t.to_double());
-        const auto seen = image(view, exact_point(mesh, view, carrier, cut));
+        const Rational t = parameter(mesh, view, support, cut);
+        REQUIRE(rounded_parameter(mesh, view, support, cut) == t.to_double());
+        const auto seen = image(view, exact_point(mesh, view, support, cut));
         const Rational x = Rational(105.0) + Rational(7.25) * (seen[0] - Rational(0.125));
         const Rational y = Rational(148.5) - Rational(7.25) * (seen[1] - Rational(0.5));
-        REQUIRE(projection.exact(carrier, cut) == std::array<Rational, 2>{x, y});
-        const HomogeneousPoint h = projection.at(carrier, cut);
-        const PaperPoint rounded_place = projection.rounded(carrier, cut, h);
+        REQUIRE(projection.exact(support, cut) == std::array<Rational, 2>{x, y});
+        const HomogeneousPoint h = projection.at(support, cut);
+        const PaperPoint rounded_place = projection.rounded(support, cut, h);
         REQUIRE(std::to_string(rounded_place.x) == (x * Rational(1000.0)).to_decimal(0));
         REQUIRE(std::to_string(rounded_place.y) == (y * Rational(1000.0)).to_decimal(0));
       }

@@ -46,11 +46,11 @@ Lengths expected(const Mesh& mesh, const View& view, const VisibleLines& lines) 
   };
   std::map<std::array<Rational, 3>, OnLine> on_lines;
   for (const Line& line : lines.lines) {
-    const Carrier carrier = carrier_of(mesh, lines, line);
+    const SupportingLine support = supporting_line_of(mesh, lines, line);
     const auto cuts = lines.cuts_of(line);
     std::vector<ImagePoint> points;
     for (const Cut& cut : cuts) {
-      points.push_back(image(view, exact_point(mesh, view, carrier, cut)));
+      points.push_back(image(view, exact_point(mesh, view, support, cut)));
     }
     for (std::uint32_t k = 0; k < line.intervals(); ++k) {
       const auto l = line_of(points[k], points[k + 1]);

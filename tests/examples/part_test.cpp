@@ -76,7 +76,7 @@ TEST_CASE("each polygon of the part is exactly planar", "[examples][part]") {
 }
 
 TEST_CASE("the coordinates of the part are whole multiples of 2^-16 mm", "[examples][part]") {
-  const auto certificate = hsr::certificate(hsr::examples::part().points);
-  CHECK(certificate.lowest >= -16);
-  CHECK(certificate.bits() <= 23);
+  const auto bit_range = hsr::bit_range(hsr::examples::part().points);
+  CHECK(bit_range.lowest >= -16);
+  CHECK(bit_range.bits() <= 23);
 }

@@ -30,9 +30,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (!std::isfinite(*x)) *x = 1;
   const bool is_direction = (kinds & 1) != 0;
   const Viewpoint eye = {p[0], is_direction};
-  Certificate direction;
+  BitRange direction;
   if (is_direction) direction.add(eye.at);
-  Predicates predicates(certificate(p), direction);
+  Predicates predicates(bit_range(p), direction);
   const auto plane = [&](std::size_t i, int kind) {
     if (kind == 0) return Plane::of_face(p[i], p[i + 1], p[i + 2]);
     if (kind == 1) return Plane::of_sight(eye, p[i], p[i + 1]);

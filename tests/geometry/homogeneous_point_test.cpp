@@ -18,17 +18,18 @@ TEST_CASE("orientations of points of rationals are those of the rational determi
     const RationalVector a = vector(), b = vector(), c = vector(), d = vector();
     const Sign expected = dot(cross(minus(b, a), minus(c, a)), minus(d, a)).sign();
     zeros += expected == Sign::zero ? 1 : 0;
-    const WholePoint p = WholePoint::of(a), q = WholePoint::of(b), r = WholePoint::of(c), s = WholePoint::of(d);
+    const HomogeneousPoint3 p = HomogeneousPoint3::of(a), q = HomogeneousPoint3::of(b), r = HomogeneousPoint3::of(c),
+                            s = HomogeneousPoint3::of(d);
     CHECK(orientation(p, q, r, s) == expected);
     CHECK(orientation(q, p, r, s) == -expected);
-    CHECK(orientation(p, q, WholePoint::of_direction(c), s) == dot(cross(minus(b, a), c), minus(d, a)).sign());
+    CHECK(orientation(p, q, HomogeneousPoint3::of_direction(c), s) == dot(cross(minus(b, a), c), minus(d, a)).sign());
   }
   CHECK(zeros > 20);
 }
 
 TEST_CASE("orientations of points far apart in size", "[geometry]") {
-  const auto at = [](double x, double y, double z) { return WholePoint::of({x, y, z}); };
-  const WholePoint a = at(1e300, 0, 0), b = at(0, 1e300, 0), c = at(0, 0, 1e300);
+  const auto at = [](double x, double y, double z) { return HomogeneousPoint3::of({x, y, z}); };
+  const HomogeneousPoint3 a = at(1e300, 0, 0), b = at(0, 1e300, 0), c = at(0, 0, 1e300);
   CHECK(orientation(a, b, c, at(0, 0, 0)) == Sign::negative);
   CHECK(orientation(a, b, c, at(1e300, 1e-300, 0)) == Sign::positive);
   CHECK(orientation(a, b, c, at(1e300, -1e-300, 0)) == Sign::negative);

@@ -72,8 +72,8 @@ TEST_CASE("decimals are rounded half away from zero and carry no needless zeros"
   CHECK(Rational(2.5).to_decimal(0) == "3");
 }
 
-TEST_CASE("a certificate bounds what it was given", "[geometry][certificate]") {
-  Certificate c;
+TEST_CASE("a bit_range bounds what it was given", "[geometry][bit_range]") {
+  BitRange c;
   CHECK(c.bits() == 0);
   c.add(0.0);
   CHECK(c.bits() == 0);

@@ -72,19 +72,19 @@ class Numbers {
   std::mt19937_64 random_;
 };
 
-/// Points under one certificate, the viewpoint, and planes of every kind through them.
+/// Points under one bit range, the viewpoint, and planes of every kind through them.
 struct Configuration {
   Numbers::Family family;
   std::vector<Point3> points;
   Viewpoint eye;
-  Certificate certificate, direction;
+  BitRange bit_range, direction;
 
   Configuration(Numbers& random, std::size_t count, bool with_direction) {
     family = static_cast<Numbers::Family>(random(Numbers::families));
     while (points.size() < count) points.push_back(random.point_near(family, points));
     eye = {points[0], with_direction};
     if (with_direction && eye.at == Point3{}) eye.at = {0, 0, 1};
-    for (const Point3& p : points) certificate.add(p);
+    for (const Point3& p : points) bit_range.add(p);
     if (with_direction) direction.add(eye.at);
   }
 
@@ -121,8 +121,8 @@ int check_stages(const Polynomial& polynomial, Sign expected, const Configuratio
       if ((y.inf() > 0 ? Sign::positive : y.sup() < 0 ? Sign::negative : Sign::zero) != expected) return -2;
     }
   }
-  const int bits = degree * std::max({c.certificate.bits() + 1, c.direction.bits(), 1}) + 13;
-  const int lowest = c.certificate.lowest, direction = c.direction.lowest;
+  const int bits = degree * std::max({c.bit_range.bits() + 1, c.direction.bits(), 1}) + 13;
+  const int lowest = c.bit_range.lowest, direction = c.direction.lowest;
   if (bits <= 127 && std::abs(lowest) < 1000 && std::abs(direction) < 1000) {
     ++decided;
     if (sign_of(polynomial(NarrowArithmetic{std::ldexp(1, -lowest), std::ldexp(1, -direction)})) != expected) return -3;
@@ -158,7 +158,7 @@ void fuzz_side(std::size_t count, std::uint64_t seed) {
     const Plane x = c.plane(random);
     const Point3& p = c.points[1 + random(5)];
     const Sign expected = reference_side(x, p);
-    Predicates predicates(c.certificate, c.direction);
+    Predicates predicates(c.bit_range, c.direction);
     fuzzed.add(check_stages([&](const auto& a) { return value(a, x, p); }, expected, c, 3), predicates.side(x, p), expected);
     if (predicates.side_beyond_filter(x, p) != expected) ++fuzzed.wrong;
     if (predicates.filter_is_proven()) {
@@ -177,7 +177,7 @@ void fuzz_cross(std::size_t count, std::uint64_t seed) {
     const Plane x = c.plane(random), y = random(8) == 0 ? x : c.plane(random);
     const Point3 &p = c.points[1 + random(7)], &q = c.points[1 + random(7)];
     const Sign expected = reference_cross(x, y, p, q);
-    Predicates predicates(c.certificate, c.direction);
+    Predicates predicates(c.bit_range, c.direction);
     fuzzed.add(check_stages([&](const auto& a) { return polynomials::cross_value(a, x, y, p, q); }, expected, c, 6),
                predicates.cross(x, y, p, q), expected);
   }
@@ -195,7 +195,7 @@ void fuzz_meet(std::size_t count, std::uint64_t seed) {
     ++i;
     const auto polynomial = [&](const auto& a) { return polynomials::meet_side_value(a, x, p, q, r); };
     const Sign expected = sign_of(polynomial(RationalArithmetic{}));
-    Predicates predicates(c.certificate, c.direction);
+    Predicates predicates(c.bit_range, c.direction);
     fuzzed.add(check_stages(polynomial, expected, c, 9), meet * predicates.side(x, p, q, r), expected);
   }
   fuzzed.check(count);
@@ -211,7 +211,7 @@ void fuzz_near(std::size_t count, std::uint64_t seed) {
     const Plane near = Plane::near(c.eye.at, target, k), line = Plane::near_line(c.eye.at, target, k, c.plane(random));
     const Point3 &p = c.points[2 + random(6)], &q = c.points[2 + random(6)];
     const Plane y = c.plane(random);
-    Predicates predicates(c.certificate);
+    Predicates predicates(c.bit_range);
     for (const Plane& x : {near, line}) {
       const Sign expected = reference_side(x, p);
       if (predicates.side(x, p) != expected || predicates.side_beyond_filter(x, p) != expected) ++wrong;
@@ -226,7 +226,7 @@ void fuzz_near(std::size_t count, std::uint64_t seed) {
 }
 
 Predicates for_points(const std::vector<Point3>& points, Arithmetic arithmetic = Arithmetic::staged) {
-  return Predicates(certificate(points), {}, arithmetic);
+  return Predicates(bit_range(points), {}, arithmetic);
 }
 
 }  // namespace
@@ -340,7 +340,7 @@ TEST_CASE("every arithmetic but plain doubles gives the same signs", "[geometry]
     const Configuration c(random, 8, i % 2 == 0);
     const Plane x = c.plane(random), y = c.plane(random);
     for (const Arithmetic arithmetic : {Arithmetic::interval, Arithmetic::rational}) {
-      Predicates staged(c.certificate, c.direction), other(c.certificate, c.direction, arithmetic);
+      Predicates staged(c.bit_range, c.direction), other(c.bit_range, c.direction, arithmetic);
       CHECK(staged.side(x, c.points[1]) == other.side(x, c.points[1]));
       CHECK(staged.cross(x, y, c.points[1], c.points[2]) == other.cross(x, y, c.points[1], c.points[2]));
       CHECK(other.counts().filter == 0);
@@ -367,9 +367,9 @@ TEST_CASE("the widest numbers of each fixed width still fit", "[geometry][predic
       const auto coordinate = [&] { return (random(2) == 0 ? -1 : 1) * (random(8) == 0 ? 1 : most); };
       while (p.size() < 14) p.push_back({coordinate(), coordinate(), coordinate()});
       const Viewpoint eye = {p[13], i % 2 == 0};
-      Certificate direction;
+      BitRange direction;
       if (eye.is_direction) direction.add(eye.at);
-      Predicates predicates(certificate(p), direction);
+      Predicates predicates(bit_range(p), direction);
       const Plane a = Plane::of_face(p[1], p[2], p[3]), b = Plane::of_sight(eye, p[4], p[5]),
                   c = Plane::of_face(p[6], p[7], p[8]);
       const Plane x = Plane::of_face(p[9], p[10], p[11]);
@@ -441,7 +441,7 @@ TEST_CASE("cuts of an edge are ordered as their parameters are", "[geometry][pre
     if (!cuts(x) || !cuts(y)) continue;
     ++compared;
     const Rational difference = parameter_of_cut(x, p, q) - parameter_of_cut(y, p, q);
-    CHECK(Predicates(c.certificate, c.direction).order_along_edge(x, y, p, q) == difference.sign());
+    CHECK(Predicates(c.bit_range, c.direction).order_along_edge(x, y, p, q) == difference.sign());
   }
   CHECK(compared > 300);
 }

@@ -23,7 +23,7 @@ struct Cut {
 };
 
 Cut cut(const Points& points, const Ring& polygon) {
-  Predicates predicates(certificate(points));
+  Predicates predicates(bit_range(points));
   Cut result;
   result.use = triangulate(points, polygon, predicates, result.triangles);
   return result;

@@ -9,7 +9,7 @@ namespace hsr {
 namespace {
 
 TEST_CASE("a relative count follows from a chain of others, and a contradiction is told", "[lines][appel]") {
-  RelativeCounts counts(5);
+  WeightedDisjointSets counts(5);
   REQUIRE(counts.join(3, 4, 2));
   REQUIRE(counts.join(4, 1, -5));
   REQUIRE(counts.find(4).root == 1);
@@ -30,8 +30,8 @@ TEST_CASE("relative counts do not depend on the order of joins that agree, nor o
     a = random() % n;
     b = random() % n;
   }
-  RelativeCounts forth(n), back(n), together(n);
-  const auto join = [&](RelativeCounts& counts, std::size_t k) {
+  WeightedDisjointSets forth(n), back(n), together(n);
+  const auto join = [&](WeightedDisjointSets& counts, std::size_t k) {
     const auto [a, b] = joins[k];
     return counts.join(a, b, count[b] - count[a]);
   };
@@ -42,7 +42,7 @@ TEST_CASE("relative counts do not depend on the order of joins that agree, nor o
     const auto [root, above] = forth.find(k);
     REQUIRE(root <= k);
     REQUIRE(above == count[k] - count[root]);
-    for (RelativeCounts* other : {&back, &together}) {
+    for (WeightedDisjointSets* other : {&back, &together}) {
       REQUIRE(other->find(k).root == root);
       REQUIRE(other->find(k).above == above);
     }

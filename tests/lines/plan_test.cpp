@@ -36,8 +36,8 @@ scenes::TestScene wall_and_squares(bool as_triangles, const View& view) {
 
 std::vector<bool> hidden_faces(const scenes::TestScene& scene) {
   const Mesh mesh = scene.mesh();
-  const Sight sight(mesh, scene.view, Arithmetic::staged);
-  const HiddenTiles tiles(sight, true);
+  const ProjectedMesh projected(mesh, scene.view, Arithmetic::staged);
+  const OcclusionPyramid tiles(projected, true);
   std::vector<bool> hidden(mesh.faces.size(), true);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     if (!tiles.hides(TriangleId(t))) hidden[mesh.face_of[TriangleId(t)].value] = false;
@@ -80,32 +80,32 @@ struct LeftOut {
 
 LeftOut left_out(const scenes::TestScene& scene) {
   const Mesh mesh = scene.mesh();
-  const Sight sight(mesh, scene.view, Arithmetic::staged);
-  const HiddenTiles tiles(sight, true);
+  const ProjectedMesh projected(mesh, scene.view, Arithmetic::staged);
+  const OcclusionPyramid tiles(projected, true);
   LineOptions options = all_edges();
   options.stages.fill(When::never);
   const VisibleLines lines = visible_lines(mesh, scene.view, options);
   LeftOut found;
-  std::vector<UnhiddenPart> parts;
+  std::vector<UnhiddenInterval> parts;
   for (const Line& line : lines.lines) {
     if (line.is_intersection() || !tiles.unhidden(mesh.edges[line.edge], parts)) continue;
     double left = 1;
-    for (const UnhiddenPart& part : parts) left -= std::min(part.to, 1.0) - std::max(part.from, 0.0);
+    for (const UnhiddenInterval& part : parts) left -= std::min(part.to, 1.0) - std::max(part.from, 0.0);
     found.share += left;
     const Edge& edge = mesh.edges[line.edge];
-    const double m = sight.is_perspective() ? sight.depth(sight.point(edge.a), 0).value : 1,
-                 n = sight.is_perspective() ? sight.depth(sight.point(edge.b), 0).value : 1;
+    const double m = projected.is_perspective() ? projected.depth(projected.point(edge.a), 0).value : 1,
+                 n = projected.is_perspective() ? projected.depth(projected.point(edge.b), 0).value : 1;
     const auto cuts = lines.cuts_of(line);
     for (std::uint32_t k = 0; k < line.intervals(); ++k) {
       if (line.hidden(k)) continue;
       const auto share = [&](const Cut& cut) {
-        const double t = parameter(mesh, scene.view, carrier_of(mesh, lines, line), cut).to_double();
+        const double t = parameter(mesh, scene.view, supporting_line_of(mesh, lines, line), cut).to_double();
         return t * n / (m + t * (n - m));
       };
       constexpr double rounding = 1e-9;
       const double from = share(cuts[k]), to = share(cuts[k + 1]);
       if (std::none_of(parts.begin(), parts.end(),
-                       [&](const UnhiddenPart& part) { return part.from <= from + rounding && part.to >= to - rounding; }))
+                       [&](const UnhiddenInterval& part) { return part.from <= from + rounding && part.to >= to - rounding; }))
         ++found.wrong;
     }
   }

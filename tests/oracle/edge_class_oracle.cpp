@@ -38,12 +38,12 @@ class ClassAt {
   ClassAt(const Mesh& mesh, const View& view, EdgeId id) : edge_(mesh.edges[id]), a_(mesh.points[edge_.a]) {
     along_ = Vec(mesh.points[edge_.b]) - a_;
     const Vec eye(view.viewpoint.at);
-    sight_ = view.viewpoint.is_direction ? eye : eye - a_;
+    projected_ = view.viewpoint.is_direction ? eye : eye - a_;
   }
 
   void add(const Vec& apex, bool passes) {
     const Vec h = apex - a_;
-    HalfPlane p{h - Q(dot(h, along_) / dot(along_, along_)) * along_, sgn(dot(along_, cross(sight_, h))), false, passes};
+    HalfPlane p{h - Q(dot(h, along_) / dot(along_, along_)) * along_, sgn(dot(along_, cross(projected_, h))), false, passes};
     p.thin = dot(p.into, p.into) < Q(0x1p-60) * dot(h, h);
     for (HalfPlane& q : half_planes_) {
       if (!is_zero(cross(p.into, q.into)) || sgn(dot(p.into, q.into)) < 0) continue;
@@ -75,7 +75,7 @@ class ClassAt {
   }
 
   const Edge& edge_;
-  Vec a_, along_, sight_;
+  Vec a_, along_, projected_;
   std::vector<HalfPlane> half_planes_;  // each once
 };
 

@@ -80,8 +80,8 @@ std::string occluders_by_oracle(const Mesh& mesh, const EdgeVisibility& whole, c
 std::string occluders_text(const Mesh& mesh, const View& view, const VisibleLines& lines, const Line& line) {
   std::string text;
   for (const Occluder& o : lines.occluders_of(line)) {
-    const Carrier carrier = carrier_of(mesh, lines, line);
-    const Q from = exact(parameter(mesh, view, carrier, o.from)), to = exact(parameter(mesh, view, carrier, o.to));
+    const SupportingLine support = supporting_line_of(mesh, lines, line);
+    const Q from = exact(parameter(mesh, view, support, o.from)), to = exact(parameter(mesh, view, support, o.to));
     text += " face " + std::to_string(o.face.value) + " " + from.get_str() + " " + to.get_str();
   }
   return text;
@@ -169,19 +169,19 @@ std::vector<SeenEdge> seen_by_oracle(const Mesh& mesh, const View& view, const L
 std::vector<SeenEdge> seen_edges(const Mesh& mesh, const View& view, const VisibleLines& lines) {
   std::vector<SeenEdge> out;
   for (const Line& line : lines.lines) {
-    const Carrier carrier = carrier_of(mesh, lines, line);
-    SeenEdge e{carrier.a, carrier.b, line.edge_class, line.starts_hidden, {}};
+    const SupportingLine support = supporting_line_of(mesh, lines, line);
+    SeenEdge e{support.a, support.b, line.edge_class, line.starts_hidden, {}};
     if (line.is_intersection()) {
       const auto point = [&](const Cut& cut) {
-        const auto p = exact_point(mesh, view, carrier, cut);
+        const auto p = exact_point(mesh, view, support, cut);
         return Vec(exact(p[0]), exact(p[1]), exact(p[2]));
       };
-      e.s = carrier.meet.s;
-      e.t = carrier.meet.t;
-      e.from = point(carrier.meet.from);
-      e.to = point(carrier.meet.to);
+      e.s = support.meet.s;
+      e.t = support.meet.t;
+      e.from = point(support.meet.from);
+      e.to = point(support.meet.to);
     }
-    for (const Cut& cut : lines.cuts_of(line)) e.cuts.push_back(exact(parameter(mesh, view, carrier, cut)));
+    for (const Cut& cut : lines.cuts_of(line)) e.cuts.push_back(exact(parameter(mesh, view, support, cut)));
     out.push_back(std::move(e));
   }
   return out;
@@ -220,17 +220,17 @@ std::vector<std::string> compare_with_oracle(const Mesh& mesh, const View& view,
   if (options.why) {
     const VisibleLinesOracle oracle(mesh, view);
     for (const Line& line : lines.lines) {
-      const Carrier carrier = carrier_of(mesh, lines, line);
+      const SupportingLine support = supporting_line_of(mesh, lines, line);
       const auto end = [&](const Cut& cut) {
-        const auto p = exact_point(mesh, view, carrier, cut);
+        const auto p = exact_point(mesh, view, support, cut);
         return Vec(exact(p[0]), exact(p[1]), exact(p[2]));
       };
-      const EdgeVisibility whole = line.is_intersection() ? oracle.visibility(end(carrier.meet.from), end(carrier.meet.to))
+      const EdgeVisibility whole = line.is_intersection() ? oracle.visibility(end(support.meet.from), end(support.meet.to))
                                                           : oracle.visibility(line.edge);
       Interval part;
       if (line.intervals() > 0) {
-        part.from = exact(parameter(mesh, view, carrier, lines.cuts_of(line).front()));
-        part.to = exact(parameter(mesh, view, carrier, lines.cuts_of(line).back()));
+        part.from = exact(parameter(mesh, view, support, lines.cuts_of(line).front()));
+        part.to = exact(parameter(mesh, view, support, lines.cuts_of(line).back()));
       }
       const std::string found = occluders_text(mesh, view, lines, line);
       const std::string expected = occluders_by_oracle(mesh, whole, part);

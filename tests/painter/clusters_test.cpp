@@ -44,9 +44,9 @@ TEST_CASE("Every piece is in one cluster", "[painter][clusters]") {
   TestScene scene = cells({4, 3, 2}, 1);
   for (const View& view : views()) {
     const Mesh mesh = scene.mesh();
-    const Sight sight(mesh, view, Arithmetic::staged);
-    const FacePieces pieces = face_pieces(sight);
-    const Clusters found = clusters(sight, pieces);
+    const ProjectedMesh projected(mesh, view, Arithmetic::staged);
+    const FacePieces pieces = face_pieces(projected);
+    const Clusters found = clusters(projected, pieces);
     std::vector<std::uint32_t> all = found.pieces;
     std::sort(all.begin(), all.end());
     REQUIRE(all.size() == pieces.size());
@@ -56,7 +56,7 @@ TEST_CASE("Every piece is in one cluster", "[painter][clusters]") {
       CHECK(found.first[c] < found.first[c + 1]);
       CHECK(std::is_sorted(found.pieces.begin() + found.first[c], found.pieces.begin() + found.first[c + 1]));
     }
-    if (!sight.is_perspective()) CHECK(found.size() > 3);
+    if (!projected.is_perspective()) CHECK(found.size() > 3);
   }
 }
 

@@ -33,7 +33,7 @@ bool through(const Mesh& mesh, const View& view, VertexId a, double step, Sample
           height};
   if (!(grid.at(7, 5) == p)) return false;
   try {
-    return grid.certificate().bits() > 0;
+    return grid.bit_range().bits() > 0;
   } catch (const PreconditionError&) {
     return false;
   }

@@ -18,12 +18,12 @@ namespace {
 
 /// What the rasterizer needs, in one.
 struct Setting {
-  Sight sight;
+  ProjectedMesh projected;
   SampleSigns signs;
   Rasterizer rasterizer;
 
   Setting(const Mesh& mesh, const View& view, const SampleGrid& grid, Arithmetic arithmetic = Arithmetic::staged)
-      : sight(mesh, view, arithmetic, grid.certificate()), signs(sight, grid), rasterizer(signs) {}
+      : projected(mesh, view, arithmetic, grid.bit_range()), signs(projected, grid), rasterizer(signs) {}
 };
 
 /// Calls f(mesh, view, grid) for some scenes of every family, with samples on vertices and edges.
@@ -36,8 +36,8 @@ void for_random_scenes(int count, const F& f) {
       INFO(family.name << " " << seed);
       for (const SampleGrid& grid : aligned_grids(mesh, scene.view)) {
         try {
-          const Sight sight(mesh, scene.view, Arithmetic::staged, grid.certificate());
-          (void)SampleSigns(sight, grid);
+          const ProjectedMesh projected(mesh, scene.view, Arithmetic::staged, grid.bit_range());
+          (void)SampleSigns(projected, grid);
         } catch (const PreconditionError&) {
           continue;  // the viewpoint is in the plane of the samples
         }
@@ -150,13 +150,13 @@ TEST_CASE("a polygon has the samples of its triangles, holes left out", "[image]
       for (std::size_t f = 0; f < scene.polygons.size(); ++f) {
         if (mesh.faces[FaceId(f)] != FaceUse::planar) continue;
         const std::uint32_t first = mesh.first_triangle[FaceId(f)], end = mesh.first_triangle[FaceId(f + 1)];
-        if (first == end || s->sight.facing(TriangleId(first)) == Sign::zero) continue;
+        if (first == end || s->projected.facing(TriangleId(first)) == Sign::zero) continue;
         Image<int> expected(grid.width, grid.height);
         bool usable = true;
         std::vector<RasterSide> of_triangles;
         for (std::size_t t = first; t < end; ++t) {
           for (const VertexId v : mesh.triangles[TriangleId(t)])
-            usable = usable && s->signs.is_in_front(v, s->rasterizer.exact()) && s->sight.beyond_near(v) != Sign::negative;
+            usable = usable && s->signs.is_in_front(v, s->rasterizer.exact()) && s->projected.beyond_near(v) != Sign::negative;
           if (!usable) break;
           s->rasterizer.append_sides(TriangleId(t), of_triangles);
           for (const SampleSpan& span : s->rasterizer.spans(TriangleId(t)))
@@ -174,7 +174,7 @@ TEST_CASE("a polygon has the samples of its triangles, holes left out", "[image]
           if (a == b) continue;
           const auto [top, bottom] =
               std::minmax({s->signs.rows_above(a, s->rasterizer.exact()), s->signs.rows_above(b, s->rasterizer.exact())});
-          ring.push_back({ViewPlane::of(s->sight.sight_plane(a, b)), top, bottom});
+          ring.push_back({ViewPlane::of(s->projected.sight_plane(a, b)), top, bottom});
         }
         CHECK(counted(grid, s->rasterizer.spans(ring)) == expected);
         CHECK(counted(grid, s->rasterizer.spans(of_triangles)) == expected);

@@ -60,7 +60,7 @@ TEST_CASE("pixels are never so small that samples are no doubles", "[image][samp
   const View view = parallel_view({0, 0, 1}, {0, 1, 0}, {0x1p40, 0, 0});
   const SampleGrid g = sample_grid(view, PaperRectangle{0, 0x1p-30, 0, 0x1p-30}, 16, 16);
   CHECK(g.right.x == 0x1p-5);  // 16 units of 2^-9, 2^-50 of the samples
-  CHECK(g.certificate().bits() <= 51);
+  CHECK(g.bit_range().bits() <= 51);
   CHECK_THROWS_AS(sample_grid(view, PaperRectangle{0, 1, 0, 1}, 0, 16), InputError);
   CHECK_THROWS_AS(sample_grid(view, PaperRectangle{0, HUGE_VAL, 0, 1}, 16, 16), InputError);
 }
@@ -72,14 +72,14 @@ TEST_CASE("rows above a vertex are counted exactly", "[image][samples][property]
       const scenes::TestScene scene = family.make(seed);
       const Mesh mesh = scene.mesh();
       for (const SampleGrid& g : aligned_grids(mesh, scene.view)) {
-        const Sight sight(mesh, scene.view, Arithmetic::staged, g.certificate());
+        const ProjectedMesh projected(mesh, scene.view, Arithmetic::staged, g.bit_range());
         std::optional<SampleSigns> signs;
         try {
-          signs.emplace(sight, g);
+          signs.emplace(projected, g);
         } catch (const PreconditionError&) {
           continue;
         }
-        Predicates exact = sight.predicates();
+        Predicates exact = projected.predicates();
         for (const Edge& edge : mesh.edges) {
           int rows = 0;
           const Vec p(mesh.points[edge.a]), e(scene.view.viewpoint.at);
@@ -101,11 +101,11 @@ TEST_CASE("rows above a vertex are counted exactly", "[image][samples][property]
             const Vec n = cross(Vec(g.down), scene.view.is_perspective() ? o - e : e);
             columns += sgn(Q(dot(n, p - o))) * sgn(Q(dot(n, Vec(g.right)))) > 0 ? 1 : 0;
           }
-          const int certain = certain_count(signs->column_of(sight.point(edge.a)), signs->grid().width);
+          const int certain = certain_count(signs->column_of(projected.point(edge.a)), signs->grid().width);
           CHECK((certain == columns || certain == -1));
           known += certain >= 0 ? 1 : 0;
           ++all;
-          CHECK(signs->rows_above(-5, [&](int j) { return exact.side(signs->row_plane(j), sight.point(edge.a)); }) == rows);
+          CHECK(signs->rows_above(-5, [&](int j) { return exact.side(signs->row_plane(j), projected.point(edge.a)); }) == rows);
         }
       }
     }

@@ -19,7 +19,7 @@ Image<TriangleId> triangles(const DepthImage<Real>& image) {
 }
 
 bool are_coplanar(const Mesh& mesh, TriangleId t, TriangleId g) {
-  Predicates exact(certificate(mesh.points));
+  Predicates exact(bit_range(mesh.points));
   const auto &a = mesh.triangles[t], &b = mesh.triangles[g];
   const Plane plane = Plane::of_face(mesh.points[a[0]], mesh.points[a[1]], mesh.points[a[2]]);
   return std::all_of(b.begin(), b.end(), [&](VertexId v) { return exact.side(plane, mesh.points[v]) == Sign::zero; });
@@ -40,14 +40,14 @@ int wrong_away_from_edges(const scenes::TestScene& scene, double step) {
                   g.origin.z + x * g.right.z + y * g.down.z};
       moved.push_back(cast(mesh, scene.view, g).triangles);
     }
-  const Sight sight(mesh, scene.view, Arithmetic::staged);
+  const ProjectedMesh projected(mesh, scene.view, Arithmetic::staged);
   int wrong = 0;
   for (std::size_t k = 0; k < found.pixels.size(); ++k) {
     const TriangleId t = expected.pixels[k], g = found.pixels[k];
     if (t == g) continue;
     if (std::any_of(moved.begin(), moved.end(), [&](const auto& m) { return m.pixels[k] != t; })) continue;
     if (t.is_valid() && g.is_valid() && are_coplanar(mesh, t, g)) continue;
-    if (g.is_valid() && sight.facing(g) == Sign::zero) continue;  // nothing but an edge, which rounding gave a width
+    if (g.is_valid() && projected.facing(g) == Sign::zero) continue;  // nothing but an edge, which rounding gave a width
     ++wrong;
   }
   return wrong;

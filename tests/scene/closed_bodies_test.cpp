@@ -14,7 +14,7 @@
 #include "tests/lines/checked_lines.h"
 #include "tests/scenes/test_scene.h"
 
-// Bodies: what is one and what is not, and that leaving out their far sides changes nothing.
+// ClosedBodies: what is one and what is not, and that leaving out their far sides changes nothing.
 
 namespace hsr {
 namespace {
@@ -53,8 +53,8 @@ std::ostream& operator<<(std::ostream& out, const Found& f) {
 
 Found found(const TestScene& scene) {
   const Mesh mesh = scene.mesh();
-  const Sight sight(mesh, scene.view, Arithmetic::staged);
-  const Bodies bodies(sight);
+  const ProjectedMesh projected(mesh, scene.view, Arithmetic::staged);
+  const ClosedBodies bodies(projected);
   Found f{bodies.count(), 0, bodies.is_one_convex_body()};
   for (const std::uint8_t far : bodies.far_sides()) f.far_triangles += far;
   return f;

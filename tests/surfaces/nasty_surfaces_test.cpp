@@ -267,18 +267,18 @@ TEST_CASE("the invariants find fragments that are wrong", "[surfaces][check]") {
   scene.add_face({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}});
   scene.add_face({{2, 2, 1}, {4, 2, 1}, {4, 4, 1}, {2, 4, 1}});
   const Mesh mesh = scene.mesh();
-  const Sight sight(mesh, scene.view, Arithmetic::staged);
+  const ProjectedMesh projected(mesh, scene.view, Arithmetic::staged);
   const VisibleFragments right = visible_fragments(mesh, scene.view);
-  CHECK_NOTHROW(check_invariants(sight, right));
+  CHECK_NOTHROW(check_invariants(projected, right));
   VisibleFragments wrong = right;
   SECTION("a fragment is there twice") {
     wrong.fragments.push_back(wrong.fragments.back());
-    CHECK_THROWS_WITH(check_invariants(sight, wrong), Catch::Contains("run along one another"));
+    CHECK_THROWS_WITH(check_invariants(projected, wrong), Catch::Contains("run along one another"));
   }
   SECTION("a hole is a fragment of its own") {
     wrong.fragments.push_back({TriangleId(0), wrong.fragments[0].first_ring + 1, wrong.fragments[0].end_ring});
     wrong.fragments[0].end_ring = wrong.fragments[0].first_ring + 1;
-    CHECK_THROWS_WITH(check_invariants(sight, wrong), Catch::Contains("turns the wrong way"));
+    CHECK_THROWS_WITH(check_invariants(projected, wrong), Catch::Contains("turns the wrong way"));
   }
   SECTION("a hole belongs to another fragment") {
     wrong.fragments[0].end_ring = wrong.fragments[0].first_ring + 1;
@@ -289,7 +289,7 @@ TEST_CASE("the invariants find fragments that are wrong", "[surfaces][check]") {
     CHECK(right.ring(hole).size() == 4);
     std::reverse(outer.begin(), outer.end());
     std::copy(outer.begin(), outer.end(), wrong.corners.begin() + wrong.first_corner[wrong.fragments[1].first_ring]);
-    CHECK_THROWS_AS(check_invariants(sight, wrong), InvariantError);
+    CHECK_THROWS_AS(check_invariants(projected, wrong), InvariantError);
   }
   SECTION("a corner is somewhere else") {
     MapCorner& corner = wrong.corners[wrong.first_corner[wrong.fragments[1].first_ring]];
@@ -300,11 +300,11 @@ TEST_CASE("the invariants find fragments that are wrong", "[surfaces][check]") {
     corner.reversed = false;
     before.line = MapLine::edge(VertexId(0), before.at.vertex);
     before.reversed = true;
-    CHECK_THROWS_AS(check_invariants(sight, wrong), InvariantError);
+    CHECK_THROWS_AS(check_invariants(projected, wrong), InvariantError);
   }
   SECTION("a fragment is missing") {
     wrong.fragments.pop_back();
-    CHECK_THROWS_WITH(check_invariants(sight, wrong), Catch::Contains("do not cover"));
+    CHECK_THROWS_WITH(check_invariants(projected, wrong), Catch::Contains("do not cover"));
   }
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("what is outside the frame has no point in the picture", "[frame]") {
       polygons.segments.push_back({static_cast<std::uint32_t>(2 * k), static_cast<std::uint32_t>(2 * k + 1)});
     }
     const Mesh mesh = make_mesh(points, polygons);
-    const OutsideFrame frame(mesh, view, size);
+    const ViewFrustum frame(mesh, view, size);
     for (const Edge& e : mesh.edges) {
       bool any = false;
       for (int k = 0; k <= 4; ++k) {

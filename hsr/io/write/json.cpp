@@ -18,17 +18,17 @@ class LineWriter {
       : mesh_(mesh), view_(view), lines_(lines), numbers_(options.numbers), why_(options.why) {}
 
   void append(std::string& out, const Line& line) {
-    carrier_ = carrier_of(mesh_, lines_, line);
-    if (carrier_.is_edge()) {
+    support_ = supporting_line_of(mesh_, lines_, line);
+    if (support_.is_edge()) {
       out += "{\"edge\": [";
-      append_integer(out, carrier_.a.value);
+      append_integer(out, support_.a.value);
       out += ", ";
-      append_integer(out, carrier_.b.value);
+      append_integer(out, support_.b.value);
     } else {
       out += "{\"points\": [";
-      append_point(out, exact_point(mesh_, view_, carrier_, carrier_.meet.from));
+      append_point(out, exact_point(mesh_, view_, support_, support_.meet.from));
       out += ", ";
-      append_point(out, exact_point(mesh_, view_, carrier_, carrier_.meet.to));
+      append_point(out, exact_point(mesh_, view_, support_, support_.meet.to));
     }
     out += "], \"class\": \"";
     out += name_of(line.edge_class);
@@ -70,7 +70,7 @@ class LineWriter {
   void append_faces(std::string& out, const Line& line) {
     faces_.clear();
     if (line.is_intersection())
-      for (const TriangleId t : {carrier_.meet.s, carrier_.meet.t}) faces_.push_back(mesh_.face_of[t].value);
+      for (const TriangleId t : {support_.meet.s, support_.meet.t}) faces_.push_back(mesh_.face_of[t].value);
     else
       for (const TriangleId t : mesh_.triangles_at(line.edge)) faces_.push_back(mesh_.face_of[t].value);
     std::sort(faces_.begin(), faces_.end());
@@ -103,9 +103,9 @@ class LineWriter {
     if (is_end || cut.kind == Cut::Kind::start) {
       out += numbers_ == Numbers::exact ? (is_end ? "\"1\"" : "\"0\"") : (is_end ? "1" : "0");
     } else if (numbers_ == Numbers::exact) {
-      append_rational(out, parameter(mesh_, view_, carrier_, cut), numbers_);
+      append_rational(out, parameter(mesh_, view_, support_, cut), numbers_);
     } else {
-      append_number(out, rounded_parameter(mesh_, view_, carrier_, cut), numbers_);
+      append_number(out, rounded_parameter(mesh_, view_, support_, cut), numbers_);
     }
   }
 
@@ -114,7 +114,7 @@ class LineWriter {
   const VisibleLines& lines_;
   Numbers numbers_;
   bool why_;
-  Carrier carrier_;  // of the line at hand
+  SupportingLine support_;  // of the line at hand
   std::vector<std::uint32_t> faces_;
 };
 

@@ -12,7 +12,7 @@
 namespace hsr {
 
 void BspTree::prepare_planes() {
-  certificate_ = hsr::certificate(mesh_->points);
+  bit_range_ = hsr::bit_range(mesh_->points);
   std::vector<std::uint32_t> filtered;
   for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
     if (nodes_[k].is_leaf() || nodes_[k].plane.kind != Cut::Kind::face) continue;
@@ -20,7 +20,7 @@ void BspTree::prepare_planes() {
     filtered.push_back(k);
   }
   filters_.resize(filtered.size());
-  for_each(filtered.size(), [&](std::size_t i) {
+  parallel_for_each(filtered.size(), [&](std::size_t i) {
     const auto& c = mesh_->triangles[TriangleId(nodes_[filtered[i]].plane.u)];
     const Plane plane = Plane::of_face(mesh_->points[c[0]], mesh_->points[c[1]], mesh_->points[c[2]]);
     filters_[i] = PlaneFilter(plane, Arithmetic::staged);
@@ -45,7 +45,7 @@ namespace {
 /// On which side of a plane of the tree the viewpoint lies.
 class EyeSide {
  public:
-  EyeSide(const Mesh& mesh, const View& view, const Certificate& points, std::span<const PlaneFilter> filters)
+  EyeSide(const Mesh& mesh, const View& view, const BitRange& points, std::span<const PlaneFilter> filters)
       : mesh_(mesh), eye_(view.viewpoint), filters_(filters), exact_(predicates(points, view.viewpoint)) {}
 
   /// @param filter of the plane, if it is that of a facet
@@ -68,8 +68,8 @@ class EyeSide {
   }
 
  private:
-  static Predicates predicates(Certificate points, const Viewpoint& eye) {
-    Certificate direction;
+  static Predicates predicates(BitRange points, const Viewpoint& eye) {
+    BitRange direction;
     (eye.is_direction ? direction : points).add(eye.at);
     return Predicates(points, direction);
   }
@@ -120,7 +120,7 @@ void BspTree::walk(const View& view, std::vector<std::uint32_t>& far_to_near) co
   far_to_near.clear();
   if (nodes_.empty()) return;
   far_to_near.reserve(pieces_.size());
-  walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](std::uint32_t first, std::uint32_t end) {
+  walk_far_to_near(nodes_, EyeSide(*mesh_, view, bit_range_, filters_), [&](std::uint32_t first, std::uint32_t end) {
     // Of coplanar pieces the higher facet comes first.
     for (std::uint32_t k = end; k-- > first;) far_to_near.push_back(k);
   });
@@ -131,14 +131,15 @@ namespace {
 /// A piece as seen: counter-clockwise, and cut by the near plane.
 class PieceWriter {
  public:
-  PieceWriter(const Sight& sight, PaintersOrder& order) : sight_(sight), exact_(sight.predicates()), order_(order) {}
+  PieceWriter(const ProjectedMesh& projected, PaintersOrder& order)
+      : projected_(projected), exact_(projected.predicates()), order_(order) {}
 
   /// @param ring its corners as the face runs
   void append(TriangleId facet, std::vector<PieceCorner>& ring) {
-    if (sight_.facing(facet) == Sign::zero) return;
+    if (projected_.facing(facet) == Sign::zero) return;
     ring_.swap(ring);
-    if (sight_.facing(facet) == Sign::positive) reverse();
-    if (sight_.is_perspective() && !clip_near(facet)) return;
+    if (projected_.facing(facet) == Sign::positive) reverse();
+    if (projected_.is_perspective() && !clip_near(facet)) return;
     const auto first = static_cast<std::uint32_t>(order_.corners.size());
     order_.corners.insert(order_.corners.end(), ring_.begin(), ring_.end());
     check_countable(order_.corners.size(), "corners of a painting order");
@@ -159,8 +160,9 @@ class PieceWriter {
   }
 
   Sign beyond(TriangleId facet, const PieceCorner& c) {
-    if (c.vertex.is_valid()) return sight_.beyond_near(c.vertex);
-    return exact_.side(sight_.near_plane(), sight_.face_plane(facet), cut_plane(sight_, c.a), cut_plane(sight_, c.b));
+    if (c.vertex.is_valid()) return projected_.beyond_near(c.vertex);
+    return exact_.side(projected_.near_plane(), projected_.face_plane(facet), cut_plane(projected_, c.a),
+                       cut_plane(projected_, c.b));
   }
 
   bool clip_near(TriangleId facet) {
@@ -191,7 +193,7 @@ class PieceWriter {
     return ring_.size() > 2 && std::any_of(signs_.begin(), signs_.end(), [](Sign s) { return s == Sign::positive; });
   }
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   Predicates exact_;
   PaintersOrder& order_;
   std::vector<PieceCorner> ring_;
@@ -203,10 +205,10 @@ class PieceWriter {
 PaintersOrder BspTree::order(const View& view) const {
   PaintersOrder order;
   if (nodes_.empty()) return order;
-  const Sight sight(*mesh_, view, Arithmetic::staged);
-  PieceWriter writer(sight, order);
+  const ProjectedMesh projected(*mesh_, view, Arithmetic::staged);
+  PieceWriter writer(projected, order);
   std::vector<PieceCorner> ring;
-  walk_far_to_near(nodes_, EyeSide(*mesh_, view, certificate_, filters_), [&](std::uint32_t first, std::uint32_t end) {
+  walk_far_to_near(nodes_, EyeSide(*mesh_, view, bit_range_, filters_), [&](std::uint32_t first, std::uint32_t end) {
     for (std::uint32_t k = end; k-- > first;) {
       const OrderedPiece& p = pieces_[k];
       ring.clear();

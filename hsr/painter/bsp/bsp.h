@@ -60,7 +60,7 @@ class BspTree {
   PieceCorner corner(const BspBounds::Corner& c) const;
 
   const Mesh* mesh_ = nullptr;
-  Certificate certificate_;           // of the points
+  BitRange bit_range_;                // of the points
   std::vector<PlaneFilter> filters_;  // of planes of nodes, for eyes
   std::vector<Node> nodes_;           // the root first
   std::vector<OrderedPiece> pieces_;  // in the order of the nodes; corners as the face runs

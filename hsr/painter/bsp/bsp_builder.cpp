@@ -49,7 +49,7 @@ class BspBuilder {
  public:
   /// What all builders of one tree share.
   struct Shared {
-    const Sight& sight;  // of no view in particular: its points and planes
+    const ProjectedMesh& projected;  // of no view in particular: its points and planes
     const std::vector<BspBounds::Side>& sides;
     std::size_t most = 0;
     std::atomic<std::size_t> pieces = 0;
@@ -57,10 +57,10 @@ class BspBuilder {
 
   BspBuilder(BspTree& tree, Shared& shared, std::uint64_t seed)
       : tree_(tree),
-        mesh_(shared.sight.mesh()),
+        mesh_(shared.projected.mesh()),
         shared_(shared),
-        sight_(shared.sight),
-        parts_(sight_, shared.sides, tree.bounds_.acrosses),
+        projected_(shared.projected),
+        parts_(projected_, shared.sides, tree.bounds_.acrosses),
         seed_(seed) {}
 
   /// All facets, their count first.
@@ -117,7 +117,7 @@ class BspBuilder {
   BspTree& tree_;
   const Mesh& mesh_;
   Shared& shared_;
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   BspParts parts_;
   std::uint64_t seed_;
   std::vector<Task> tasks_;
@@ -156,10 +156,10 @@ void BspBuilder::add_part(TriangleId facet, std::span<const VertexId> ring, int 
 
 void BspBuilder::add_facet(TriangleId facet) {
   const TriangleId end = facet_end(mesh_, facet);
-  const int axis = dropped_axis(sight_, facet, parts_.exact());
+  const int axis = dropped_axis(projected_, facet, parts_.exact());
   std::vector<std::uint8_t> original(3, 1);
   if (end.value - facet.value > 1) {
-    if (const std::vector<VertexId> ring = convex_ring(sight_, facet, parts_.exact()); !ring.empty()) {
+    if (const std::vector<VertexId> ring = convex_ring(projected_, facet, parts_.exact()); !ring.empty()) {
       original.assign(ring.size(), 1);
       add_part(facet, ring, axis, original);
       return;
@@ -278,7 +278,7 @@ BspBuilder::Divider BspBuilder::choose(std::span<const std::uint32_t> parts) {
       VertexId vertex;
     };
     std::array<Place, vertices> places;
-    for (std::size_t k = 0; k < count; ++k) places[k] = {sight_.point(some[k])[axis], some[k]};
+    for (std::size_t k = 0; k < count; ++k) places[k] = {projected_.point(some[k])[axis], some[k]};
     std::sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count),
               [](const Place& x, const Place& y) { return x.at != y.at ? x.at < y.at : x.vertex < y.vertex; });
     for (const std::size_t tenths : {3U, 4U, 5U, 6U, 7U}) {
@@ -543,8 +543,8 @@ void BspBuilder::take_subtree(const BspTree& part, const Task& task, std::size_t
 
 BspTree::BspTree(const Mesh& mesh, const BspOptions& options) : mesh_(&mesh) {
   if (mesh.triangles.empty()) return;
-  const Sight sight(mesh, any_view(), Arithmetic::staged);
-  BspBuilder::Shared shared{sight, bounds_.sides};
+  const ProjectedMesh projected(mesh, any_view(), Arithmetic::staged);
+  BspBuilder::Shared shared{projected, bounds_.sides};
   BspBuilder builder(*this, shared, options.seed);
   builder.add_facets();
   shared.pieces = builder.parts();

@@ -10,7 +10,7 @@ namespace hsr {
 
 std::uint32_t BspParts::add(TriangleId facet, std::span<const BspBounds::Corner> ring) {
   Part part{facet, static_cast<std::uint32_t>(corners_.size()), 0};
-  for (const BspBounds::Corner& c : ring) corners_.push_back({sight_.point(VertexId(c.a)), 0, c});
+  for (const BspBounds::Corner& c : ring) corners_.push_back({projected_.point(VertexId(c.a)), 0, c});
   check_countable(corners_.size(), "corners of a BSP");
   part.end = static_cast<std::uint32_t>(corners_.size());
   parts_.push_back(part);
@@ -46,8 +46,8 @@ BspParts::Divider BspParts::divider(TriangleId facet) const {
   Divider d;
   d.cut = {Cut::Kind::face, 0, facet.value, 0};
   d.id = BspBounds::facet(facet);
-  d.filter = sight_.filter(sight_.face_plane(facet));
-  d.vertices = sight_.mesh().triangles[facet];
+  d.filter = projected_.filter(projected_.face_plane(facet));
+  d.vertices = projected_.mesh().triangles[facet];
   d.spread = (std::fabs(d.filter.nx) + std::fabs(d.filter.ny) + std::fabs(d.filter.nz) + 3 * d.filter.slope) * 1.01;
   return d;
 }
@@ -55,11 +55,11 @@ BspParts::Divider BspParts::divider(TriangleId facet) const {
 BspParts::Divider BspParts::divider(VertexId v, int axis) const {
   Divider d;
   d.cut = {Cut::Kind::across, static_cast<std::uint8_t>(axis), v.value, 0};
-  d.at = sight_.point(v)[axis];
+  d.at = projected_.point(v)[axis];
   return d;
 }
 
-Plane BspParts::plane(BspBounds::Id id) const { return cut_plane(sight_, cut_of(id, sides_, acrosses_)); }
+Plane BspParts::plane(BspBounds::Id id) const { return cut_plane(projected_, cut_of(id, sides_, acrosses_)); }
 
 /// The bound of the filter holds for a place that is not exact, as long as its size and error are bounded (crossing()).
 ErrorBounded BspParts::value(const Divider& d, const Corner& corner) const {
@@ -74,7 +74,7 @@ Sign BspParts::side_beyond_filter(const Divider& d, const Corner& corner, Triang
   const auto is_of_divider = [&](VertexId v) { return v == d.vertices[0] || v == d.vertices[1] || v == d.vertices[2]; };
   if (c.is_vertex()) {
     if (d.is_across()) return sign_of(corner.p[d.cut.axis] - d.at);
-    return is_of_divider(VertexId(c.a)) ? Sign::zero : exact_.side_beyond_filter(cut_plane(sight_, d.cut), corner.p);
+    return is_of_divider(VertexId(c.a)) ? Sign::zero : exact_.side_beyond_filter(cut_plane(projected_, d.cut), corner.p);
   }
   if (c.a == d.id || c.b == d.id) return Sign::zero;
   // On an edge of the facet that is also one of the divider's.
@@ -83,7 +83,7 @@ Sign BspParts::side_beyond_filter(const Divider& d, const Corner& corner, Triang
       const BspBounds::Side& side = sides_[BspBounds::place(id)];
       if (is_of_divider(side.u) && is_of_divider(side.v)) return Sign::zero;
     }
-  return exact_.side(cut_plane(sight_, d.cut), sight_.face_plane(facet), plane(c.a), plane(c.b));
+  return exact_.side(cut_plane(projected_, d.cut), projected_.face_plane(facet), plane(c.a), plane(c.b));
 }
 
 BspParts::Sides BspParts::sides(const Divider& d, const Part& part) {
@@ -120,7 +120,7 @@ BspParts::Corner BspParts::crossing(const Divider& d, const Part& part, std::siz
     out.error = 1.01 * (std::max(from.error, to.error) + length * (t_error + 4 * ErrorBounded::u) + 2 * ErrorBounded::u * size);
   }
   if (!(out.error < 0x1p-40)) {
-    const auto at = near_meet(sight_.face_plane(part.facet), plane(out.bounds.a), cut_plane(sight_, d.cut));
+    const auto at = near_meet(projected_.face_plane(part.facet), plane(out.bounds.a), cut_plane(projected_, d.cut));
     out.p = {at[0].value, at[1].value, at[2].value};
     out.error = std::max({at[0].error, at[1].error, at[2].error});
   }

@@ -45,8 +45,8 @@ class BspParts {
   };
 
   /// @param sides those of all facets, of the whole tree @param acrosses planes that bound parts
-  BspParts(const Sight& sight, const std::vector<BspBounds::Side>& sides, const std::vector<Cut>& acrosses)
-      : sight_(sight), sides_(sides), acrosses_(acrosses), exact_(sight.predicates()) {}
+  BspParts(const ProjectedMesh& projected, const std::vector<BspBounds::Side>& sides, const std::vector<Cut>& acrosses)
+      : projected_(projected), sides_(sides), acrosses_(acrosses), exact_(projected.predicates()) {}
 
   std::size_t size() const { return parts_.size(); }
   const Part& operator[](std::uint32_t part) const { return parts_[part]; }
@@ -74,7 +74,7 @@ class BspParts {
   Corner crossing(const Divider& d, const Part& part, std::size_t k);
   Plane plane(BspBounds::Id id) const;
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   const std::vector<BspBounds::Side>& sides_;
   const std::vector<Cut>& acrosses_;
   Predicates exact_;

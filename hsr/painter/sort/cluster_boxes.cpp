@@ -7,16 +7,16 @@ namespace hsr {
 
 namespace {
 
-ImageBox box_of(const MapSight& map, const FacePieces& pieces, std::size_t i) {
+ImageBox box_of(const MapPredicates& map, const FacePieces& pieces, std::size_t i) {
   ImageBox box = ImageBox::nothing();
-  for (const VertexId v : pieces.ring(i)) box.add(map.sight().box(v, v));
+  for (const VertexId v : pieces.ring(i)) box.add(map.projected().box(v, v));
   if (!pieces.ring(i).empty()) return box;
-  for (const MapPoint& p : pieces.shape(map.sight(), i).points) {
+  for (const MapPoint& p : pieces.shape(map.projected(), i).points) {
     if (p.is_vertex) {
-      box.add(map.sight().box(p.vertex, p.vertex));
+      box.add(map.projected().box(p.vertex, p.vertex));
     } else {
-      const NearPoint at = map.point(p, pieces.facet[i]);
-      box.add(map.sight().box(at.p, 3 * at.error));
+      const BoundedPoint3 at = map.point(p, pieces.facet[i]);
+      box.add(map.projected().box(at.p, 3 * at.error));
     }
   }
   return box;
@@ -24,10 +24,11 @@ ImageBox box_of(const MapSight& map, const FacePieces& pieces, std::size_t i) {
 
 }  // namespace
 
-ClusterBoxes::ClusterBoxes(const Sight& sight, const FacePieces& pieces, const Clusters& clusters, InDepth looked_for)
+ClusterBoxes::ClusterBoxes(const ProjectedMesh& projected, const FacePieces& pieces, const Clusters& clusters,
+                           InDepth looked_for)
     : clusters_(clusters), looked_for_(looked_for), boxes_(pieces.size()), tree_of_(clusters.size(), nullptr) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes_.size(), 1024), [&](const auto& range) {
-    const MapSight map(sight);
+    const MapPredicates map(projected);
     for (std::size_t i = range.begin(); i != range.end(); ++i) boxes_[i] = box_of(map, pieces, clusters.pieces[i]);
   });
   std::vector<ImageBox> flat;

@@ -20,7 +20,7 @@ class ClusterBoxes {
  public:
   /// @param looked_for trees for boxes that are apart know no depth: then neighbours in them are closer in the image
   /// Cost: O(n log n), parallel.
-  ClusterBoxes(const Sight& sight, const FacePieces& pieces, const Clusters& clusters, InDepth looked_for);
+  ClusterBoxes(const ProjectedMesh& projected, const FacePieces& pieces, const Clusters& clusters, InDepth looked_for);
 
   const Clusters& clusters() const { return clusters_; }
   InDepth looked_for() const { return looked_for_; }

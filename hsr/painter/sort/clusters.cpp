@@ -23,13 +23,13 @@ struct Range {
 
 using Box = std::array<Range, 3>;
 
-std::vector<Box> boxes_of(const Sight& sight, const FacePieces& pieces) {
-  const Mesh& mesh = sight.mesh();
+std::vector<Box> boxes_of(const ProjectedMesh& projected, const FacePieces& pieces) {
+  const Mesh& mesh = projected.mesh();
   std::vector<Box> boxes(pieces.size());
-  for_each(boxes.size(), [&](std::size_t i) {
+  parallel_for_each(boxes.size(), [&](std::size_t i) {
     const auto add = [&](std::span<const VertexId> corners) {
       for (const VertexId v : corners)
-        for (std::size_t axis = 0; axis < 3; ++axis) boxes[i][axis].add(sight.point(v)[static_cast<int>(axis)]);
+        for (std::size_t axis = 0; axis < 3; ++axis) boxes[i][axis].add(projected.point(v)[static_cast<int>(axis)]);
     };
     add(pieces.ring(i));
     if (!pieces.ring(i).empty()) return;
@@ -58,7 +58,8 @@ class Steps {
 
 class Parting {
  public:
-  Parting(const Sight& sight, const FacePieces& pieces) : eye_(sight.eye()), boxes_(boxes_of(sight, pieces)) {}
+  Parting(const ProjectedMesh& projected, const FacePieces& pieces)
+      : eye_(projected.eye()), boxes_(boxes_of(projected, pieces)) {}
 
   Clusters all();
 
@@ -173,6 +174,6 @@ Clusters one_cluster(const FacePieces& pieces) {
   return all;
 }
 
-Clusters clusters(const Sight& sight, const FacePieces& pieces) { return Parting(sight, pieces).all(); }
+Clusters clusters(const ProjectedMesh& projected, const FacePieces& pieces) { return Parting(projected, pieces).all(); }
 
 }  // namespace hsr

@@ -22,7 +22,7 @@ struct Clusters {
 /// pieces none is found.
 /// Exact: yes: coordinates are compared. Cost: O(n) for each time that planes are found. The same for any number of threads.
 /// Source: Schumacker, Brand, Gilliland & Sharp 1969.
-Clusters clusters(const Sight& sight, const FacePieces& pieces);
+Clusters clusters(const ProjectedMesh& projected, const FacePieces& pieces);
 
 /// All of them in one.
 Clusters one_cluster(const FacePieces& pieces);

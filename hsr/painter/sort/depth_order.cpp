@@ -47,12 +47,12 @@ std::vector<std::uint32_t> sorted_by_key(const ClusterBoxes& boxes, std::size_t 
 
 class Search {
  public:
-  Search(const Sight& sight, const FacePieces& pieces, const ClusterBoxes& boxes, const ImageTriangles& images,
+  Search(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes, const ImageTriangles& images,
          const OverlapGraph& found)
       : pieces_(pieces),
         boxes_(boxes),
         clusters_(boxes.clusters()),
-        relations_(sight, pieces, images, false),
+        relations_(projected, pieces, images, false),
         behind_(make_graph(pieces.size(),
                            [&](const auto& visit) {
                              found.for_each_pair([&](std::uint32_t first, std::uint32_t second) { visit(second, first); });
@@ -167,9 +167,10 @@ std::optional<std::vector<std::uint32_t>> Search::order() {
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> depth_order(const Sight& sight, const FacePieces& pieces, const ClusterBoxes& boxes,
-                                                      const ImageTriangles& images, OverlapGraph& found) {
-  Search search(sight, pieces, boxes, images, found);
+std::optional<std::vector<std::uint32_t>> depth_order(const ProjectedMesh& projected, const FacePieces& pieces,
+                                                      const ClusterBoxes& boxes, const ImageTriangles& images,
+                                                      OverlapGraph& found) {
+  Search search(projected, pieces, boxes, images, found);
   auto order = search.order();
   if (order) search.count(found);
   return order;

@@ -19,7 +19,8 @@ namespace hsr {
 /// @param found the pairs of these, none of which pierce each other; what else is compared is added to its counts
 /// Exact: yes. Cost: O(n) and O(log n + k) for each piece before its turn with k boxes around it. The same for any number of
 /// threads. Source: depth-first search for an order, Tarjan 1976; the key: Newell, Newell & Sancha 1972.
-std::optional<std::vector<std::uint32_t>> depth_order(const Sight& sight, const FacePieces& pieces, const ClusterBoxes& boxes,
-                                                      const ImageTriangles& images, OverlapGraph& found);
+std::optional<std::vector<std::uint32_t>> depth_order(const ProjectedMesh& projected, const FacePieces& pieces,
+                                                      const ClusterBoxes& boxes, const ImageTriangles& images,
+                                                      OverlapGraph& found);
 
 }  // namespace hsr

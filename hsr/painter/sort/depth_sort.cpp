@@ -28,7 +28,7 @@ struct Neighbour {
 class Sorter {
  public:
   Sorter(const Mesh& mesh, const View& view, const DepthSortOptions& options)
-      : options_(options), mesh_(mesh), sight_(mesh, view, options.arithmetic), overlaps_(sight_, options.classic) {}
+      : options_(options), mesh_(mesh), projected_(mesh, view, options.arithmetic), overlaps_(projected_, options.classic) {}
 
   DepthSort sort();
 
@@ -55,7 +55,7 @@ class Sorter {
 
   const DepthSortOptions& options_;
   const Mesh& mesh_;
-  Sight sight_;
+  ProjectedMesh projected_;
   Overlaps overlaps_;
   FacePieces faces_;
   Clusters clusters_;
@@ -91,16 +91,17 @@ std::vector<std::uint32_t> by_cluster(const std::vector<std::uint32_t>& items, s
 /// Most scenes have an order of whole pieces, which is written then: it takes no more than relations. Otherwise all of these,
 /// and something must be cut.
 OverlapGraph Sorter::relate_whole() {
-  const ImageTriangles images = image_triangles(sight_, faces_);
-  const ClusterBoxes boxes(sight_, faces_, clusters_, InDepth::touching);
-  OverlapGraph found = overlap_graph(sight_, faces_, boxes, images, options_.classic);
+  const ImageTriangles images = image_triangles(projected_, faces_);
+  const ClusterBoxes boxes(projected_, faces_, clusters_, InDepth::touching);
+  OverlapGraph found = overlap_graph(projected_, faces_, boxes, images, options_.classic);
   if (found.piercing.empty()) {
-    if (const auto order = depth_order(sight_, faces_, boxes, images, found)) {
+    if (const auto order = depth_order(projected_, faces_, boxes, images, found)) {
       order_whole(*order);
       return found;
     }
   }
-  found.add(overlap_graph(sight_, faces_, ClusterBoxes(sight_, faces_, clusters_, InDepth::apart), images, options_.classic));
+  found.add(
+      overlap_graph(projected_, faces_, ClusterBoxes(projected_, faces_, clusters_, InDepth::apart), images, options_.classic));
   if (!found.piercing.empty()) return found;
   const std::vector<std::uint32_t> order =
       topological_order(make_graph(faces_.size(), [&](const auto& visit) { found.for_each_pair(visit); }));
@@ -112,7 +113,7 @@ void Sorter::order_whole(const std::vector<std::uint32_t>& order) {
   result_.order.pieces.reserve(faces_.size());
   result_.order.corners.reserve(faces_.corners.size());
   for (const std::uint32_t piece : by_cluster(order, clusters_.size(), [&](std::uint32_t p) { return cluster_of_[p]; }))
-    append(sight_, faces_, piece, result_.order);
+    append(projected_, faces_, piece, result_.order);
 }
 
 void Sorter::begin_cutting(const OverlapGraph& found) {
@@ -160,7 +161,7 @@ void Sorter::for_each_neighbour(std::uint32_t piece, const F& visit) const {
 
 const PieceOfFacet& Sorter::shaped(std::uint32_t p) {
   PieceOfFacet& piece = pieces_[p];
-  if (piece.shape.points.empty()) piece.shape = faces_.shape(sight_, p);
+  if (piece.shape.points.empty()) piece.shape = faces_.shape(projected_, p);
   if (piece.near.empty()) {
     piece.near = overlaps_.near_corners(piece);
     if (boxes_.size() < pieces_.size()) boxes_.resize(pieces_.size());
@@ -328,7 +329,7 @@ PaintersCycle Sorter::named(const std::vector<std::uint32_t>& cycle) {
 }
 
 std::optional<MapHalfPlane> Sorter::parting_line(std::uint32_t piece, std::uint32_t before, std::uint32_t after) {
-  MapSight& map = overlaps_.map();
+  MapPredicates& map = overlaps_.map();
   const auto low = overlaps_.common_part(shaped(piece), shaped(before)),
              high = overlaps_.common_part(shaped(piece), shaped(after));
   if (!low || !high) return std::nullopt;
@@ -395,7 +396,7 @@ void Sorter::emit() {
     if (piece_of[node] != none) {
       const std::uint32_t piece = piece_of[node];
       if (piece < faces_.size())
-        append(sight_, faces_, piece, result_.order);
+        append(projected_, faces_, piece, result_.order);
       else
         append(mesh_, pieces_[piece], result_.order);
     } else {
@@ -405,8 +406,8 @@ void Sorter::emit() {
 }
 
 DepthSort Sorter::sort() {
-  faces_ = face_pieces(sight_);
-  clusters_ = options_.classic ? one_cluster(faces_) : clusters(sight_, faces_);
+  faces_ = face_pieces(projected_);
+  clusters_ = options_.classic ? one_cluster(faces_) : clusters(projected_, faces_);
   cluster_of_ = clusters_.cluster_of();
   const OverlapGraph found = relate_whole();
   DepthSortCounts& c = result_.counts;

@@ -18,12 +18,12 @@ void add_ring(FacePieces& pieces, TriangleId facet, std::span<const VertexId> ri
   pieces.first_corner.push_back(static_cast<std::uint32_t>(pieces.corners.size()));
 }
 
-void add(FacePieces& pieces, MapSight& map, TriangleId facet) {
-  const Sight& sight = map.sight();
+void add(FacePieces& pieces, MapPredicates& map, TriangleId facet) {
+  const ProjectedMesh& projected = map.projected();
   const Mesh& mesh = map.mesh();
   const TriangleId end = facet_end(mesh, facet);
   for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
-    if (!sight.reaches_before_near(t)) continue;
+    if (!projected.reaches_before_near(t)) continue;
     for (ConvexPiece& shape : convex_pieces(map, facet)) {
       pieces.cut.push_back(static_cast<std::uint32_t>(pieces.size()));
       pieces.cut_shape.push_back(std::move(shape));
@@ -32,14 +32,14 @@ void add(FacePieces& pieces, MapSight& map, TriangleId facet) {
     return;
   }
   if (end.value - facet.value > 1) {
-    const std::vector<VertexId> ring = convex_ring(sight, facet, map.exact());
+    const std::vector<VertexId> ring = convex_ring(projected, facet, map.exact());
     if (!ring.empty()) {
       add_ring(pieces, facet, ring);
       return;
     }
   }
   for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U))
-    if (sight.reaches_beyond_near(t)) add_ring(pieces, facet, mesh.triangles[t]);
+    if (projected.reaches_beyond_near(t)) add_ring(pieces, facet, mesh.triangles[t]);
 }
 
 void append(FacePieces& all, FacePieces& part) {
@@ -55,23 +55,23 @@ void append(FacePieces& all, FacePieces& part) {
 
 }  // namespace
 
-ConvexPiece FacePieces::shape(const Sight& sight, std::size_t piece) const {
+ConvexPiece FacePieces::shape(const ProjectedMesh& projected, std::size_t piece) const {
   const std::span<const VertexId> whole = ring(piece);
-  if (!whole.empty()) return convex_piece(sight, facet[piece], whole);
+  if (!whole.empty()) return convex_piece(projected, facet[piece], whole);
   return cut_shape[static_cast<std::size_t>(std::lower_bound(cut.begin(), cut.end(), piece) - cut.begin())];
 }
 
-FacePieces face_pieces(const Sight& sight) {
-  const Mesh& mesh = sight.mesh();
+FacePieces face_pieces(const ProjectedMesh& projected) {
+  const Mesh& mesh = projected.mesh();
   constexpr std::size_t block = 4096;
   const std::size_t n = mesh.triangles.size();
   std::vector<FacePieces> parts((n + block - 1) / block);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), 1), [&](const auto& range) {
-    MapSight map(sight);
+    MapPredicates map(projected);
     for (std::size_t k = range.begin(); k != range.end(); ++k)
       for (std::size_t i = k * block; i < std::min(n, (k + 1) * block); ++i) {
         const TriangleId t(i);
-        if (facet_of(mesh, t) == t && sight.facing(t) != Sign::zero) add(parts[k], map, t);
+        if (facet_of(mesh, t) == t && projected.facing(t) != Sign::zero) add(parts[k], map, t);
       }
   });
   FacePieces all;

@@ -23,10 +23,10 @@ struct FacePieces {
     return {corners.data() + first_corner[piece], corners.data() + first_corner[piece + 1]};
   }
   /// The piece by its sides, as it is seen.
-  ConvexPiece shape(const Sight& sight, std::size_t piece) const;
+  ConvexPiece shape(const ProjectedMesh& projected, std::size_t piece) const;
 };
 
 /// Exact: yes. Cost: O(n), parallel.
-FacePieces face_pieces(const Sight& sight);
+FacePieces face_pieces(const ProjectedMesh& projected);
 
 }  // namespace hsr

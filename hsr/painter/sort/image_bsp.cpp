@@ -14,7 +14,7 @@ enum class Where { far, near, in_plane, both };
 
 class Divider {
  public:
-  explicit Divider(MapSight& map) : map_(map), sight_(map.sight()) {}
+  explicit Divider(MapPredicates& map) : map_(map), projected_(map.projected()) {}
 
   /// Where a piece lies as seen from the plane of a facet.
   Where where(const PieceOfFacet& piece, TriangleId plane) {
@@ -26,7 +26,7 @@ class Divider {
       if (!p.is_vertex)
         nearer = map_.nearer(piece.facet, plane, p);
       else if (p.vertex != c[0] && p.vertex != c[1] && p.vertex != c[2])
-        nearer = -(sight_.side(sight_.face_plane(plane), p.vertex, map_.exact()) * sight_.facing(plane));
+        nearer = -(projected_.side(projected_.face_plane(plane), p.vertex, map_.exact()) * projected_.facing(plane));
       near = near || nearer == Sign::positive;
       far = far || nearer == Sign::negative;
     }
@@ -37,7 +37,7 @@ class Divider {
   PieceOfFacet cut_off_near(PieceOfFacet& piece, TriangleId plane) {
     piece.near.clear();  // of what it was
     const MapLine meet = MapLine::meet(piece.facet, plane);
-    const Sign nearer = sight_.facing(piece.facet) * sight_.facing(plane);
+    const Sign nearer = projected_.facing(piece.facet) * projected_.facing(plane);
     const Sign inner = meet.u == piece.facet.value ? nearer : -nearer;  // of where the piece is the nearer one
     auto front = cut(map_, piece.shape, {meet, -inner});
     if (!front) throw InvariantError("image_bsp: a plane passes through a piece and does not cut it");
@@ -65,13 +65,13 @@ class Divider {
   }
 
  private:
-  MapSight& map_;
-  const Sight& sight_;
+  MapPredicates& map_;
+  const ProjectedMesh& projected_;
 };
 
 }  // namespace
 
-std::vector<PieceOfFacet> ordered_by_planes(MapSight& map, std::vector<PieceOfFacet> pieces, std::size_t most,
+std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<PieceOfFacet> pieces, std::size_t most,
                                             std::uint64_t& cuts) {
   Divider divider(map);
   std::vector<PieceOfFacet> done;

@@ -13,7 +13,7 @@ namespace hsr {
 /// @param cuts gets the number of cuts added @throws InputError if there are more than `most` pieces
 /// Exact: yes. Deterministic. Cost: O(n log n) where the planes divide well, O(n^2) pieces at worst. Never recursive.
 /// Source: Fuchs, Kedem & Naylor 1980.
-std::vector<PieceOfFacet> ordered_by_planes(MapSight& map, std::vector<PieceOfFacet> pieces, std::size_t most,
+std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<PieceOfFacet> pieces, std::size_t most,
                                             std::uint64_t& cuts);
 
 }  // namespace hsr

@@ -56,15 +56,15 @@ void append(const Mesh& mesh, const PieceOfFacet& piece, PaintersOrder& order) {
   order.pieces.push_back(out);
 }
 
-void append(const Sight& sight, const FacePieces& pieces, std::size_t piece, PaintersOrder& order) {
-  const Mesh& mesh = sight.mesh();
+void append(const ProjectedMesh& projected, const FacePieces& pieces, std::size_t piece, PaintersOrder& order) {
+  const Mesh& mesh = projected.mesh();
   const TriangleId facet = pieces.facet[piece];
   const std::span<const VertexId> ring = pieces.ring(piece);
   if (ring.empty()) {
-    append(mesh, {facet, pieces.shape(sight, piece)}, order);
+    append(mesh, {facet, pieces.shape(projected, piece)}, order);
     return;
   }
-  const bool forward = sight.facing(facet) == Sign::negative;
+  const bool forward = projected.facing(facet) == Sign::negative;
   const std::size_t n = ring.size();
   const bool is_face = goes_around_face(mesh, facet, n);
   OrderedPiece out{facet, static_cast<std::uint32_t>(order.corners.size()), 0};

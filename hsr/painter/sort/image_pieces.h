@@ -9,6 +9,6 @@ namespace hsr {
 /// Appends a piece to an order.
 void append(const Mesh& mesh, const PieceOfFacet& piece, PaintersOrder& order);
 /// Appends a piece of faces.
-void append(const Sight& sight, const FacePieces& pieces, std::size_t piece, PaintersOrder& order);
+void append(const ProjectedMesh& projected, const FacePieces& pieces, std::size_t piece, PaintersOrder& order);
 
 }  // namespace hsr

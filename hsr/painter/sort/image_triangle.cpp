@@ -29,14 +29,14 @@ struct Extent {
 
 /// The move rounds twice, by no more than 2 u of the largest numbers that take part; the last rounding to floats by no more
 /// than 2^-24, as all is at most 1 and a little. Powers of two round nothing.
-ImageTriangles image_triangles(const Sight& sight, const FacePieces& pieces) {
+ImageTriangles image_triangles(const ProjectedMesh& projected, const FacePieces& pieces) {
   ImageTriangles images;
-  if (!(sight.image_error() < HUGE_VAL) || pieces.corners.empty()) return images;
+  if (!(projected.image_error() < HUGE_VAL) || pieces.corners.empty()) return images;
   using Range = tbb::blocked_range<std::size_t>;
   const Extent all = tbb::parallel_reduce(
       Range(0, pieces.corners.size(), 4096), Extent(),
       [&](const Range& range, Extent extent) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) extent.add(sight.image(pieces.corners[i]));
+        for (std::size_t i = range.begin(); i < range.end(); ++i) extent.add(projected.image(pieces.corners[i]));
         return extent;
       },
       [](const Extent& x, const Extent& y) { return x.joined(y); });
@@ -47,23 +47,23 @@ ImageTriangles image_triangles(const Sight& sight, const FacePieces& pieces) {
   int power = 0;
   std::frexp(half, &power);
   const double scale = std::ldexp(1.0, -power);
-  const double error = 1.01 * (scale * (sight.image_error() + 4 * ErrorBounded::u * most) + 0x1p-24);
+  const double error = 1.01 * (scale * (projected.image_error() + 4 * ErrorBounded::u * most) + 0x1p-24);
   if (!(error < 0x1p-10)) return images;  // then none exceeds 1.01
   images.error = static_cast<float>(1.01 * error);
   images.triangles.resize(pieces.size());
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  for_each(images.triangles.size(), [&](std::size_t i) {
+  parallel_for_each(images.triangles.size(), [&](std::size_t i) {
     ImageTriangle& t = images.triangles[i];
     const std::span<const VertexId> ring = pieces.ring(i);
     if (ring.size() != 3) {
       t.x.fill(nan);
       return;
     }
-    const bool forward = sight.facing(pieces.facet[i]) == Sign::positive;
+    const bool forward = projected.facing(pieces.facet[i]) == Sign::positive;
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t corner = std::min<std::size_t>(k, 2);
       const VertexId v = ring[forward ? corner : 2 - corner];
-      const ImagePoint& p = sight.image(v);
+      const ImagePoint& p = projected.image(v);
       t.x[k] = static_cast<float>((p.x - x) * scale);
       t.y[k] = static_cast<float>((p.y - y) * scale);
       t.vertex[k] = v.value;
@@ -72,7 +72,7 @@ ImageTriangles image_triangles(const Sight& sight, const FacePieces& pieces) {
     const auto [low_y, high_y] = std::minmax({t.y[0], t.y[1], t.y[2]});
     t.size = (high_x - low_x) + (high_y - low_y);
     ImageBox depths = ImageBox::nothing();
-    for (const VertexId v : ring) depths.add(sight.box(v, v));
+    for (const VertexId v : ring) depths.add(projected.box(v, v));
     t.farthest = depths.farthest;
     t.nearest = depths.nearest;
   });

@@ -26,7 +26,7 @@ struct ImageTriangles {
 };
 
 /// Cost: O(n), parallel.
-ImageTriangles image_triangles(const Sight& sight, const FacePieces& pieces);
+ImageTriangles image_triangles(const ProjectedMesh& projected, const FacePieces& pieces);
 
 /// Whether a side of one triangle has nothing of the inside of another before it.
 enum class Separation : std::uint8_t { yes, no, open };

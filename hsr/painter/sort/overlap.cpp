@@ -29,8 +29,8 @@ std::vector<NearCorner> Overlaps::near_corners(const PieceOfFacet& piece) const 
   near.reserve(piece.shape.points.size());
   for (const MapPoint& p : piece.shape.points) {
     const MapPlace at = map_.place(p);
-    const NearPoint on_facet =
-        p.is_vertex && is_own(p.vertex) ? NearPoint{sight_.point(p.vertex), 0} : map_.point(p, piece.facet);
+    const BoundedPoint3 on_facet =
+        p.is_vertex && is_own(p.vertex) ? BoundedPoint3{projected_.point(p.vertex), 0} : map_.point(p, piece.facet);
     near.push_back({{at.x, at.error_x}, {at.y, at.error_y}, on_facet});
   }
   return near;
@@ -45,12 +45,12 @@ ErrorBounded Overlaps::side(const PieceOfFacet& piece, std::size_t k, const Near
 
 /// The value of a facet's plane at a corner, with the sign of beyond: positive, the facet is before it.
 ErrorBounded Overlaps::beyond(TriangleId facet, const NearCorner& p) const {
-  const PlaneFilter filter = sight_.filter(sight_.face_plane(facet));
+  const PlaneFilter filter = projected_.filter(projected_.face_plane(facet));
   ErrorBounded x = filter(p.on_facet.p);
   x.error += (std::fabs(filter.nx) + std::fabs(filter.ny) + std::fabs(filter.nz) + 3 * filter.slope) * p.on_facet.error * 1.01;
   // Only images with a bound come with a filter that is proven.
   if (!(p.x.error < HUGE_VAL)) x.error = HUGE_VAL;
-  return sight_.facing(facet) == Sign::positive ? x : -x;
+  return projected_.facing(facet) == Sign::positive ? x : -x;
 }
 
 /// Whether a side of a has all of b beyond it. (Of two convex regions without a common inside, a side of one or the other has.)
@@ -93,7 +93,7 @@ Sign Overlaps::nearer(const PieceOfFacet& a, const PieceOfFacet& b, std::size_t 
   // The eye lies on the side -facing of a plane.
   const auto& c = map_.mesh().triangles[plane];
   if (p.vertex == c[0] || p.vertex == c[1] || p.vertex == c[2]) return Sign::zero;
-  const Sign behind = sight_.side(sight_.face_plane(plane), p.vertex, map_.exact()) * sight_.facing(plane);
+  const Sign behind = projected_.side(projected_.face_plane(plane), p.vertex, map_.exact()) * projected_.facing(plane);
   return is_of_a ? -behind : behind;
 }
 
@@ -144,7 +144,7 @@ std::optional<Sides> Overlaps::near_sides(const PieceOfFacet& a, const PieceOfFa
         continue;
       }
       // In perspective the image of a line runs at another pace.
-      if (sight_.is_perspective()) return std::nullopt;
+      if (projected_.is_perspective()) return std::nullopt;
       const ErrorBounded at = from + quotient(p, p - q) * (to - from);
       if (!at.is_certain()) return std::nullopt;
       found.add(-sign_of(at.value));

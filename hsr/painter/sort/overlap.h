@@ -39,8 +39,8 @@ struct Sides {
 
 /// Where a corner of a piece is seen, and where it is on its facet, each within a proven bound; infinite: not known.
 struct NearCorner {
-  ErrorBounded x, y;  ///< in the image (MapSight::place)
-  NearPoint on_facet;
+  ErrorBounded x, y;  ///< in the image (MapPredicates::place)
+  BoundedPoint3 on_facet;
 };
 
 /// A convex piece of a facet that is not seen edge-on.
@@ -58,7 +58,8 @@ struct PieceOfFacet {
 class Overlaps {
  public:
   /// @param classic call piercing every pair that no plane of the two separates, as the paper does
-  explicit Overlaps(const Sight& sight, bool classic = false) : map_(sight), sight_(sight), classic_(classic) {}
+  explicit Overlaps(const ProjectedMesh& projected, bool classic = false)
+      : map_(projected), projected_(projected), classic_(classic) {}
 
   Overlap relation(const PieceOfFacet& a, const PieceOfFacet& b);
   /// Whether the interiors of their images have a point in common.
@@ -68,7 +69,7 @@ class Overlaps {
   /// The common part of their images, if it has an inside.
   std::optional<ConvexPiece> common_part(const PieceOfFacet& a, const PieceOfFacet& b);
 
-  MapSight& map() { return map_; }
+  MapPredicates& map() { return map_; }
   const OverlapCounts& counts() const { return counts_; }
 
  private:
@@ -79,8 +80,8 @@ class Overlaps {
   Sides sides(const PieceOfFacet& a, const PieceOfFacet& b, bool are_of_a);
   std::optional<Sides> near_sides(const PieceOfFacet& a, const PieceOfFacet& b);
 
-  MapSight map_;
-  const Sight& sight_;
+  MapPredicates map_;
+  const ProjectedMesh& projected_;
   bool classic_;
   OverlapCounts counts_;
 };

@@ -13,8 +13,8 @@ namespace {
 /// Finds the overlapping pairs of some clusters.
 class Finder {
  public:
-  Finder(const Sight& sight, const FacePieces& pieces, const ImageTriangles& images, bool classic)
-      : pieces_(pieces), relations_(sight, pieces, images, classic) {}
+  Finder(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images, bool classic)
+      : pieces_(pieces), relations_(projected, pieces, images, classic) {}
 
   void look_at(std::uint32_t i, std::uint32_t k) {
     if (pieces_.facet[i] == pieces_.facet[k]) return;
@@ -58,7 +58,7 @@ void OverlapGraph::add(OverlapGraph&& more) {
   decisions += more.decisions;
 }
 
-OverlapGraph overlap_graph(const Sight& sight, const FacePieces& pieces, const ClusterBoxes& boxes,
+OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
                            const ImageTriangles& images, bool classic) {
   constexpr std::size_t block = 64, leaves = 64;  // block: of small clusters
   const Clusters& clusters = boxes.clusters();
@@ -78,7 +78,7 @@ OverlapGraph overlap_graph(const Sight& sight, const FacePieces& pieces, const C
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), 1), [&](const auto& range) {
     for (std::size_t part = range.begin(); part != range.end(); ++part) {
       const Work& w = work[part];
-      Finder finder(sight, pieces, images, classic);
+      Finder finder(projected, pieces, images, classic);
       const auto look_at = [&](std::size_t i, std::size_t k) { finder.look_at(clusters.pieces[i], clusters.pieces[k]); };
       BoxTree::PairSearch search;
       const std::size_t first = clusters.first[w.first_cluster];

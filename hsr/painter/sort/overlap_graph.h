@@ -34,7 +34,7 @@ struct OverlapGraph {
 /// Which pieces of one cluster overlap, and how, of those whose boxes touch as the trees of boxes look for.
 /// @param classic call piercing every pair that no plane of the two separates
 /// Exact: yes. Cost: O(n + k log n) for k pairs of boxes, parallel.
-OverlapGraph overlap_graph(const Sight& sight, const FacePieces& pieces, const ClusterBoxes& boxes,
+OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
                            const ImageTriangles& images, bool classic);
 
 }  // namespace hsr

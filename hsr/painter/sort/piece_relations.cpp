@@ -30,7 +30,7 @@ void PieceRelations::turn_to(std::uint32_t i) {
 }
 
 PieceOfFacet PieceRelations::shape(std::uint32_t i) const {
-  PieceOfFacet piece{pieces_.facet[i], pieces_.shape(sight_, i)};
+  PieceOfFacet piece{pieces_.facet[i], pieces_.shape(projected_, i)};
   piece.near = overlaps_.near_corners(piece);
   return piece;
 }

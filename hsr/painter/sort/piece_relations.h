@@ -10,8 +10,8 @@ namespace hsr {
 /// per thread.
 class PieceRelations {
  public:
-  PieceRelations(const Sight& sight, const FacePieces& pieces, const ImageTriangles& images, bool classic)
-      : sight_(sight), pieces_(pieces), overlaps_(sight, classic), whole_(sight, pieces, images) {}
+  PieceRelations(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images, bool classic)
+      : projected_(projected), pieces_(pieces), overlaps_(projected, classic), whole_(projected, pieces, images) {}
 
   Overlap relation(std::uint32_t i, std::uint32_t k);
 
@@ -22,7 +22,7 @@ class PieceRelations {
   void turn_to(std::uint32_t i);
   PieceOfFacet shape(std::uint32_t i) const;
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   const FacePieces& pieces_;
   Overlaps overlaps_;
   WholeOverlaps whole_;

@@ -6,11 +6,11 @@ namespace hsr {
 
 namespace {
 
-void make_lines(const Sight& sight, std::span<const VertexId> ring, std::vector<ImageLine>& lines) {
+void make_lines(const ProjectedMesh& projected, std::span<const VertexId> ring, std::vector<LineFilter>& lines) {
   if (!lines.empty()) return;
   VertexId from = ring.back();  // side k ends at corner k
   for (const VertexId to : ring) {
-    lines.emplace_back(sight, from, to);
+    lines.emplace_back(projected, from, to);
     from = to;
   }
 }
@@ -20,7 +20,7 @@ void make_lines(const Sight& sight, std::span<const VertexId> ring, std::vector<
 void WholeOverlaps::prepare(std::uint32_t piece, Whole& whole) const {
   whole.facet = pieces_.facet[piece];
   whole.ring = pieces_.ring(piece);
-  whole.inner = sight_.facing(whole.facet);
+  whole.inner = projected_.facing(whole.facet);
   whole.lines.clear();
   whole.has_plane = false;
   whole.image = !images_.triangles.empty() && whole.ring.size() == 3 ? &images_.triangles[piece] : nullptr;
@@ -29,8 +29,8 @@ void WholeOverlaps::prepare(std::uint32_t piece, Whole& whole) const {
 void WholeOverlaps::prepare_plane(Whole& whole) const {
   if (whole.has_plane) return;
   whole.has_plane = true;
-  whole.plane = sight_.face_plane(whole.facet);
-  whole.filter = sight_.filter(whole.plane);
+  whole.plane = projected_.face_plane(whole.facet);
+  whole.filter = projected_.filter(whole.plane);
 }
 
 void WholeOverlaps::turn_to(std::uint32_t piece) {
@@ -40,7 +40,7 @@ void WholeOverlaps::turn_to(std::uint32_t piece) {
 
 /// Whether a side of a has nothing of the inside of b before it, as far as doubles tell.
 Separation WholeOverlaps::separation(Whole& a, const Whole& b) const {
-  make_lines(sight_, a.ring, a.lines);
+  make_lines(projected_, a.ring, a.lines);
   bool is_open = false;
   VertexId from = a.ring.back();
   for (std::size_t k = 0; k < a.ring.size(); ++k) {
@@ -61,7 +61,7 @@ Separation WholeOverlaps::separation(Whole& a, const Whole& b) const {
 }
 
 bool WholeOverlaps::separates(Whole& a, const Whole& b) {
-  make_lines(sight_, a.ring, a.lines);
+  make_lines(projected_, a.ring, a.lines);
   VertexId from = a.ring.back();
   for (std::size_t k = 0; k < a.ring.size(); ++k) {
     const VertexId to = a.ring[k];
@@ -85,13 +85,13 @@ bool WholeOverlaps::are_apart(Whole& a, Whole& b, PreparedTriangle::Both by) {
 Sides WholeOverlaps::sides(const Whole& plane, const Whole& corners) {
   Sides found;
   // As Overlaps has it, corners of the plane's triangle are in it, and others are looked at.
-  const auto& c = sight_.mesh().triangles[plane.facet];
+  const auto& c = projected_.mesh().triangles[plane.facet];
   for (const VertexId v : corners.ring) {
     if (v == c[0] || v == c[1] || v == c[2]) continue;
-    const ErrorBounded x = plane.filter(sight_.point(v));
+    const ErrorBounded x = plane.filter(projected_.point(v));
     if (x.is_certain()) ++exact_.counts().filter;
-    const Sign s = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(plane.plane, sight_.point(v));
-    found.add(s * sight_.facing(plane.facet));
+    const Sign s = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(plane.plane, projected_.point(v));
+    found.add(s * projected_.facing(plane.facet));
     if (found.nearer && found.farther) break;
   }
   return found;

@@ -19,8 +19,8 @@ namespace hsr {
 class WholeOverlaps {
  public:
   /// @param images of image_triangles()
-  WholeOverlaps(const Sight& sight, const FacePieces& pieces, const ImageTriangles& images)
-      : sight_(sight), pieces_(pieces), images_(images), exact_(sight.predicates()) {}
+  WholeOverlaps(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images)
+      : projected_(projected), pieces_(pieces), images_(images), exact_(projected.predicates()) {}
 
   /// Chooses the first piece of the pairs that follow. @pre nothing has cut it
   void turn_to(std::uint32_t piece);
@@ -36,7 +36,7 @@ class WholeOverlaps {
     std::span<const VertexId> ring;
     Sign inner = Sign::zero;               // of O along its sides, within
     const ImageTriangle* image = nullptr;  // if there is one
-    std::vector<ImageLine> lines;          // along its sides, where they are asked for
+    std::vector<LineFilter> lines;         // along its sides, where they are asked for
     bool has_plane = false;                // where it is asked for
     Plane plane;
     PlaneFilter filter;
@@ -48,7 +48,7 @@ class WholeOverlaps {
   bool separates(Whole& a, const Whole& b);
   Sides sides(const Whole& plane, const Whole& corners);
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   const FacePieces& pieces_;
   const ImageTriangles& images_;
   Predicates exact_;

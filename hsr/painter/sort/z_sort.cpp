@@ -10,15 +10,15 @@ namespace hsr {
 PaintersOrder z_sort(const Mesh& mesh, const View& view, DepthKey key) {
   PaintersOrder order;
   if (mesh.triangles.empty()) return order;
-  const Sight sight(mesh, view, Arithmetic::staged);
-  const FacePieces pieces = face_pieces(sight);
-  const Camera camera = sight.camera();
+  const ProjectedMesh projected(mesh, view, Arithmetic::staged);
+  const FacePieces pieces = face_pieces(projected);
+  const Camera camera = projected.camera();
   const Point3& e = camera.eye.at;
   // Along the direction in which the eye looks.
   const Point3 away = camera.eye.is_direction ? Point3{-e.x, -e.y, -e.z}
                                               : Point3{camera.target.x - e.x, camera.target.y - e.y, camera.target.z - e.z};
   const auto depth = [&](const Point3& p) { return p.x * away.x + p.y * away.y + p.z * away.z; };
-  const MapSight map(sight);
+  const MapPredicates map(projected);
   struct Place {
     double depth;
     std::uint32_t piece;
@@ -33,15 +33,15 @@ PaintersOrder z_sort(const Mesh& mesh, const View& view, DepthKey key) {
       sum += d;
       ++corners;
     };
-    for (const VertexId v : pieces.ring(i)) add(sight.point(v));
+    for (const VertexId v : pieces.ring(i)) add(projected.point(v));
     if (corners == 0)
-      for (const MapPoint& p : pieces.shape(sight, i).points)
-        add(p.is_vertex ? sight.point(p.vertex) : map.point(p, pieces.facet[i]).p);
+      for (const MapPoint& p : pieces.shape(projected, i).points)
+        add(p.is_vertex ? projected.point(p.vertex) : map.point(p, pieces.facet[i]).p);
     places.push_back({key == DepthKey::centroid ? sum / static_cast<double>(corners) : farthest, i});
   }
   std::sort(places.begin(), places.end(),
             [](const Place& x, const Place& y) { return x.depth != y.depth ? x.depth > y.depth : x.piece > y.piece; });
-  for (const Place& p : places) append(sight, pieces, p.piece, order);
+  for (const Place& p : places) append(projected, pieces, p.piece, order);
   return order;
 }
 

@@ -39,15 +39,15 @@ Near minus(const std::array<ErrorBounded, 3>& a, const std::array<ErrorBounded, 
 
 ErrorBounded determinant(const Near& a, const Near& b, const Near& c) { return polynomials::dot(polynomials::cross(a, b), c); }
 
-Certificate with_view(Certificate points, const View& view) {
+BitRange with_view(BitRange points, const View& view) {
   if (!view.is_perspective()) return points;
   points.add(view.viewpoint.at);
   points.add(view.target);
   return points;
 }
 
-Certificate of_direction(const View& view) {
-  Certificate c;
+BitRange of_direction(const View& view) {
+  BitRange c;
   if (!view.is_perspective()) c.add(view.viewpoint.at);
   return c;
 }
@@ -76,11 +76,11 @@ PaintedPoints::PaintedPoints(const std::vector<PaintedPolygon>& polygons) {
       corners_.push_back(p ? add_double(*p) : add_rational(polygons[i].corners[k]));
     }
   for (std::uint32_t n = 0; n < points_.size(); ++n)
-    if (is_double(n)) certificate_.add(points_[n]);
+    if (is_double(n)) bit_range_.add(points_[n]);
 }
 
 std::uint32_t PaintedPoints::number_of(const RationalVector& p) {
-  // A new one stays a rational even where it is a double: the certificate is not of it.
+  // A new one stays a rational even where it is a double: the bit range is not of it.
   if (const auto d = as_point(p))
     if (const auto seen = doubles_seen_.find(*d); seen != doubles_seen_.end()) return seen->second;
   return add_rational(p);
@@ -102,14 +102,14 @@ std::uint32_t PaintedPoints::add_rational(const RationalVector& p) {
     points_.emplace_back();
     exact_.push_back(static_cast<std::uint32_t>(rationals_.size()));
     rationals_.push_back(p);
-    wholes_.push_back(WholePoint::of(p));
+    wholes_.push_back(HomogeneousPoint3::of(p));
     near_.push_back({bounded(p[0]), bounded(p[1]), bounded(p[2])});
   }
   return at->second;
 }
 
-WholePoint PaintedPoints::whole(std::uint32_t number) const {
-  return is_double(number) ? WholePoint::of(rational(points_[number])) : wholes_[exact_[number]];
+HomogeneousPoint3 PaintedPoints::whole(std::uint32_t number) const {
+  return is_double(number) ? HomogeneousPoint3::of(rational(points_[number])) : wholes_[exact_[number]];
 }
 
 void PaintedPoints::place(const ImageRows& rows) {
@@ -147,8 +147,8 @@ PaintedSides::PaintedSides(const PaintedPoints& points, const ImageRows& rows, c
     : points_(points),
       rows_(rows),
       view_(view),
-      whole_eye_(rows.parallel ? WholePoint::of_direction(rows.eye) : WholePoint::of(rows.eye)),
-      predicates_(with_view(points.certificate(), view), of_direction(view)) {}
+      whole_eye_(rows.parallel ? HomogeneousPoint3::of_direction(rows.eye) : HomogeneousPoint3::of(rows.eye)),
+      predicates_(with_view(points.bit_range(), view), of_direction(view)) {}
 
 Sign PaintedSides::turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) {
   if (p == a || p == b) return Sign::zero;
@@ -179,7 +179,7 @@ Sign PaintedSides::turn_in_space(std::uint32_t a, std::uint32_t b, std::uint32_t
   const ErrorBounded near = rows_.parallel ? determinant(minus(d, c), Near{eye[0], eye[1], eye[2]}, minus(at, c))
                                            : determinant(minus(c, eye), minus(d, eye), minus(at, eye));
   if (near.is_certain()) return sign_of(near.value);
-  const WholePoint from = points_.whole(a), to = points_.whole(b), whole = points_.whole(p);
+  const HomogeneousPoint3 from = points_.whole(a), to = points_.whole(b), whole = points_.whole(p);
   return rows_.parallel ? orientation(from, to, whole_eye_, whole) : orientation(whole_eye_, from, to, whole);
 }
 

@@ -41,14 +41,14 @@ class PaintedPoints {
   }
   /// In doubles with proven bounds.
   const std::array<ErrorBounded, 3>& near(std::uint32_t number) const { return near_[number]; }
-  WholePoint whole(std::uint32_t number) const;
+  HomogeneousPoint3 whole(std::uint32_t number) const;
   /// Once all points are there: where they are seen. Cost: O(n), parallel.
   void place(const ImageRows& rows);
   bool are_placed() const { return places_.size() == points_.size(); }
   /// @pre are_placed
   const NearPlace& place_of(std::uint32_t number) const { return places_[number]; }
   /// Of all that are doubles.
-  const Certificate& certificate() const { return certificate_; }
+  const BitRange& bit_range() const { return bit_range_; }
 
  private:
   static constexpr std::uint32_t not_exact = 0xffffffffU;
@@ -62,12 +62,12 @@ class PaintedPoints {
   std::vector<Point3> points_;
   std::vector<std::uint32_t> exact_;  // by number: the place in rationals_
   std::vector<RationalVector> rationals_;
-  std::vector<WholePoint> wholes_;                 // of rationals_
+  std::vector<HomogeneousPoint3> wholes_;          // of rationals_
   std::vector<std::array<ErrorBounded, 3>> near_;  // by number
   std::vector<NearPlace> places_;                  // by number
   std::unordered_map<Point3, std::uint32_t, Hash> doubles_seen_;
   std::map<RationalVector, std::uint32_t> rationals_seen_;
-  Certificate certificate_;
+  BitRange bit_range_;
 };
 
 /// On which side painted points lie: by the predicates in stages where all are doubles; else in doubles with bounds, and by a
@@ -90,7 +90,7 @@ class PaintedSides {
   const PaintedPoints& points_;
   const ImageRows& rows_;
   const View& view_;
-  WholePoint whole_eye_;
+  HomogeneousPoint3 whole_eye_;
   Predicates predicates_;
 };
 

@@ -29,10 +29,10 @@ struct OccludingEdge {
 /// comes out of the body there and has entered it before, through what is not left out.
 ///
 /// Exact: yes. Cost: O(n), parallel, and O(m log m) for m occluding edges.
-class Layers {
+class OccludingEdges {
  public:
-  /// @param left_out by triangle, because it is hidden itself or a far side (Bodies); whole faces only; empty: none
-  Layers(const Sight& sight, const std::vector<std::uint8_t>& left_out);
+  /// @param left_out by triangle, because it is hidden itself or a far side (ClosedBodies); whole faces only; empty: none
+  OccludingEdges(const ProjectedMesh& projected, const std::vector<std::uint8_t>& left_out);
 
   bool counts(TriangleId t) const { return counts_[t] != 0; }
   const std::vector<OccludingEdge>& edges() const { return edges_; }
@@ -56,7 +56,7 @@ class Layers {
   bool near_cuts_face(TriangleId t) const;
   bool needs_cast(TriangleId t, EdgeId e, Predicates& exact) const;
 
-  const Sight& sight_;
+  const ProjectedMesh& projected_;
   const std::vector<std::uint8_t>& left_out_;
   IndexedVector<TriangleId, std::uint8_t> counts_;
   std::vector<OccludingEdge> edges_;

@@ -1,4 +1,4 @@
-#include "hsr/lines/occluding_edges.h"
+#include "hsr/scene/occluding_edges.h"
 
 #include <tbb/parallel_for.h>
 
@@ -22,7 +22,8 @@ void store(T& place, T value) {
 
 }  // namespace
 
-Layers::Layers(const Sight& sight, const std::vector<std::uint8_t>& left_out) : sight_(sight), left_out_(left_out) {
+OccludingEdges::OccludingEdges(const ProjectedMesh& projected, const std::vector<std::uint8_t>& left_out)
+    : projected_(projected), left_out_(left_out) {
   choose_counted();
   weigh_edges();
   find_stars();
@@ -32,24 +33,24 @@ Layers::Layers(const Sight& sight, const std::vector<std::uint8_t>& left_out) : 
 /// can tell. A counted triangle lies to the right of its corner of middle height for just one of its turns; where each triangle
 /// at a vertex turns certainly as its rounded image does, and no edge at the vertex has a weight, their number is that of the
 /// layers around it: moving the images from the rounded to the exact places turns no triangle over.
-void Layers::choose_counted() {
-  const Mesh& mesh = sight_.mesh();
+void OccludingEdges::choose_counted() {
+  const Mesh& mesh = projected_.mesh();
   counts_.resize(mesh.triangles.size());
   std::vector<std::uint8_t> to_the_right(mesh.points.size(), 0);  // 2: two or more
   is_plain_.assign(mesh.points.size(), 1);
   tbb::parallel_for(Range(0, mesh.triangles.size(), block), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const TriangleId t(i);
-      counts_[t] = sight_.facing(t) != Sign::zero && !near_cuts_face(t) && !is_left_out(t) ? 1 : 0;
+      counts_[t] = projected_.facing(t) != Sign::zero && !near_cuts_face(t) && !is_left_out(t) ? 1 : 0;
       if (counts_[t] == 0) continue;
       std::array<VertexId, 3> c = mesh.triangles[t];
-      if (ImageLine(sight_, c[0], c[1]).certain_side(c[2]) == Sign::zero) {
+      if (LineFilter(projected_, c[0], c[1]).certain_side(c[2]) == Sign::zero) {
         for (const VertexId v : c) store(is_plain_[v.value], std::uint8_t{0});
         continue;
       }
-      if (sight_.facing(t) == Sign::negative) std::swap(c[1], c[2]);
+      if (projected_.facing(t) == Sign::negative) std::swap(c[1], c[2]);
       const auto is_lower = [&](VertexId v, VertexId w) {
-        const double y = sight_.image(v).y, z = sight_.image(w).y;
+        const double y = projected_.image(v).y, z = projected_.image(w).y;
         return y != z ? y < z : v < w;
       };
       for (std::size_t k = 0; k < 3; ++k)
@@ -66,94 +67,95 @@ void Layers::choose_counted() {
 }
 
 /// Whether t, seen edge-on, has to be cast because of its side e: see layers.h. @pre no counted triangle is at e
-bool Layers::needs_cast(TriangleId t, EdgeId e, Predicates& exact) const {
-  const Mesh& mesh = sight_.mesh();
+bool OccludingEdges::needs_cast(TriangleId t, EdgeId e, Predicates& exact) const {
+  const Mesh& mesh = projected_.mesh();
   const Edge& edge = mesh.edges[e];
-  if (ImageLine(sight_, edge.a, edge.b).is_point(exact)) return false;
+  if (LineFilter(projected_, edge.a, edge.b).is_point(exact)) return false;
   // All of these triangles lie in the view plane of the edge; on which side of it, two coordinates tell.
   for (int axis = 0; axis < 3; ++axis) {
-    const Plane line = Plane::along_axis(sight_.point(edge.a), sight_.point(edge.b), axis);
-    const Sign side = exact.side(line, sight_.point(mesh.apex(t, edge)));
+    const Plane line = Plane::along_axis(projected_.point(edge.a), projected_.point(edge.b), axis);
+    const Sign side = exact.side(line, projected_.point(mesh.apex(t, edge)));
     if (side == Sign::zero) continue;
     const auto all = mesh.triangles_at(e);
     return std::none_of(all.begin(), all.end(), [&](TriangleId other) {
-      return sight_.facing(other) == Sign::zero && exact.side(line, sight_.point(mesh.apex(other, edge))) == -side;
+      return projected_.facing(other) == Sign::zero && exact.side(line, projected_.point(mesh.apex(other, edge))) == -side;
     });
   }
   return true;
 }
 
 /// The triangles of a planar face are counted or cast together: where two of them meet the mesh has no edge.
-bool Layers::near_cuts_face(TriangleId t) const {
-  if (!sight_.is_perspective()) return false;
-  const Mesh& mesh = sight_.mesh();
+bool OccludingEdges::near_cuts_face(TriangleId t) const {
+  if (!projected_.is_perspective()) return false;
+  const Mesh& mesh = projected_.mesh();
   const FaceId f = mesh.face_of[t];
   for (std::uint32_t k = mesh.first_triangle[f]; k < mesh.first_triangle[FaceId(f.value + 1U)]; ++k)
-    if (sight_.reaches_before_near(TriangleId(k))) return true;
+    if (projected_.reaches_before_near(TriangleId(k))) return true;
   return false;
 }
 
-void Layers::weigh_edges() {
-  const Mesh& mesh = sight_.mesh();
-  edges_ = collected<OccludingEdge>(mesh.edges.size(), [&](std::size_t from, std::size_t to, std::vector<OccludingEdge>& part) {
-    Predicates exact = sight_.predicates();
-    for (std::size_t i = from; i < to; ++i) {
-      const EdgeId e(i);
-      const Edge& edge = mesh.edges[e];
-      std::int32_t weight = 0;
-      bool is_counted = false;
-      for (const TriangleId t : mesh.triangles_at(e)) {
-        if (!counts(t)) continue;
-        is_counted = true;
-        weight += static_cast<int>(sight_.side_of_edge(t, edge));
-      }
-      if (weight != 0) part.push_back({e, weight});
-      // An edge between no counted triangles, such as a wire, may lie behind those at its ends.
-      if (weight == 0 && (is_counted || ImageLine(sight_, edge.a, edge.b).is_point(exact))) continue;
-      store(is_plain_[edge.a.value], std::uint8_t{0});
-      store(is_plain_[edge.b.value], std::uint8_t{0});
-    }
-  });
+void OccludingEdges::weigh_edges() {
+  const Mesh& mesh = projected_.mesh();
+  edges_ = parallel_collect<OccludingEdge>(
+      mesh.edges.size(), [&](std::size_t from, std::size_t to, std::vector<OccludingEdge>& part) {
+        Predicates exact = projected_.predicates();
+        for (std::size_t i = from; i < to; ++i) {
+          const EdgeId e(i);
+          const Edge& edge = mesh.edges[e];
+          std::int32_t weight = 0;
+          bool is_counted = false;
+          for (const TriangleId t : mesh.triangles_at(e)) {
+            if (!counts(t)) continue;
+            is_counted = true;
+            weight += static_cast<int>(projected_.side_of_edge(t, edge));
+          }
+          if (weight != 0) part.push_back({e, weight});
+          // An edge between no counted triangles, such as a wire, may lie behind those at its ends.
+          if (weight == 0 && (is_counted || LineFilter(projected_, edge.a, edge.b).is_point(exact))) continue;
+          store(is_plain_[edge.a.value], std::uint8_t{0});
+          store(is_plain_[edge.b.value], std::uint8_t{0});
+        }
+      });
   std::vector<ImageBox> boxes(edges_.size());
   tbb::parallel_for(Range(0, boxes.size(), block), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const Edge& edge = mesh.edges[edges_[i].edge];
-      boxes[i] = sight_.box(edge.a, edge.b);
+      boxes[i] = projected_.box(edge.a, edge.b);
     }
   });
   tree_ = BoxTree(boxes);
 
-  cast_ = collected<TriangleId>(mesh.edges.size(), [&](std::size_t from, std::size_t to, std::vector<TriangleId>& part) {
-    Predicates exact = sight_.predicates();
+  cast_ = parallel_collect<TriangleId>(mesh.edges.size(), [&](std::size_t from, std::size_t to, std::vector<TriangleId>& part) {
+    Predicates exact = projected_.predicates();
     for (std::size_t i = from; i < to; ++i) {
       const auto all = mesh.triangles_at(EdgeId(i));
       if (std::any_of(all.begin(), all.end(),
-                      [&](TriangleId t) { return counts(t) || (is_left_out(t) && sight_.facing(t) != Sign::zero); }))
+                      [&](TriangleId t) { return counts(t) || (is_left_out(t) && projected_.facing(t) != Sign::zero); }))
         continue;
       for (const TriangleId t : all)
-        if (sight_.facing(t) == Sign::zero && !near_cuts_face(t) && !is_left_out(t) && needs_cast(t, EdgeId(i), exact))
+        if (projected_.facing(t) == Sign::zero && !near_cuts_face(t) && !is_left_out(t) && needs_cast(t, EdgeId(i), exact))
           part.push_back(t);
     }
   });
-  if (sight_.is_perspective()) {
+  if (projected_.is_perspective()) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      if (near_cuts_face(TriangleId(i)) && !is_left_out(TriangleId(i)) && sight_.reaches_beyond_near(TriangleId(i)))
+      if (near_cuts_face(TriangleId(i)) && !is_left_out(TriangleId(i)) && projected_.reaches_beyond_near(TriangleId(i)))
         cast_.emplace_back(i);
   }
   std::sort(cast_.begin(), cast_.end());
   cast_.erase(std::unique(cast_.begin(), cast_.end()), cast_.end());
   boxes.resize(cast_.size());
-  for (std::size_t i = 0; i < cast_.size(); ++i) boxes[i] = sight_.box(cast_[i]);
+  for (std::size_t i = 0; i < cast_.size(); ++i) boxes[i] = projected_.box(cast_[i]);
   cast_tree_ = BoxTree(boxes);
 }
 
-void Layers::find_stars() {
+void OccludingEdges::find_stars() {
   struct Place {
     VertexId vertex;
     TriangleId triangle;
   };
-  const Mesh& mesh = sight_.mesh();
-  auto places = collected<Place>(mesh.triangles.size(), [&](std::size_t from, std::size_t to, std::vector<Place>& part) {
+  const Mesh& mesh = projected_.mesh();
+  auto places = parallel_collect<Place>(mesh.triangles.size(), [&](std::size_t from, std::size_t to, std::vector<Place>& part) {
     for (std::size_t i = from; i < to; ++i) {
       if (!counts(TriangleId(i))) continue;
       for (const VertexId v : mesh.triangles[TriangleId(i)])
