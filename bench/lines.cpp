@@ -53,7 +53,8 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
   LineOptions options;
   if (request.edges == "all") options.classes.fill(true);
   options.method = methods.at(request.method);
-  options.stages.fill(stages.at(request.stages));
+  SceneOptions scene;
+  scene.stages.fill(stages.at(request.stages));
   Times mesh_times, line_times;
   reset_peak_memory();
   for (int k = 0; k < request.repeat; ++k) {
@@ -61,7 +62,7 @@ Row measure(const Model& model, const std::string& view_name, const Request& req
     VisibleLines result;
     mesh_times.add(elapsed([&] { mesh = make_mesh(model.points, model.polygons); }));
     const View view = view_of(view_name, mesh);
-    line_times.add(elapsed([&] { result = visible_lines(mesh, view, options); }));
+    line_times.add(elapsed([&] { result = visible_lines(SceneView(mesh, view, scene), options); }));
     if (k > 0) continue;
     row.megabytes = peak_memory() / 1e6;
     row.triangles = mesh.triangles.size();

@@ -69,8 +69,9 @@ bool row(const std::filesystem::path& file, const std::string& view_name, const 
     LineOptions options;
     if (request.edges == "all") options.classes.fill(true);
     options.method = k == 0 ? LineMethod::automatic : k == 1 ? LineMethod::appel : LineMethod::roberts;
-    if (k == 2) options.stages.fill(When::never);
-    seconds[k] = elapsed([&] { found[k] = visible_lines(mesh, view, options); }).clock;
+    SceneOptions scene;
+    if (k == 2) scene.stages.fill(When::never);
+    seconds[k] = elapsed([&] { found[k] = visible_lines(SceneView(mesh, view, scene), options); }).clock;
   }
   std::string wrong = difference(mesh, view, found[1], found[2]);
   if (wrong.empty()) wrong = difference(mesh, view, found[0], found[2]);

@@ -20,6 +20,8 @@ struct BitRange {
   void add(double x);  ///< @pre finite
   void add(const Point3& p);
   void add(const BitRange& c);  ///< of both sets of numbers
+
+  friend bool operator==(const BitRange&, const BitRange&) = default;
 };
 
 /// The bit range of all coordinates of `points`. @pre finite. Cost: O(n).

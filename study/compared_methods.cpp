@@ -146,7 +146,7 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
   for (const Arithmetic arithmetic : {Arithmetic::staged, Arithmetic::double_only}) {
     methods.push_back(runnable<CastImage>(
         "ray casting", name(arithmetic),
-        [&mesh, &view, grid, arithmetic] { return cast(mesh, view, grid, {.arithmetic = arithmetic}); },
+        [&mesh, &view, grid, arithmetic] { return cast(SceneView(mesh, view, {.arithmetic = arithmetic}), grid); },
         [](const CastImage& image) {
           return ShownPicture{image.triangles, {}};
         }));
@@ -187,8 +187,8 @@ std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& v
   for (const Arithmetic arithmetic : {Arithmetic::staged, Arithmetic::double_only, Arithmetic::interval, Arithmetic::rational})
     methods.push_back(runnable<VisibleFragments>(
         "visible fragments", name(arithmetic),
-        [&mesh, &view, arithmetic] { return visible_fragments(mesh, view, {.arithmetic = arithmetic}); }, show_fragments,
-        count_fragments));
+        [&mesh, &view, arithmetic] { return visible_fragments(SceneView(mesh, view, {.arithmetic = arithmetic})); },
+        show_fragments, count_fragments));
   // Other arithmetic than the staged one is for comparison.
   methods[2].cost = 500;
   methods[3].cost = 3000;

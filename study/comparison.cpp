@@ -201,22 +201,24 @@ class Comparer {
     show("stages", 0);
     LineOptions options;
     options.classes.fill(true);
-    for (const LeftOut& l : plan_lines(mesh_, view_, options).left_out) result_.left_out.push_back(l);
+    for (const LeftOut& l : plan_lines(SceneView(mesh_, view_), options).left_out) result_.left_out.push_back(l);
     const double with = timed([&] { (void)visible_lines(mesh_, view_, options); });
-    constexpr std::array<const char*, line_stages> names = {"edges outside the picture", "one convex body",
+    constexpr std::array<const char*, stage_count> names = {"edges outside the picture", "one convex body",
                                                             "far sides of closed bodies", "what is hidden behind large faces",
                                                             "faces away from the edges"};
-    for (std::size_t s = 1; s < line_stages; ++s) {  // the first: only with a field of view
-      LineOptions forced = options;
-      forced.stages[s] = When::never;
-      show(names[s], static_cast<double>(s) / line_stages);
+    for (std::size_t s = 1; s < stage_count; ++s) {  // the first: only with a field of view
+      SceneOptions without;
+      without.stages[s] = When::never;
+      show(names[s], static_cast<double>(s) / stage_count);
       result_.stages.push_back({std::string("lines: ") + names[s], "left out", with,
-                                timed([&] { (void)visible_lines(mesh_, view_, forced); }), "changes nothing"});
+                                timed([&] { (void)visible_lines(SceneView(mesh_, view_, without), options); }),
+                                "changes nothing"});
     }
     const double fragments = timed([&] { (void)visible_fragments(mesh_, view_); });
-    const FragmentOptions all{.stages = When::never};
+    SceneOptions all;
+    all.stages.fill(When::never);
     result_.stages.push_back({"fragments: far sides, hidden faces", "left out", fragments,
-                              timed([&] { (void)visible_fragments(mesh_, view_, all); }), "changes nothing"});
+                              timed([&] { (void)visible_fragments(SceneView(mesh_, view_, all)); }), "changes nothing"});
     const Timer timer = [this](const std::function<void()>& work) { return timed(work); };
     const SampleGrid grid = grid_(options_.size);
     show("culling", 0.5);

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "hsr/lines/appel.h"
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 #include "hsr/raster/depth_buffer.h"
 #include "hsr/raster/facing_culling.h"
 #include "hsr/raster/frustum_culling.h"
@@ -120,7 +119,8 @@ std::vector<ComparedStage> coherence_stages(const Mesh& mesh, const View& view, 
   std::uint64_t appel_pairs = 0, roberts_pairs = 0;
   add(
       "edge: what hides it changes only at outlines (lines by appel), instead of asking all faces (roberts)",
-      [&] { appel_pairs = appel(mesh, view).pairs; }, [&] { roberts_pairs = roberts(mesh, view).pairs; },
+      [&] { appel_pairs = visible_lines(mesh, view, {.method = LineMethod::appel}).pairs; },
+      [&] { roberts_pairs = visible_lines(mesh, view, {.method = LineMethod::roberts}).pairs; },
       [&] {
         return std::to_string(appel_pairs) + " pairs of edges and faces instead of " + std::to_string(roberts_pairs) +
                "; changes nothing";

@@ -11,6 +11,7 @@
 #include "hsr/raster/sample_signs.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/scene_parts.h"
 #include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr {
@@ -125,14 +126,15 @@ class Coverage {
 
 }  // namespace
 
-AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+AreaCheck check_area(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples,
                      const Image<TriangleId>& shown) {
+  const Mesh& mesh = scene.mesh();
   AreaCheck all;
   // A pixel that shows a face is wrong but for what is visible of that face in it.
   for (const TriangleId t : shown.pixels) all.wrong += t.is_valid() ? 1 : 0;
   const std::size_t n = fragments.fragments.size();
   if (n == 0) return all;
-  const ProjectedMesh projected(mesh, view, Arithmetic::staged, samples.bit_range());
+  const ProjectedMesh& projected = scene.parts().with(samples.bit_range()).projected();
   const SampleSigns signs(projected, samples);
   constexpr std::size_t block = 256;
   std::vector<AreaCheck> parts((n + block - 1) / block);

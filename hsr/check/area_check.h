@@ -3,6 +3,7 @@
 #include "geometry/mesh.h"
 #include "hsr/raster/image.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/scene.h"
 #include "hsr/surfaces/fragments.h"
 #include "hsr/view/view.h"
 
@@ -26,7 +27,12 @@ struct AreaCheck {
 /// Exact: no; it is a measure, in doubles, and decides nothing. Cost: O(pixels covered + pixels that
 /// sides of fragments pass, sorted), parallel.
 /// Source: coverage by areas under edges, as FreeType's smooth rasterizer has it.
-AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+AreaCheck check_area(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples,
                      const Image<TriangleId>& shown);
+/// Of a scene that nothing else looks at.
+inline AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+                            const Image<TriangleId>& shown) {
+  return check_area(SceneView(mesh, view), fragments, samples, shown);
+}
 
 }  // namespace hsr

@@ -16,7 +16,7 @@ namespace hsr {
 namespace {
 
 template <class Real>
-ErrorAgainstTime of_z_buffer(const char* numbers, const Mesh& mesh, const View& view, const VisibleFragments& fragments,
+ErrorAgainstTime of_z_buffer(const char* numbers, const SceneView& scene, const VisibleFragments& fragments,
                              const SampleGrid& grid, const Image<TriangleId>& nearest, int runs) {
   ErrorAgainstTime row;
   row.method = "z-buffer";
@@ -26,18 +26,18 @@ ErrorAgainstTime of_z_buffer(const char* numbers, const Mesh& mesh, const View& 
   DepthImage<Real> image;
   row.seconds = seconds_of_runs(runs, [&] {
     image = {};  // or two are held at once
-    image = z_buffer<Real>(mesh, view, grid);
+    image = z_buffer<Real>(scene.mesh(), scene.view(), grid);
   });
-  row.samples = check_z_buffer(mesh, view, grid, image, nearest);
+  row.samples = check_z_buffer(scene.mesh(), scene.view(), grid, image, nearest);
   Image<TriangleId> shown(grid.width, grid.height);
   std::transform(image.pixels.begin(), image.pixels.end(), shown.pixels.begin(), [](const auto& p) { return p.triangle; });
-  row.area = check_area(mesh, view, fragments, grid, shown);
+  row.area = check_area(scene, fragments, grid, shown);
   return row;
 }
 
 }  // namespace
 
-std::vector<ErrorAgainstTime> error_against_time(const Mesh& mesh, const View& view, const VisibleFragments& fragments,
+std::vector<ErrorAgainstTime> error_against_time(const SceneView& scene, const VisibleFragments& fragments,
                                                  const std::function<SampleGrid(int size)>& grid,
                                                  const ErrorAgainstTimeOptions& options) {
   std::vector<ErrorAgainstTime> rows;
@@ -50,15 +50,15 @@ std::vector<ErrorAgainstTime> error_against_time(const Mesh& mesh, const View& v
   for (const int size : options.sizes) {
     show();
     const SampleGrid samples = grid(size);
-    const Image<TriangleId> nearest = cast(mesh, view, samples).triangles;
-    const FragmentCheck check = check_fragments(mesh, view, fragments, samples, nearest);
+    const Image<TriangleId> nearest = cast(scene, samples).triangles;
+    const FragmentCheck check = check_fragments(scene, fragments, samples, nearest);
     exact.samples.samples += check.samples;
     exact.samples.covered += check.covered;
     exact.samples.wrong += check.wrong + check.overlapping;
-    rows.push_back(of_z_buffer<float>("float", mesh, view, fragments, samples, nearest, options.runs));
+    rows.push_back(of_z_buffer<float>("float", scene, fragments, samples, nearest, options.runs));
     done += 0.5 * size * size;
     show();
-    rows.push_back(of_z_buffer<double>("double", mesh, view, fragments, samples, nearest, options.runs));
+    rows.push_back(of_z_buffer<double>("double", scene, fragments, samples, nearest, options.runs));
     done += 0.5 * size * size;
   }
   exact.method = "fragments";
@@ -66,7 +66,7 @@ std::vector<ErrorAgainstTime> error_against_time(const Mesh& mesh, const View& v
   exact.threads = static_cast<int>(std::min<std::size_t>(
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism), tbb::info::default_concurrency()));
   exact.samples.other = exact.samples.wrong;  // nothing would excuse it
-  exact.seconds = seconds_of_runs(options.runs, [&] { (void)visible_fragments(mesh, view); });
+  exact.seconds = seconds_of_runs(options.runs, [&] { (void)visible_fragments(scene.mesh(), scene.view()); });
   if (!rows.empty()) exact.area.visible = rows.back().area.visible;
   rows.push_back(std::move(exact));
   show();

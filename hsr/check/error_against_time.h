@@ -8,6 +8,7 @@
 #include "hsr/check/area_check.h"
 #include "hsr/check/z_buffer_check.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/scene.h"
 #include "hsr/surfaces/fragments.h"
 #include "hsr/view/view.h"
 
@@ -36,7 +37,7 @@ struct ErrorAgainstTimeOptions {
 /// @param grid gives the samples of a size
 /// @throws PreconditionError as paint() does
 /// Cost: each method `runs` times, and a cast() for each size. The largest picture takes 20 bytes a sample and more.
-std::vector<ErrorAgainstTime> error_against_time(const Mesh& mesh, const View& view, const VisibleFragments& fragments,
+std::vector<ErrorAgainstTime> error_against_time(const SceneView& scene, const VisibleFragments& fragments,
                                                  const std::function<SampleGrid(int size)>& grid,
                                                  const ErrorAgainstTimeOptions& options = {});
 

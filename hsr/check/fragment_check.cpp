@@ -9,6 +9,7 @@
 #include "hsr/raster/rasterizer.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/scene_parts.h"
 #include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr {
@@ -92,12 +93,12 @@ bool all_in_front(const SampleSigns& signs, const VisibleFragments& all) {
 
 }  // namespace
 
-Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+Image<TriangleId> paint(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples,
                         std::uint64_t& overlapping) {
   Image<TriangleId> image(samples.width, samples.height);
   overlapping = 0;
   if (fragments.fragments.empty()) return image;
-  const ProjectedMesh projected(mesh, view, Arithmetic::staged, samples.bit_range());
+  const ProjectedMesh& projected = scene.parts().with(samples.bit_range()).projected();
   const SampleSigns signs(projected, samples);
   require(all_in_front(signs, fragments), "paint: a part of the model is not in front of the eye as the samples are");
   constexpr std::size_t block = 1024;
@@ -127,15 +128,15 @@ Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragmen
   return image;
 }
 
-FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments,
-                              const SampleGrid& samples) {
-  return check_fragments(mesh, view, fragments, samples, cast(mesh, view, samples).triangles);
+FragmentCheck check_fragments(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples) {
+  return check_fragments(scene, fragments, samples, cast(scene, samples).triangles);
 }
 
-FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+FragmentCheck check_fragments(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples,
                               const Image<TriangleId>& nearest) {
+  const Mesh& mesh = scene.mesh();
   FragmentCheck check;
-  const Image<TriangleId> painted = paint(mesh, view, fragments, samples, check.overlapping);
+  const Image<TriangleId> painted = paint(scene, fragments, samples, check.overlapping);
   const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh, t) : t; };
   const auto face = [&](TriangleId t) { return t.is_valid() ? mesh.face_of[t] : FaceId(); };
   for (int j = 0; j < samples.height; ++j)

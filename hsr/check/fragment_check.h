@@ -6,6 +6,7 @@
 #include "geometry/mesh.h"
 #include "hsr/raster/image.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/scene.h"
 #include "hsr/surfaces/fragments.h"
 #include "hsr/view/view.h"
 
@@ -29,17 +30,32 @@ struct FragmentCheck {
 
 /// The facet that the fragments show at each sample: its first triangle; not valid: none. @param overlapping gets how often a
 /// sample was painted again
-Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+Image<TriangleId> paint(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples,
                         std::uint64_t& overlapping);
+/// Of a scene that nothing else looks at.
+inline Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+                               std::uint64_t& overlapping) {
+  return paint(SceneView(mesh, view), fragments, samples, overlapping);
+}
 
 /// Paints the fragments and compares each sample with the nearest face along its line of sight, edges and ties included: object
 /// space against image space.
 ///
 /// @throws PreconditionError as paint() does
 /// Exact: yes. Cost: that of cast() and of painting.
-FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples);
+FragmentCheck check_fragments(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples);
+/// Of a scene that nothing else looks at.
+inline FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments,
+                                     const SampleGrid& samples) {
+  return check_fragments(SceneView(mesh, view), fragments, samples);
+}
 /// The same, where what cast() gives is known.
-FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
+FragmentCheck check_fragments(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples,
                               const Image<TriangleId>& nearest);
+/// Of a scene that nothing else looks at.
+inline FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments,
+                                     const SampleGrid& samples, const Image<TriangleId>& nearest) {
+  return check_fragments(SceneView(mesh, view), fragments, samples, nearest);
+}
 
 }  // namespace hsr

@@ -6,10 +6,11 @@
 
 namespace hsr {
 
-OrderCheck check_order(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples) {
+OrderCheck check_order(const SceneView& scene, const PaintersOrder& order, const SampleGrid& samples) {
+  const Mesh& mesh = scene.mesh();
   OrderCheck check;
-  const Image<std::uint32_t> painted = paint(mesh, view, order, samples);
-  const CastImage seen = cast(mesh, view, samples);
+  const Image<std::uint32_t> painted = paint(scene, order, samples);
+  const CastImage seen = cast(scene, samples);
   for (int j = 0; j < samples.height; ++j)
     for (int i = 0; i < samples.width; ++i) {
       const std::uint32_t piece = painted.at(i, j);

@@ -5,6 +5,7 @@
 
 #include "hsr/painter/painters_order.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/scene.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -20,6 +21,10 @@ struct OrderCheck {
 ///
 /// @throws PreconditionError as cast() does
 /// Exact: yes. Cost: that of cast() and of painting.
-OrderCheck check_order(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples);
+OrderCheck check_order(const SceneView& scene, const PaintersOrder& order, const SampleGrid& samples);
+/// Of a scene that nothing else looks at.
+inline OrderCheck check_order(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples) {
+  return check_order(SceneView(mesh, view), order, samples);
+}
 
 }  // namespace hsr

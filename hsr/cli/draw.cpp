@@ -124,9 +124,11 @@ struct Check {
   bool is_right() const { return fragments.is_right() && single.is_explained() && twice.is_explained(); }
 };
 
-Check check(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples) {
-  const Image<TriangleId> nearest = cast(mesh, view, samples).triangles;
-  return {check_fragments(mesh, view, fragments, samples, nearest),
+Check check(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples) {
+  const Mesh& mesh = scene.mesh();
+  const View& view = scene.view();
+  const Image<TriangleId> nearest = cast(scene, samples).triangles;
+  return {check_fragments(scene, fragments, samples, nearest),
           check_z_buffer(mesh, view, samples, z_buffer<float>(mesh, view, samples), nearest),
           check_z_buffer(mesh, view, samples, z_buffer<double>(mesh, view, samples), nearest)};
 }
@@ -215,12 +217,13 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
         "--why: appel counts the faces that hide and does not know which they are, expected --method roberts or auto");
   LineOptions line_options = a.lines.options();
   line_options.why = a.why;
-  line_options.arithmetic = parse_arithmetic(a.arithmetic);
+  SceneOptions scene_options = a.lines.scene_options();
+  scene_options.arithmetic = parse_arithmetic(a.arithmetic);
   DrawingOptions drawing_options = a.page.options();
   drawing_options.hidden = a.hidden == "none"     ? HiddenLines::none
                            : a.hidden == "dashed" ? HiddenLines::dashed
                                                   : HiddenLines::solid;
-  drawing_options.arithmetic = line_options.arithmetic;
+  drawing_options.arithmetic = scene_options.arithmetic;
   drawing_options.leave_out_near = true;
   std::optional<PixelSize> size;
   if (!a.page.size.empty()) size = parse_size(a.page.size);
@@ -249,21 +252,37 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
 
   progress.stage("visible lines");
   line_options.progress = [&](double done) { progress.show(done); };
-  const VisibleLines lines = report.timed("lines", [&] { return visible_lines(mesh, chosen.view, line_options); });
+  const bool measures = std::find(formats.begin(), formats.end(), Format::csv) != formats.end();
+  const bool with_fragments = a.fill || a.check || measures;
+  scene_options.hidden_lines = any_json || a.why || drawing_options.hidden != HiddenLines::none;
+  const SceneView scene(mesh, chosen.view, scene_options);
+  // Fragments and checks are compared with what is exact.
+  const SceneView exact = scene_options.arithmetic == Arithmetic::staged ? scene : SceneView(mesh, chosen.view);
+  // Fragments are bounded by the lines of all edges: these are found once, and the drawing takes some of them.
+  const bool finds_all = with_fragments && !a.why && line_options.method != LineMethod::roberts && fragments_use_lines(scene);
+  std::optional<VisibleLines> all_lines;
+  if (finds_all) {
+    LineOptions every = line_options;
+    every.classes.fill(true);
+    every.frame = {};
+    all_lines = report.timed("lines", [&] { return visible_lines(scene, every); });
+  }
+  const VisibleLines lines = finds_all ? lines_of_classes(*all_lines, line_options.classes)
+                                       : report.timed("lines", [&] { return visible_lines(scene, line_options); });
   describe(report, model, mesh, lines);
   DecisionCounts decisions = lines.decisions;
 
   std::optional<VisibleFragments> fragments;
-  const bool measures = std::find(formats.begin(), formats.end(), Format::csv) != formats.end();
-  if (a.fill || a.check || measures) {
+  if (with_fragments) {
     progress.stage("visible fragments");
     FragmentOptions fragment_options;
-    fragment_options.arithmetic = line_options.arithmetic;
     fragment_options.progress = line_options.progress;
+    if (finds_all) fragment_options.lines = &*all_lines;
     fragments = report.timed("fragments", [&] {
-      return a.lines.method == "roberts" ? roberts_surfaces(mesh, chosen.view, fragment_options)
-                                         : visible_fragments(mesh, chosen.view, fragment_options);
+      return a.lines.method == "roberts" ? roberts_surfaces(scene, fragment_options)
+                                         : visible_fragments(scene, fragment_options);
     });
+    all_lines.reset();
     decisions += fragments->decisions;
     if (!a.report.empty())
       report["fragments"] = report.timed("areas", [&] { return areas_json(model, mesh, chosen.view, *fragments, a.exact); });
@@ -275,8 +294,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
     progress.stage("check");
     const PixelSize pixels = size.value_or(PixelSize{1024, 1024});
     const SampleGrid samples = samples_for(chosen.view, mesh, drawing_options, pixels.width, pixels.height);
-    const Check found =
-        report.timed("check", [&] { return on_samples([&] { return check(mesh, chosen.view, *fragments, samples); }); });
+    const Check found = report.timed("check", [&] { return on_samples([&] { return check(exact, *fragments, samples); }); });
     report["check"] = check_json(found);
     is_right = found.is_right();
     progress.clear();
@@ -293,9 +311,8 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
       if (options.sizes.empty()) options.sizes = {most};
     }
     const auto grid = [&](int n) { return samples_for(chosen.view, mesh, drawing_options, n, n); };
-    errors = report.timed("error against time", [&] {
-      return on_samples([&] { return error_against_time(mesh, chosen.view, *fragments, grid, options); });
-    });
+    errors = report.timed("error against time",
+                          [&] { return on_samples([&] { return error_against_time(exact, *fragments, grid, options); }); });
     const bool is_explained = std::all_of(errors.begin(), errors.end(), [](const auto& e) { return e.samples.is_explained(); });
     progress.clear();
     if (!is_explained) tell("hsr: check failed: differences in the table are unexplained\n");
@@ -308,7 +325,7 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
     progress.stage("drawing");
     drawing = report.timed("drawing", [&] {
       if (!a.fill) return draw(mesh, chosen.view, lines, drawing_options);
-      const Regions regions = regions_of(mesh, chosen.view, *fragments, face_colours(model, mesh, chosen.view),
+      const Regions regions = regions_of(exact, *fragments, face_colours(model, mesh, chosen.view),
                                          a.merge == "none"       ? Merge::none
                                          : a.merge == "coplanar" ? Merge::coplanar
                                                                  : Merge::colour);

@@ -129,6 +129,8 @@ void add_facts(Report& report, const Model& model, const SceneFacts& f) {
 void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   check_outputs(a.model, {a.mesh, a.report});
   LineOptions line_options = a.lines.options();
+  SceneOptions scene_options = a.lines.scene_options();
+  scene_options.hidden_lines = false;  // as a drawing is without --hidden
   Report report;
   ProgressLine progress(false);
   progress.stage("reading");
@@ -142,7 +144,8 @@ void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   progress.stage("facts");
   const SceneFacts facts = report.timed("facts", [&] { return scene_facts(mesh, model.polygons); });
   progress.stage("plan");
-  const LinePlan plan = report.timed("plan", [&] { return plan_lines(mesh, view.view, line_options); });
+  const LinePlan plan =
+      report.timed("plan", [&] { return plan_lines(SceneView(mesh, view.view, scene_options), line_options); });
   progress.clear();
   print(model, facts);
   print(plan, view.title, a.lines.edges);

@@ -14,7 +14,7 @@ namespace hsr::cli {
 namespace {
 
 constexpr std::array<const char*, 6> class_names = {"outline", "sharp", "boundary", "intersection", "wire", "smooth"};
-constexpr std::array<const char*, line_stages> stage_names = {"frame", "convex-body", "back-faces", "hidden-tiles",
+constexpr std::array<const char*, stage_count> stage_names = {"frame", "convex-body", "back-faces", "hidden-tiles",
                                                               "far-faces"};
 constexpr std::array<const char*, 3> when_names = {"auto", "always", "never"};
 
@@ -50,8 +50,8 @@ std::array<bool, 6> parse_classes(const std::string& text) {
   return classes;
 }
 
-std::array<When, line_stages> parse_stages(const std::string& text) {
-  std::array<When, line_stages> stages{};
+std::array<When, stage_count> parse_stages(const std::string& text) {
+  std::array<When, stage_count> stages{};
   if (text.empty()) return stages;
   for (const std::string& part : split(text, ',')) {
     const std::size_t equals = std::min(part.find('='), part.size());
@@ -106,8 +106,9 @@ LineOptions LineArguments::options() const {
   options.classes = parse_classes(edges);
   options.crease = crease;
   options.method = method == "appel" ? LineMethod::appel : method == "roberts" ? LineMethod::roberts : LineMethod::automatic;
-  options.stages = parse_stages(stages);
   return options;
 }
+
+SceneOptions LineArguments::scene_options() const { return {.stages = parse_stages(stages)}; }
 
 }  // namespace hsr::cli

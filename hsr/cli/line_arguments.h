@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hsr/lines/line_options.h"
+#include "hsr/scene/scene.h"
 
 namespace hsr::cli {
 
@@ -15,6 +16,7 @@ struct LineArguments {
   void add_to(CLI::App& app);
   /// @throws InputError naming the option
   LineOptions options() const;
+  SceneOptions scene_options() const;
 };
 
 }  // namespace hsr::cli

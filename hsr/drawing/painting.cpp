@@ -7,6 +7,7 @@
 
 #include "geometry/parallel.h"
 #include "hsr/lines/edge_class.h"
+#include "hsr/scene/scene_parts.h"
 
 namespace hsr {
 
@@ -70,9 +71,11 @@ class Placer {
 
 }  // namespace
 
-Painting paint_on_page(const Mesh& mesh, const View& view, const PaintersOrder& order, const std::vector<Colour>& colours,
+Painting paint_on_page(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours,
                        const LineOptions& lines, const DrawingOptions& options) {
-  const ProjectedMesh projected(mesh, view, Arithmetic::staged);
+  const Mesh& mesh = scene.mesh();
+  const View& view = scene.view();
+  const ProjectedMesh& projected = scene.parts().projected();
   const VisibleLines all = all_edges(mesh, projected);
   std::vector<std::uint32_t> drawn(all.lines.size());
   std::iota(drawn.begin(), drawn.end(), 0U);

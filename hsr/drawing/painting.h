@@ -9,6 +9,7 @@
 #include "hsr/drawing/placement.h"
 #include "hsr/model.h"
 #include "hsr/painter/painters_order.h"
+#include "hsr/scene/scene.h"
 
 namespace hsr {
 
@@ -43,7 +44,12 @@ struct Painting {
 
 /// Places each corner, correctly rounded to 0.001 mm. A side is a line where it lies on an edge of the face that is of the
 /// classes asked for, whole or in part: sides that cuts made never are.
-Painting paint_on_page(const Mesh& mesh, const View& view, const PaintersOrder& order, const std::vector<Colour>& colours,
+Painting paint_on_page(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours,
                        const LineOptions& lines, const DrawingOptions& options);
+/// Of a scene that nothing else looks at.
+inline Painting paint_on_page(const Mesh& mesh, const View& view, const PaintersOrder& order,
+                              const std::vector<Colour>& colours, const LineOptions& lines, const DrawingOptions& options) {
+  return paint_on_page(SceneView(mesh, view), order, colours, lines, options);
+}
 
 }  // namespace hsr

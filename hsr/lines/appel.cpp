@@ -13,9 +13,8 @@
 #include "hsr/lines/invisibility_count.h"
 #include "hsr/lines/invisibility_events.h"
 #include "hsr/lines/line_progress.h"
-#include "hsr/lines/methods.h"
-#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/occluders.h"
+#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/projected_mesh.h"
 
 namespace hsr {
@@ -165,7 +164,7 @@ void Appel::carry_on() {
       const std::int32_t left = part.at_start[i].left + c.left - part.at_end[i].left;
       const bool agrees = counts_.join(e.a.value, e.b.value, left);
 #ifdef HSR_CHECKS
-      if (options_.arithmetic != Arithmetic::double_only &&
+      if (projected_.arithmetic() != Arithmetic::double_only &&
           (!agrees || left != part.at_start[i].right + c.right - part.at_end[i].right))
         throw InvariantError("appel: the layers along edges contradict each other");
 #else
@@ -173,7 +172,7 @@ void Appel::carry_on() {
 #endif
     }
   };
-  if (options_.arithmetic != Arithmetic::double_only) {
+  if (projected_.arithmetic() != Arithmetic::double_only) {
     for_each_part(carry);
     return;
   }
@@ -321,13 +320,6 @@ VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) 
 }
 
 }  // namespace
-
-VisibleLines appel(const Mesh& mesh, const View& view, const LineOptions& options) {
-  require(!options.why, "appel: layers do not say which faces they are; roberts does");
-  LineOptions by_appel = options;
-  by_appel.method = LineMethod::appel;
-  return visible_lines(mesh, view, by_appel);
-}
 
 VisibleLines appel(const ProjectedMesh& projected, const ClassifiedEdges& requested, const OccludingEdges& layers,
                    const Occluders& occluders, const LineOptions& options) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "hsr/lines/classified_edges.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/lines/visible_lines.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/occluding_edges.h"
 
 namespace hsr {
 
@@ -14,8 +17,9 @@ namespace hsr {
 ///
 /// Exact: yes. Degenerate: docs/conventions.md. Cost: O(n log n + k log k), k = pairs of an edge and an occluding edge that
 /// overlap in the image: on closed meshes far fewer than the pairs of an edge and a face.
-/// @throws PreconditionError if `options.why` is set: layers have no names; `roberts` gives them
+/// @pre `options.why` is not set: layers have no names; `roberts` gives them
 /// Source: Appel 1967, "The notion of quantitative invisibility and the machine rendering of solids".
-VisibleLines appel(const Mesh& mesh, const View& view, const LineOptions& options = {});
+VisibleLines appel(const ProjectedMesh& projected, const ClassifiedEdges& requested, const OccludingEdges& layers,
+                   const Occluders& occluders, const LineOptions& options);
 
 }  // namespace hsr

@@ -1,10 +1,10 @@
+#include "hsr/lines/convex_body.h"
+
 #include <algorithm>
 #include <numeric>
 #include <vector>
 
 #include "hsr/lines/hidden_intervals.h"
-#include "hsr/lines/methods.h"
-#include "hsr/scene/closed_bodies.h"
 #include "hsr/scene/line_filter.h"
 
 namespace hsr {

@@ -46,8 +46,8 @@ void HiddenIntervals::unite(std::vector<HiddenInterval>& cast) {
 /// Property (1) of the result, where the build checks its invariants.
 void HiddenIntervals::check_ascending([[maybe_unused]] std::span<const HiddenInterval> hidden) {
 #ifdef HSR_CHECKS
-  if (options_.arithmetic == Arithmetic::double_only) return;  // it promises nothing
-  const DecisionCounts before = exact().counts();              // the report is the same in every build
+  if (projected_.arithmetic() == Arithmetic::double_only) return;  // it promises nothing
+  const DecisionCounts before = exact().counts();                  // the report is the same in every build
   const Breakpoint* reached = &occlusion_.first();
   for (const HiddenInterval& s : hidden) {
     const Sign gap = occlusion_.order(*reached, s.from);
@@ -177,10 +177,10 @@ void HiddenIntervals::cast_on(const Stretch& stretch, const ImageBox& box, const
   occluders.tree.visit_boxes<BoxTree::Depth::hiding>(box, [&](std::uint32_t i, std::uint32_t at) {
     ++result_.pairs;
     const std::size_t before = cast_.size();
-    if (occluders.faces.empty())
+    if (!occluders.is_prepared())
       occlusion_.cast(occluders.triangles[i], cast_);
     else
-      occlusion_.cast(occluders.faces[at], cast_);
+      occlusion_.cast(occluders.faces()[at], cast_);
     if (options_.why || cast_.size() == before) return true;
     if (one_covers(before)) return false;
     // Now and then the shadows so far are united: together they may hide all of it. As their number doubles, so that a long

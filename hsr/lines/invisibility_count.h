@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/occluders.h"
+#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/projected_mesh.h"
 
 namespace hsr {

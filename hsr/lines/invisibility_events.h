@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "hsr/scene/occluding_edges.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/occluders.h"
+#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/projected_mesh.h"
 
 namespace hsr {

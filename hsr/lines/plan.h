@@ -3,16 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh.h"
 #include "hsr/lines/line_options.h"
-#include "hsr/view/view.h"
+#include "hsr/scene/scene.h"
 
 namespace hsr {
-
-/// A stage that a result does without, and why; or what a stage saved.
-struct LeftOut {
-  std::string stage, why;
-};
 
 /// What visible lines take, and what they do without.
 struct LinePlan {
@@ -21,6 +15,6 @@ struct LinePlan {
 };
 
 /// What visible_lines() would do, without doing it. Cost: O(n log n + k) for k pairs of faces that nearly touch, parallel.
-LinePlan plan_lines(const Mesh& mesh, const View& view, const LineOptions& options = {});
+LinePlan plan_lines(const SceneView& scene, const LineOptions& options = {});
 
 }  // namespace hsr

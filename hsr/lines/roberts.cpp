@@ -1,18 +1,8 @@
 #include "hsr/lines/roberts.h"
 
-#include "hsr/lines/classified_edges.h"
 #include "hsr/lines/hidden_intervals.h"
-#include "hsr/lines/methods.h"
-#include "hsr/scene/occluders.h"
-#include "hsr/scene/projected_mesh.h"
 
 namespace hsr {
-
-VisibleLines roberts(const Mesh& mesh, const View& view, const LineOptions& options) {
-  LineOptions by_roberts = options;
-  by_roberts.method = LineMethod::roberts;
-  return visible_lines(mesh, view, by_roberts);
-}
 
 VisibleLines roberts(const ProjectedMesh& projected, const ClassifiedEdges& requested, const Occluders& occluders,
                      const LineOptions& options, const OcclusionPyramid* pyramid) {
@@ -28,11 +18,11 @@ VisibleLines roberts(const ProjectedMesh& projected, const ClassifiedEdges& requ
   return all;
 }
 
-VisibleLines lines_of_intersections(const ProjectedMesh& projected, const std::vector<Intersection>& united,
+VisibleLines lines_of_intersections(const ProjectedMesh& projected, const std::vector<Intersection>& segments,
                                     const std::vector<ImageBox>& boxes, const Occluders& occluders,
                                     const LineOptions& options) {
   return intervals_in_blocks(projected, options, hilbert_order(boxes), [&](HiddenIntervals& intervals, std::uint32_t i) {
-    intervals.add_by_casting(i, united[i], boxes[i], occluders);
+    intervals.add_by_casting(i, segments[i], boxes[i], occluders);
   });
 }
 

@@ -27,6 +27,13 @@ struct Given {
 
 }  // namespace
 
+VisibleLines lines_of_classes(const VisibleLines& lines, const std::array<bool, 6>& classes) {
+  VisibleLines some = lines;
+  std::erase_if(some.lines, [&](const Line& line) { return !classes[static_cast<std::size_t>(line.edge_class)]; });
+  if (!classes[static_cast<std::size_t>(EdgeClass::intersection)]) some.intersections.clear();
+  return some;
+}
+
 Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut) { return cut_plane(Given{mesh, view}, cut); }
 
 SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, const Line& line) {

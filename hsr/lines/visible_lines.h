@@ -64,8 +64,17 @@ struct VisibleLines {
 ///   (2) removing a face never removes a visible point
 ///   (3) the result does not depend on the order of the faces, on the number of threads, nor on the method or the stages
 ///
-/// Exact: yes. Degenerate: docs/conventions.md. Cost: see roberts.h and appel.h.
-VisibleLines visible_lines(const Mesh& mesh, const View& view, const LineOptions& options = {});
+/// @throws PreconditionError if appel is asked for with `options.why`
+/// Exact: yes. Degenerate: docs/conventions.md. Cost: O(n log n + k log k) for k pairs that overlap in the image, parallel: of an
+/// edge and a face (Roberts 1963), or, where it pays, of an edge and an occluding edge (Appel 1967).
+VisibleLines visible_lines(const SceneView& scene, const LineOptions& options = {});
+/// Of a scene that nothing else looks at.
+inline VisibleLines visible_lines(const Mesh& mesh, const View& view, const LineOptions& options = {}) {
+  return visible_lines(SceneView(mesh, view), options);
+}
+
+/// Those of the lines that are of one of these classes, by EdgeClass.
+VisibleLines lines_of_classes(const VisibleLines& lines, const std::array<bool, 6>& classes);
 
 /// What a line runs along: from the vertex a to b, or, where they are not valid, along an intersection.
 struct SupportingLine {

@@ -11,8 +11,7 @@
 #include "geometry/parallel.h"
 #include "hsr/raster/sample_signs.h"
 #include "hsr/scene/box_tree.h"
-#include "hsr/scene/occluders.h"
-#include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/scene_parts.h"
 
 namespace hsr {
 
@@ -188,16 +187,11 @@ class Tile {
 
 }  // namespace
 
-CastImage cast(const Mesh& mesh, const View& view, const SampleGrid& samples, const CastOptions& options) {
-  const ProjectedMesh projected(mesh, view, options.arithmetic, samples.bit_range());
+CastImage cast(const SceneView& scene, const SampleGrid& samples) {
+  const SceneParts& parts = scene.parts().with(samples.bit_range());
+  const ProjectedMesh& projected = parts.projected();
   const SampleSigns signs(projected, samples);
-  std::vector<ImageBox> boxes(mesh.triangles.size());
-  std::vector<std::uint8_t> is_edge_on(boxes.size());
-  parallel_for_each(boxes.size(), [&](std::size_t t) {
-    boxes[t] = projected.box(TriangleId(t));
-    is_edge_on[t] = projected.facing(TriangleId(t)) == Sign::zero ? 1 : 0;
-  });
-  const Occluders occluders(projected, boxes, is_edge_on);
+  const Occluders& occluders = parts.occluders(Excluded::edge_on);
 
   CastImage result;
   result.triangles = Image<TriangleId>(samples.width, samples.height);

@@ -4,6 +4,7 @@
 #include "geometry/predicates.h"
 #include "hsr/raster/image.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/scene.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -20,10 +21,6 @@ struct CastImage {
   }
 };
 
-struct CastOptions {
-  Arithmetic arithmetic = Arithmetic::staged;
-};
-
 /// The triangle that each sample's line of sight meets nearest to the eye, beyond the near plane.
 ///
 ///   (1) triangles that share an edge, and lie on both sides of it as seen, leave no sample between them and share none
@@ -34,6 +31,10 @@ struct CastOptions {
 /// @throws PreconditionError if the samples are no doubles, or the viewpoint is in their plane
 /// Exact: yes. Degenerate: docs/conventions.md, "Hidden". Cost: O(n log n) for the tree; then per tile of samples what overlaps
 /// it and is not behind all that was found; parallel.
-CastImage cast(const Mesh& mesh, const View& view, const SampleGrid& samples, const CastOptions& options = {});
+CastImage cast(const SceneView& scene, const SampleGrid& samples);
+/// Of a scene that nothing else looks at.
+inline CastImage cast(const Mesh& mesh, const View& view, const SampleGrid& samples) {
+  return cast(SceneView(mesh, view), samples);
+}
 
 }  // namespace hsr

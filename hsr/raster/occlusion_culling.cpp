@@ -2,12 +2,13 @@
 
 #include "hsr/scene/occlusion_pyramid.h"
 #include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/scene_parts.h"
 
 namespace hsr {
 
-Culled occlusion_culled(const Mesh& mesh, const View& view) {
-  const ProjectedMesh projected(mesh, view, Arithmetic::staged);
-  const OcclusionPyramid pyramid(projected, true);
+Culled occlusion_culled(const SceneView& scene) {
+  const Mesh& mesh = scene.mesh();
+  const OcclusionPyramid pyramid(scene.parts().projected(), true);
   std::vector<std::uint8_t> hidden(mesh.triangles.size(), 0);
   if (!pyramid.is_empty()) pyramid.mark_hidden(hidden);
   Culled result;

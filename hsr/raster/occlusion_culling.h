@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hsr/raster/culled.h"
+#include "hsr/scene/scene.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -13,6 +14,8 @@ namespace hsr {
 ///
 /// Exact: conservative; all bounds are rounded toward "seen". Cost: O(n + tiles covered), parallel.
 /// Source: Greene, Kass & Miller 1993, "Hierarchical Z-buffer visibility".
-Culled occlusion_culled(const Mesh& mesh, const View& view);
+Culled occlusion_culled(const SceneView& scene);
+/// Of a scene that nothing else looks at.
+inline Culled occlusion_culled(const Mesh& mesh, const View& view) { return occlusion_culled(SceneView(mesh, view)); }
 
 }  // namespace hsr

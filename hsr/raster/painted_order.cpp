@@ -10,6 +10,7 @@
 #include "hsr/raster/compositing.h"
 #include "hsr/raster/rasterizer.h"
 #include "hsr/scene/cut_plane.h"
+#include "hsr/scene/scene_parts.h"
 
 namespace hsr {
 
@@ -82,10 +83,9 @@ class PieceSpans {
 
 /// Calls visit(piece, span) for the spans of all pieces, in their order.
 template <class Visit>
-void visit_spans(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples,
-                 const Visit& visit) {
+void visit_spans(const SceneView& scene, const PaintersOrder& order, const SampleGrid& samples, const Visit& visit) {
   if (order.pieces.empty()) return;
-  const ProjectedMesh projected(mesh, view, Arithmetic::staged, samples.bit_range());
+  const ProjectedMesh& projected = scene.parts().with(samples.bit_range()).projected();
   const SampleSigns signs(projected, samples);
   constexpr std::size_t block = 1024;
   struct Part {
@@ -110,17 +110,18 @@ void visit_spans(const Mesh& mesh, const View& view, const PaintersOrder& order,
 
 }  // namespace
 
-Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples) {
+Image<std::uint32_t> paint(const SceneView& scene, const PaintersOrder& order, const SampleGrid& samples) {
   Image<std::uint32_t> image(samples.width, samples.height, no_piece);
-  visit_spans(mesh, view, order, samples,
+  visit_spans(scene, order, samples,
               [&](std::uint32_t piece, const SampleSpan& span) { Rasterizer::paint(image, std::span(&span, 1), piece); });
   return image;
 }
 
-Image<Colour> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples,
+Image<Colour> paint(const SceneView& scene, const PaintersOrder& order, const SampleGrid& samples,
                     const std::vector<Colour>& colours, double opacity) {
+  const Mesh& mesh = scene.mesh();
   Image<Light> light(samples.width, samples.height, white_light);
-  visit_spans(mesh, view, order, samples, [&](std::uint32_t piece, const SampleSpan& span) {
+  visit_spans(scene, order, samples, [&](std::uint32_t piece, const SampleSpan& span) {
     const Colour& c = colours[mesh.face_of[order.pieces[piece].facet].value];
     const float a = opacity_of(c, opacity);
     for (int i = span.begin; i < span.end; ++i) lay_over(light.row(span.row)[i], c, a);

@@ -4,6 +4,7 @@
 #include "hsr/painter/painters_order.h"
 #include "hsr/raster/image.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/scene.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -13,11 +14,20 @@ namespace hsr {
 /// @throws PreconditionError as cast() does (caster.h), and if a corner is not in front of the eye as the samples are
 /// Exact: yes, with the rule for samples on edges (samples.h). Cost: O(pieces + samples painted).
 /// Source: Newell, Newell & Sancha 1972.
-Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples);
+Image<std::uint32_t> paint(const SceneView& scene, const PaintersOrder& order, const SampleGrid& samples);
+/// Of a scene that nothing else looks at.
+inline Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples) {
+  return paint(SceneView(mesh, view), order, samples);
+}
 constexpr std::uint32_t no_piece = 0xffffffffU;
 
 /// The same in colours, on white: of each piece the colour of its face, its opacity times `opacity`. Composited in floats.
-Image<Colour> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples,
+Image<Colour> paint(const SceneView& scene, const PaintersOrder& order, const SampleGrid& samples,
                     const std::vector<Colour>& colours, double opacity);
+/// Of a scene that nothing else looks at.
+inline Image<Colour> paint(const Mesh& mesh, const View& view, const PaintersOrder& order, const SampleGrid& samples,
+                           const std::vector<Colour>& colours, double opacity) {
+  return paint(SceneView(mesh, view), order, samples, colours, opacity);
+}
 
 }  // namespace hsr

@@ -63,8 +63,8 @@ class Finder {
 
 /// The plane of an occluder.
 PlaneFilter Finder::filter(std::uint32_t i) const {
-  return occluders_.faces.empty() ? projected_.filter(projected_.face_plane(occluders_.triangles[i]))
-                                  : occluders_.face(i).plane;
+  return !occluders_.is_prepared() ? projected_.filter(projected_.face_plane(occluders_.triangles[i]))
+                                   : occluders_.face(i).plane;
 }
 
 /// On which sides of the plane of s the corners of t are.

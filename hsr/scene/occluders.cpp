@@ -5,7 +5,8 @@
 namespace hsr {
 
 Occluders::Occluders(const ProjectedMesh& projected, const std::vector<ImageBox>& boxes,
-                     const std::vector<std::uint8_t>& left_out) {
+                     const std::vector<std::uint8_t>& left_out)
+    : projected_(&projected) {
   triangles =
       parallel_collect<TriangleId>(boxes.size(), [&](std::size_t begin, std::size_t end, std::vector<TriangleId>& part) {
         for (std::size_t i = begin; i < end; ++i)
@@ -20,19 +21,21 @@ Occluders::Occluders(const ProjectedMesh& projected, const std::vector<ImageBox>
   tree = BoxTree(kept);
 }
 
-void Occluders::prepare(const ProjectedMesh& projected) {
-  if (!faces.empty()) return;
-  std::vector<TriangleId> along_tree;
-  along_tree.reserve(triangles.size());
-  place.resize(triangles.size());
-  for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
-    tree.visit_leaf<BoxTree::Depth::any>(leaf, ImageBox::everything(), [&](std::uint32_t i) {
-      place[i] = static_cast<std::uint32_t>(along_tree.size());
-      along_tree.push_back(triangles[i]);
-      return true;
-    });
-  faces.resize(along_tree.size());
-  parallel_for_each(faces.size(), [&](std::size_t k) { faces[k] = TriangleFilter(projected, along_tree[k]); });
+void Occluders::prepare() const {
+  tbb::collaborative_call_once(filters_->flag, [&] {
+    std::vector<TriangleId> order;
+    order.reserve(triangles.size());
+    filters_->place.resize(triangles.size());
+    for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
+      tree.visit_leaf<BoxTree::Depth::any>(leaf, ImageBox::everything(), [&](std::uint32_t i) {
+        filters_->place[i] = static_cast<std::uint32_t>(order.size());
+        order.push_back(triangles[i]);
+        return true;
+      });
+    filters_->along_tree.resize(order.size());
+    parallel_for_each(order.size(), [&](std::size_t k) { filters_->along_tree[k] = TriangleFilter(*projected_, order[k]); });
+    filters_->is_made.store(true, std::memory_order_release);
+  });
 }
 
 }  // namespace hsr

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <oneapi/tbb/collaborative_call_once.h>
+
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "hsr/scene/box_tree.h"
@@ -12,17 +16,34 @@ namespace hsr {
 /// The triangles that can hide something, in a tree of their image boxes: not those wholly before the near plane, nor those
 /// that are left out because they are hidden themselves.
 /// Cost: O(n log n), parallel.
-struct Occluders {
+class Occluders {
+ public:
   std::vector<TriangleId> triangles;
-  BoxTree tree;                       ///< over `triangles`
-  std::vector<TriangleFilter> faces;  ///< along the tree: near ones near; empty unless prepared
-  std::vector<std::uint32_t> place;   ///< of each of `triangles` in `faces`
+  BoxTree tree;  ///< over `triangles`
 
   /// @param boxes of all triangles @param left_out by triangle; empty: none
   Occluders(const ProjectedMesh& projected, const std::vector<ImageBox>& boxes, const std::vector<std::uint8_t>& left_out);
-  /// For many questions about each of them. Cost: O(n), parallel.
-  void prepare(const ProjectedMesh& projected);
-  const TriangleFilter& face(std::uint32_t i) const { return faces[place[i]]; }
+
+  /// Makes a filter of each of them, for who asks many questions about each. Once, whatever thread asks.
+  /// Cost: O(n), parallel; then 200 bytes a triangle.
+  void prepare() const;
+  bool is_prepared() const { return filters_->is_made.load(std::memory_order_acquire); }
+  /// The filters along the tree, so that near ones are near. @pre is_prepared()
+  const std::vector<TriangleFilter>& faces() const { return filters_->along_tree; }
+  /// Where the filter of each of `triangles` is among them. @pre is_prepared()
+  const std::vector<std::uint32_t>& place() const { return filters_->place; }
+  const TriangleFilter& face(std::uint32_t i) const { return filters_->along_tree[filters_->place[i]]; }
+
+ private:
+  struct Filters {
+    tbb::collaborative_once_flag flag;
+    std::atomic<bool> is_made = false;
+    std::vector<TriangleFilter> along_tree;
+    std::vector<std::uint32_t> place;
+  };
+
+  const ProjectedMesh* projected_;
+  std::unique_ptr<Filters> filters_ = std::make_unique<Filters>();
 };
 
 }  // namespace hsr

@@ -63,6 +63,7 @@ ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arit
   points.add(others);
   const int power = scale_of(points), direction_power = scale_of(direction);
   power_ = power;
+  given_bit_range_ = points;
   points_bit_range_ = hsr::scaled(points, power);
   direction_bit_range_ = hsr::scaled(direction, direction_power);
   points_.resize(mesh.points.size());
@@ -105,6 +106,12 @@ ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arit
       facing_[TriangleId(i)] = LineFilter(*this, t[0], t[1]).side(t[2], exact);
     }
   });
+}
+
+bool ProjectedMesh::covers(const BitRange& others) const {
+  BitRange both = given_bit_range_;
+  both.add(others);
+  return both == given_bit_range_;
 }
 
 Point3 ProjectedMesh::scaled(const Point3& p) const { return hsr::scaled(p, power_); }

@@ -34,10 +34,13 @@ class ProjectedMesh {
   const Mesh& mesh() const { return *mesh_; }
   const Viewpoint& eye() const { return eye_; }
   bool is_perspective() const { return !eye_.is_direction; }
+  Arithmetic arithmetic() const { return arithmetic_; }
   Camera camera() const { return {eye_, target_}; }
   /// The rows that image coordinates in perspective are taken along.
   const std::array<Point3, 2>& rows() const { return row_; }
   const Point3& point(VertexId v) const { return points_[v]; }
+  /// Whether other numbers in this range need nothing more: neither another scale nor wider arithmetic.
+  bool covers(const BitRange& others) const;
   /// Another point as this sight scales all of them. @pre in the bit range of the others
   Point3 scaled(const Point3& p) const;
 
@@ -109,7 +112,7 @@ class ProjectedMesh {
   Viewpoint eye_;
   Point3 target_;
   double near_ = 0;
-  BitRange points_bit_range_, direction_bit_range_;
+  BitRange given_bit_range_, points_bit_range_, direction_bit_range_;  // the first: before scaling
   IndexedVector<TriangleId, Sign> facing_;
   IndexedVector<VertexId, Sign> near_side_;
   PlaneFilter near_filter_;

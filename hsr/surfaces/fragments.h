@@ -9,7 +9,7 @@
 #include "geometry/mesh.h"
 #include "geometry/number.h"
 #include "geometry/predicates.h"
-#include "hsr/lines/line_options.h"
+#include "hsr/lines/visible_lines.h"
 #include "hsr/symbols/map_point.h"
 #include "hsr/view/view.h"
 
@@ -34,10 +34,9 @@ struct VisibleFragments {
 };
 
 struct FragmentOptions {
-  Arithmetic arithmetic = Arithmetic::staged;
-  /// Whether visible_fragments() leaves out, before any exact test, the far sides of closed bodies and what lies behind large
-  /// faces; automatic: where it pays. Changes no ring.
-  When stages = When::automatic;
+  /// The visible lines of all edges of all classes of this very view, where the caller has them: they need not be found again.
+  /// For visible_fragments() only; changes no ring.
+  const VisibleLines* lines = nullptr;
   std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel
 };
 

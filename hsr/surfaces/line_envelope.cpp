@@ -71,9 +71,9 @@ bool LineEnvelope::look_at(const TriangleFilter& face) {
 void LineEnvelope::look_around() {
   occluders_.tree.visit_boxes<BoxTree::Depth::touching>(query_, [&](std::uint32_t i, std::uint32_t at) {
     TriangleFilter own;
-    const bool is_prepared = !occluders_.faces.empty();
+    const bool is_prepared = occluders_.is_prepared();
     if (!is_prepared) own = TriangleFilter(projected_, occluders_.triangles[i]);
-    const TriangleFilter& face = is_prepared ? occluders_.faces[at] : own;
+    const TriangleFilter& face = is_prepared ? occluders_.faces()[at] : own;
     return &face == stretch_->first[0] || &face == stretch_->first[1] || look_at(face);
   });
 }

@@ -6,6 +6,7 @@
 #include "geometry/disjoint_sets.h"
 #include "hsr/scene/box_tree.h"
 #include "hsr/scene/facet.h"
+#include "hsr/scene/scene_parts.h"
 #include "hsr/surfaces/rings.h"
 #include "hsr/visibility_map/map_predicates.h"
 
@@ -66,12 +67,11 @@ std::vector<std::uint32_t> groups_of(MapPredicates& map, const VisibleFragments&
 
 }  // namespace
 
-Regions regions_of(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const std::vector<Colour>& colours,
-                   Merge merge) {
+Regions regions_of(const SceneView& scene, const VisibleFragments& fragments, const std::vector<Colour>& colours, Merge merge) {
+  const Mesh& mesh = scene.mesh();
   Regions out;
   if (fragments.fragments.empty()) return out;
-  const ProjectedMesh projected(mesh, view, Arithmetic::staged);
-  MapPredicates map(projected);
+  MapPredicates map(scene.parts().projected());
   const auto colour_of = [&](const Fragment& f) { return colours[mesh.face_of[f.facet].value]; };
   if (merge == Merge::none) {
     out.first_corner = fragments.first_corner;

@@ -35,7 +35,11 @@ struct Regions {
 /// @param colours by FaceId
 /// Exact: yes. Cost: that of link_rings() for all sides together, for the outline; coplanar: and of the pairs of facets whose
 /// boxes touch.
-Regions regions_of(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const std::vector<Colour>& colours,
-                   Merge merge);
+Regions regions_of(const SceneView& scene, const VisibleFragments& fragments, const std::vector<Colour>& colours, Merge merge);
+/// Of a scene that nothing else looks at.
+inline Regions regions_of(const Mesh& mesh, const View& view, const VisibleFragments& fragments,
+                          const std::vector<Colour>& colours, Merge merge) {
+  return regions_of(SceneView(mesh, view), fragments, colours, merge);
+}
 
 }  // namespace hsr

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "geometry/parallel.h"
 #include "hsr/scene/facet.h"
-#include "hsr/scene/occluders.h"
-#include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/scene_parts.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/rings.h"
@@ -99,15 +97,10 @@ void Subtraction::visible_sides(TriangleId facet, std::vector<MapSide>& sides) {
 
 }  // namespace
 
-VisibleFragments roberts_surfaces(const Mesh& mesh, const View& view, const FragmentOptions& options) {
-  const ProjectedMesh projected(mesh, view, options.arithmetic);
-  std::vector<ImageBox> boxes(mesh.triangles.size());
-  std::vector<std::uint8_t> edge_on(mesh.triangles.size());
-  parallel_for_each(boxes.size(), [&](std::size_t i) {
-    boxes[i] = projected.box(TriangleId(i));
-    edge_on[i] = projected.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
-  });
-  const Occluders occluders(projected, boxes, edge_on);
+VisibleFragments roberts_surfaces(const SceneView& scene, const FragmentOptions& options) {
+  const Mesh& mesh = scene.mesh();
+  const ProjectedMesh& projected = scene.parts().projected();
+  const Occluders& occluders = scene.parts().occluders(Excluded::edge_on);
   const VisibleFragments all = fragments_in_blocks(
       mesh, options, [&] { return Subtraction(projected, occluders); },
       [](Subtraction& subtraction, TriangleId facet, FragmentParts& parts) {
@@ -116,7 +109,7 @@ VisibleFragments roberts_surfaces(const Mesh& mesh, const View& view, const Frag
         parts.add(facet, link_rings(subtraction.map(), sides));
       });
 #ifdef HSR_CHECKS
-  if (options.arithmetic != Arithmetic::double_only) check_invariants(projected, all);
+  if (projected.arithmetic() != Arithmetic::double_only) check_invariants(projected, all);
 #endif
   return all;
 }

@@ -7,15 +7,12 @@
 #include <optional>
 
 #include "geometry/parallel.h"
+#include "hsr/lines/appel.h"
 #include "hsr/lines/classified_edges.h"
-#include "hsr/lines/methods.h"
-#include "hsr/scene/occluding_edges.h"
-#include "hsr/scene/closed_bodies.h"
+#include "hsr/lines/roberts.h"
 #include "hsr/scene/cut_plane.h"
 #include "hsr/scene/facet.h"
-#include "hsr/scene/intersections.h"
-#include "hsr/scene/occluders.h"
-#include "hsr/scene/occlusion_pyramid.h"
+#include "hsr/scene/scene_parts.h"
 #include "hsr/scene/segment_filter.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
@@ -157,11 +154,11 @@ void SideFinder::add_intersection(const Intersection& crossing) {
     std::swap(stretch.from, stretch.to);
     std::swap(stretch.a, stretch.b);
   }
-  if (occluders_.faces.empty()) {
+  if (!occluders_.is_prepared()) {
     add(stretch, {}, {});
     return;
   }
-  stretch.first = {&occluders_.faces[place_[crossing.s.value]], &occluders_.faces[place_[crossing.t.value]]};
+  stretch.first = {&occluders_.faces()[place_[crossing.s.value]], &occluders_.faces()[place_[crossing.t.value]]};
   const LineEnvelope::EnvelopePair meeting = left_.both_sides(stretch);
   if (meeting.is_for_both)
     add_meeting(stretch, meeting.left);
@@ -311,26 +308,29 @@ void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPa
 
 class FragmentFinder {
  public:
-  FragmentFinder(const Mesh& mesh, const View& view, const FragmentOptions& options)
-      : options_(options), projected_(mesh, view, options.arithmetic), mesh_(mesh) {}
+  FragmentFinder(const SceneView& scene, const FragmentOptions& options)
+      : options_(options), parts_(scene.parts()), projected_(parts_.projected()), mesh_(parts_.mesh()) {}
 
   VisibleFragments fragments();
 
  private:
-  void leave_out_hidden(std::vector<std::uint8_t>& left_out);
-  bool has_many_borders(const std::vector<std::uint8_t>& left_out) const;
+  bool is_left_out(TriangleId t) const { return !left_out_->empty() && (*left_out_)[t.value] != 0; }
+  bool has_many_borders() const;
   void find_lines();
+  void find_own_lines(bool is_soup);
   void find_sides();
   template <class F>
   void collect(std::span<const std::uint32_t> order, const F& visit);
 
   const FragmentOptions& options_;
-  ProjectedMesh projected_;
+  const SceneParts& parts_;
+  const ProjectedMesh& projected_;
   const Mesh& mesh_;
-  std::optional<OcclusionPyramid> pyramid_;  // none: nothing is known to be hidden
-  std::optional<Occluders> occluders_;
-  Intersections intersections_;
-  VisibleLines lines_;
+  const std::vector<std::uint8_t>* left_out_ = nullptr;  // hidden or seen edge-on, by triangle
+  const Occluders* occluders_ = nullptr;
+  const Intersections* intersections_ = nullptr;
+  const VisibleLines* lines_ = nullptr;   // of all edges of faces that are not left out, others may be among them
+  VisibleLines own_lines_;                // these, unless they are given
   std::vector<std::uint32_t> place_;      // of each triangle along the tree of the occluders
   std::vector<FacetSides> found_;         // of each block of lines
   std::vector<const PlacedSide*> sides_;  // of these, by facet
@@ -338,23 +338,11 @@ class FragmentFinder {
   DecisionCounts decisions_;
 };
 
-/// What is certainly hidden hides nothing that what hides it does not.
-void FragmentFinder::leave_out_hidden(std::vector<std::uint8_t>& left_out) {
-  if (options_.stages == When::never || options_.arithmetic != Arithmetic::staged) return;
-  const ClosedBodies bodies(projected_);
-  if (bodies.count() > 0) parallel_for_each(left_out.size(), [&](std::size_t i) { left_out[i] |= bodies.far_sides()[i]; });
-  pyramid_.emplace(projected_, options_.stages == When::always);
-  if (pyramid_->is_empty())
-    pyramid_.reset();
-  else
-    pyramid_->mark_hidden(left_out);
-}
-
 /// Whether more edges than there are faces occlude for certain, as they are borders: OccludingEdges would find no fewer.
-bool FragmentFinder::has_many_borders(const std::vector<std::uint8_t>& left_out) const {
+bool FragmentFinder::has_many_borders() const {
   const auto is_counted = [&](TriangleId t) {
     const FaceId f = mesh_.face_of[t];
-    if (left_out[t.value] != 0) return false;
+    if (is_left_out(t)) return false;
     for (std::uint32_t k = mesh_.first_triangle[f]; k < mesh_.first_triangle[FaceId(f.value + 1U)]; ++k)
       if (projected_.reaches_before_near(TriangleId(k))) return false;
     return true;
@@ -369,35 +357,41 @@ bool FragmentFinder::has_many_borders(const std::vector<std::uint8_t>& left_out)
 
 /// A face that is seen edge-on has no area in the image: it is left out, and its edges with it.
 void FragmentFinder::find_lines() {
-  std::vector<ImageBox> boxes(mesh_.triangles.size());
-  std::vector<std::uint8_t> left_out(mesh_.triangles.size());
-  parallel_for_each(boxes.size(), [&](std::size_t i) {
-    boxes[i] = projected_.box(TriangleId(i));
-    left_out[i] = projected_.facing(TriangleId(i)) == Sign::zero ? 1 : 0;
-  });
-  leave_out_hidden(left_out);
-  occluders_.emplace(projected_, boxes, left_out);
+  left_out_ = &parts_.hidden_or_edge_on();
+  occluders_ = &parts_.occluders(Excluded::hidden_and_edge_on);
   // Of a mesh few lines are looked along, as most edges have a face on each side: records may not pay.
-  const bool is_soup = has_many_borders(left_out);
-  if (is_soup) occluders_->prepare(projected_);
-  intersections_ = find_intersections(projected_, *occluders_, pyramid_ ? &*pyramid_ : nullptr);
+  const bool is_soup = has_many_borders();
+  if (is_soup) occluders_->prepare();
+  intersections_ = &parts_.visible_intersections();
+  // In lines of others a face seen edge-on hides what is behind it, here it hides nothing.
+  if (options_.lines != nullptr && !parts_.has_edge_on()) {
+    lines_ = options_.lines;
+    if (lines_->plan.method != "appel") occluders_->prepare();
+    return;
+  }
+  find_own_lines(is_soup);
+  lines_ = &own_lines_;
+}
+
+void FragmentFinder::find_own_lines(bool is_soup) {
+  const OcclusionPyramid* const tiles = parts_.pyramid();
   auto edges = parallel_collect<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e) {
       const auto triangles = mesh_.triangles_at(EdgeId(e));
-      if (std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return left_out[t.value] == 0; }) &&
-          !(pyramid_ && pyramid_->hides(mesh_.edges[EdgeId(e)])))
+      if (std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return !is_left_out(t); }) &&
+          !(tiles != nullptr && tiles->hides(mesh_.edges[EdgeId(e)])))
         part.emplace_back(e);
     }
   });
-  ClassifiedEdges requested(projected_, std::move(edges));
-  LineOptions line_options;
-  line_options.arithmetic = options_.arithmetic;
-  std::optional<OccludingEdges> layers;
-  if (options_.arithmetic == Arithmetic::staged && !is_soup) layers.emplace(projected_, left_out);
-  const bool appel_pays = layers && layers->edges().size() <= occluders_->triangles.size();
-  if (!appel_pays) occluders_->prepare(projected_);
-  lines_ = appel_pays ? appel(projected_, requested, *layers, *occluders_, line_options)
-                      : roberts(projected_, requested, *occluders_, line_options, pyramid_ ? &*pyramid_ : nullptr);
+  const ClassifiedEdges requested(projected_, std::move(edges));
+  const LineOptions line_options;
+  const bool may_count = projected_.arithmetic() == Arithmetic::staged && !is_soup;
+  const bool appel_pays =
+      may_count && parts_.occluding_edges(Excluded::hidden_and_edge_on).edges().size() <= occluders_->triangles.size();
+  if (!appel_pays) occluders_->prepare();
+  own_lines_ =
+      appel_pays ? appel(projected_, requested, parts_.occluding_edges(Excluded::hidden_and_edge_on), *occluders_, line_options)
+                 : roberts(projected_, requested, *occluders_, line_options, tiles);
 }
 
 /// The numbers from 0 to n - 1, ascending by key(i) < keys.
@@ -418,7 +412,7 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
   std::vector<DecisionCounts> counts(parts.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      SideFinder finder(projected_, *occluders_, intersections_, place_, pyramid_ ? &*pyramid_ : nullptr);
+      SideFinder finder(projected_, *occluders_, *intersections_, place_, parts_.pyramid());
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t i = part * block; i < end; ++i) visit(finder, order[i]);
       parts[part] = finder.take();
@@ -434,18 +428,39 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
 void FragmentFinder::find_sides() {
   // Along the tree: neighbours in the image look at the same triangles, which are still in the cache.
   place_.assign(mesh_.triangles.size(), 0);
-  for (std::size_t i = 0; i < occluders_->place.size(); ++i) place_[occluders_->triangles[i].value] = occluders_->place[i];
-  const auto along_tree = [&](std::size_t n, const auto& triangle) {
-    return ordered(n, place_.size(), [&](std::size_t i) { return place_[triangle(i).value]; });
+  if (occluders_->is_prepared())
+    for (std::size_t i = 0; i < occluders_->place().size(); ++i)
+      place_[occluders_->triangles[i].value] = occluders_->place()[i];
+  const auto along_tree = [&](std::vector<std::uint32_t> numbers, const auto& triangle) {
+    const auto order =
+        ordered(numbers.size(), place_.size(), [&](std::size_t i) { return place_[triangle(numbers[i]).value]; });
+    std::vector<std::uint32_t> sorted(numbers.size());
+    for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = numbers[order[i]];
+    return sorted;
   };
-  const auto& lines = lines_.lines;
-  const auto& segments = intersections_.segments;
-  collect(along_tree(lines.size(), [&](std::size_t i) { return mesh_.triangles_at(lines[i].edge).front(); }),
-          [&](SideFinder& finder, std::size_t i) { finder.add_edge(lines_, lines[i]); });
-  collect(along_tree(segments.size(), [&](std::size_t i) { return segments[i].s; }),
+  const auto numbers = [](std::size_t n, const auto& is_kept) {
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i < n; ++i)
+      if (is_kept(i)) kept.push_back(static_cast<std::uint32_t>(i));
+    return kept;
+  };
+  const auto& lines = lines_->lines;
+  const auto& segments = intersections_->segments;
+  const auto bounds_a_fragment = [&](std::size_t i) {
+    if (lines[i].is_intersection() || (lines[i].intervals() == 1 && lines[i].starts_hidden)) return false;
+    const auto triangles = mesh_.triangles_at(lines[i].edge);
+    return std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return !is_left_out(t); });
+  };
+  collect(along_tree(numbers(lines.size(), bounds_a_fragment),
+                     [&](std::size_t i) { return mesh_.triangles_at(lines[i].edge).front(); }),
+          [&](SideFinder& finder, std::size_t i) { finder.add_edge(*lines_, lines[i]); });
+  collect(along_tree(numbers(segments.size(),
+                             [&](std::size_t i) { return !is_left_out(segments[i].s) && !is_left_out(segments[i].t); }),
+                     [&](std::size_t i) { return segments[i].s; }),
           [&](SideFinder& finder, std::size_t i) { finder.add_intersection(segments[i]); });
   if (projected_.is_perspective())
-    collect(along_tree(occluders_->triangles.size(), [&](std::size_t i) { return occluders_->triangles[i]; }),
+    collect(along_tree(numbers(occluders_->triangles.size(), [](std::size_t) { return true; }),
+                       [&](std::size_t i) { return occluders_->triangles[i]; }),
             [&](SideFinder& finder, std::size_t i) { finder.add_near_cut(occluders_->triangles[i]); });
   // A counting sort by facet.
   first_side_.assign(mesh_.triangles.size() + 1, 0);
@@ -480,18 +495,20 @@ VisibleFragments FragmentFinder::fragments() {
         parts.add(facet, worker.linker.link(worker.sides, true));
       });
   all.decisions += decisions_;
-  all.decisions += lines_.decisions;
-  all.decisions += intersections_.decisions;
+  all.decisions += own_lines_.decisions;
+  all.decisions += intersections_->decisions;
 #ifdef HSR_CHECKS
-  if (options_.arithmetic != Arithmetic::double_only) check_invariants(projected_, all);  // it promises nothing
+  if (projected_.arithmetic() != Arithmetic::double_only) check_invariants(projected_, all);  // it promises nothing
 #endif
   return all;
 }
 
 }  // namespace
 
-VisibleFragments visible_fragments(const Mesh& mesh, const View& view, const FragmentOptions& options) {
-  return FragmentFinder(mesh, view, options).fragments();
+bool fragments_use_lines(const SceneView& scene) { return !scene.parts().has_edge_on(); }
+
+VisibleFragments visible_fragments(const SceneView& scene, const FragmentOptions& options) {
+  return FragmentFinder(scene, options).fragments();
 }
 
 }  // namespace hsr

@@ -17,6 +17,13 @@ namespace hsr {
 /// Exact: yes. Degenerate: docs/conventions.md, "Visible fragments". Cost: O((n + k) log n) on meshes, n edges, k overlaps of
 /// visible outlines with the faces beside them.
 /// Source: the completion of boundaries of Auzinger, Wimmer & Jeschke 2013, with exact signs.
-VisibleFragments visible_fragments(const Mesh& mesh, const View& view, const FragmentOptions& options = {});
+VisibleFragments visible_fragments(const SceneView& scene, const FragmentOptions& options = {});
+/// Whether visible_fragments() saves time with FragmentOptions::lines: not where faces are seen edge-on, since in lines these
+/// hide what is behind them, and fragments are bounded by lines that ignore them.
+bool fragments_use_lines(const SceneView& scene);
+/// Of a scene that nothing else looks at.
+inline VisibleFragments visible_fragments(const Mesh& mesh, const View& view, const FragmentOptions& options = {}) {
+  return visible_fragments(SceneView(mesh, view), options);
+}
 
 }  // namespace hsr

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "geometry/error.h"
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 #include "tests/drawing/hand_made_lines.h"
 
 using namespace hsr;
@@ -45,7 +45,7 @@ TEST_CASE("A box seen face-on is one closed path of four lines", "[drawing]") {
     const View view = named_view(name, centre(mesh));
     DrawingOptions options;
     options.hidden = HiddenLines::dashed;
-    const Drawing d = draw(mesh, view, roberts(mesh, view), options);
+    const Drawing d = draw(mesh, view, visible_lines(mesh, view, {.method = LineMethod::roberts}), options);
     INFO(name);
     REQUIRE(d.polylines.size() == 1);
     CHECK(d.polylines[0].closed);
@@ -230,20 +230,20 @@ TEST_CASE("Scale and unit give lengths on paper", "[drawing][page]") {
   DrawingOptions options;
   options.scale = parse_scale("1:5");
   options.unit = parse_unit("cm");
-  const Drawing d = draw(mesh, view, roberts(mesh, view), options);
+  const Drawing d = draw(mesh, view, visible_lines(mesh, view, {.method = LineMethod::roberts}), options);
   CHECK(d.scale == 2);
   CHECK(d.width == 297);
   CHECK(points(d, 0) == Points{{144500, 108000}, {152500, 108000}, {152500, 102000}, {144500, 102000}});
   CHECK(d.fits);
   options.scale = 100;
-  CHECK_FALSE(draw(mesh, view, roberts(mesh, view), options).fits);
+  CHECK_FALSE(draw(mesh, view, visible_lines(mesh, view, {.method = LineMethod::roberts}), options).fits);
 }
 
 TEST_CASE("A fitted drawing fills the page less its margins, turned to its shape", "[drawing][page]") {
   const Mesh mesh = box();
   for (const char* name : {"front", "left", "iso"}) {
     const View view = named_view(name, centre(mesh));
-    const Drawing d = draw(mesh, view, roberts(mesh, view));
+    const Drawing d = draw(mesh, view, visible_lines(mesh, view, {.method = LineMethod::roberts}));
     std::int64_t low_x = 1e9, high_x = 0, low_y = 1e9, high_y = 0;
     for (const PaperPoint& p : d.points) {
       low_x = std::min(low_x, p.x);
@@ -269,7 +269,7 @@ TEST_CASE("A fitted page is the drawing and its margins", "[drawing][page]") {
   options.page = parse_page("fit");
   options.page.margin = 5;
   options.scale = 10;
-  const Drawing d = draw(mesh, view, roberts(mesh, view), options);
+  const Drawing d = draw(mesh, view, visible_lines(mesh, view, {.method = LineMethod::roberts}), options);
   CHECK(d.width == 50);
   CHECK(d.height == 40);
   CHECK(points(d, 0) == Points{{5000, 35000}, {45000, 35000}, {45000, 5000}, {5000, 5000}});
@@ -296,12 +296,14 @@ TEST_CASE("Nothing to draw is an empty page; a straight line is drawn; neither h
 
 TEST_CASE("Scenes at both ends of the range of doubles fill the page like any other", "[drawing][range]") {
   const Mesh mesh = box();
-  const Drawing usual = draw(mesh, named_view("iso"), roberts(mesh, named_view("iso")), {.hidden = HiddenLines::dashed});
+  const Drawing usual = draw(mesh, named_view("iso"), visible_lines(mesh, named_view("iso"), {.method = LineMethod::roberts}),
+                             {.hidden = HiddenLines::dashed});
   for (const int exponent : {-1074, -900, 900, 1021}) {
     Mesh scaled = mesh;
     for (Point3& p : scaled.points) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
     const View view = named_view("iso");
-    const Drawing d = draw(scaled, view, roberts(scaled, view), {.hidden = HiddenLines::dashed});
+    const Drawing d =
+        draw(scaled, view, visible_lines(scaled, view, {.method = LineMethod::roberts}), {.hidden = HiddenLines::dashed});
     INFO(exponent);
     CHECK(d.points == usual.points);
   }
@@ -309,11 +311,11 @@ TEST_CASE("Scenes at both ends of the range of doubles fill the page like any ot
 
 TEST_CASE("A far origin takes nothing from the drawing", "[drawing][range]") {
   const Mesh mesh = box();
-  const Drawing usual = draw(mesh, named_view("iso"), roberts(mesh, named_view("iso")));
+  const Drawing usual = draw(mesh, named_view("iso"), visible_lines(mesh, named_view("iso"), {.method = LineMethod::roberts}));
   Mesh far = mesh;
   for (Point3& p : far.points) p = {p.x + 0x1p50, p.y - 0x1p50, p.z + 0x1p49};
   const View view = named_view("iso");
-  CHECK(draw(far, view, roberts(far, view)).points == usual.points);
+  CHECK(draw(far, view, visible_lines(far, view, {.method = LineMethod::roberts})).points == usual.points);
 }
 
 TEST_CASE("A scale that makes a drawing of more than a thousand kilometres is refused", "[drawing][range]") {

@@ -5,7 +5,7 @@
 
 #include "hsr/drawing/cut_parameter.h"
 #include "hsr/drawing/projection.h"
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 
 using namespace hsr;
 
@@ -77,8 +77,9 @@ TEST_CASE("Parameters and places are the exact ones rounded, on random scenes", 
     const Mesh mesh = make_mesh(corners, faces);
     const View view = seed % 4 < 2 ? parallel_view({1, 2, 3}, {0, 0, 1}) : perspective_view({1, 2, 3}, {0, 0, 0}, {0, 0, 1});
     LineOptions all;
+    all.method = LineMethod::roberts;
     all.classes.fill(true);
-    const VisibleLines lines = roberts(mesh, view, all);
+    const VisibleLines lines = visible_lines(mesh, view, all);
     const Point3 anchor = view.frame.origin;
     Projection projection(mesh, view, anchor);
     projection.place({Rational(0.125), Rational(0.5)}, Rational(7.25), 105, 148.5);

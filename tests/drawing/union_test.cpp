@@ -6,7 +6,7 @@
 #include <random>
 
 #include "hsr/drawing/drawing.h"
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 
 using namespace hsr;
 
@@ -146,8 +146,9 @@ TEST_CASE("What is drawn is the union of the parts, visible before hidden, on ra
     CAPTURE(seed);
     const Soup s = soup(seed);
     LineOptions all;
+    all.method = LineMethod::roberts;
     all.classes.fill(true);
-    const VisibleLines lines = roberts(s.mesh, s.view, all);
+    const VisibleLines lines = visible_lines(s.mesh, s.view, all);
     DrawingOptions options;
     options.scale = 1000;
     options.hidden = HiddenLines::dashed;

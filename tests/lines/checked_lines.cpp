@@ -1,8 +1,9 @@
 #include "tests/lines/checked_lines.h"
 
 #include <exception>
+#include <set>
 
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 
 namespace hsr {
 
@@ -25,10 +26,45 @@ std::string one_or_both(const std::string& found, const std::string& expected) {
   return found == expected ? found : "roberts: " + found + " | oracle: " + expected;
 }
 
+/// The visible intervals, each with its class.
+std::multiset<std::string> visible_parts(const Mesh& mesh, const View& view, const VisibleLines& lines) {
+  std::multiset<std::string> parts;
+  for (const Line& line : lines.lines) {
+    const SupportingLine support = supporting_line_of(mesh, lines, line);
+    const auto cuts = lines.cuts_of(line);
+    for (std::uint32_t k = 0; k < line.intervals(); ++k) {
+      if (line.hidden(k)) continue;
+      std::string text = oracle::to_text(line.edge_class);
+      for (const Cut& cut : {cuts[k], cuts[k + 1]})
+        for (const Rational& x : exact_point(mesh, view, support, cut)) text += " " + x.to_string();
+      parts.insert(text);
+    }
+  }
+  return parts;
+}
+
+/// A scene of which hidden lines are not wanted shows what it shows with them.
+std::string wrong_without_hidden_lines(const Mesh& mesh, const View& view, LineOptions options) {
+  options.why = false;
+  SceneOptions visible;
+  visible.stages.fill(When::always);
+  visible.hidden_lines = false;
+  const auto expected = visible_parts(mesh, view, visible_lines(SceneView(mesh, view), options));
+  const auto found = visible_parts(mesh, view, visible_lines(SceneView(mesh, view, visible), options));
+  std::string wrong;
+  for (const std::string& part : expected)
+    if (found.count(part) != expected.count(part)) wrong += "without hidden lines, not as often: " + part + "\n";
+  for (const std::string& part : found)
+    if (expected.count(part) == 0) wrong += "only without hidden lines: " + part + "\n";
+  return wrong;
+}
+
 }  // namespace
 
 CheckedLines::CheckedLines(const scenes::TestScene& scene, const LineOptions& options) : mesh_(scene.mesh()) {
-  const VisibleLines lines = roberts(mesh_, scene.view, options);
+  LineOptions by_roberts = options;
+  by_roberts.method = LineMethod::roberts;
+  const VisibleLines lines = visible_lines(mesh_, scene.view, by_roberts);
   found_ = oracle::seen_edges(mesh_, scene.view, lines);
   expected_ = oracle::seen_by_oracle(mesh_, scene.view, options);
   differences_ = wrong_with(scene, options);
@@ -57,17 +93,18 @@ std::string wrong_with(const scenes::TestScene& scene, const LineOptions& option
     const auto ask = [&](LineMethod method, When stages, When convex_body) {
       LineOptions chosen = options;
       chosen.method = method;
-      chosen.stages.fill(stages);
-      chosen.when(LineStage::convex_body) = convex_body;
       chosen.why = options.why && method == LineMethod::roberts;
-      const auto lines = visible_lines(mesh, scene.view, chosen);
+      SceneOptions of_scene;
+      of_scene.stages.fill(stages);
+      of_scene.when(Stage::convex_body) = convex_body;
+      const auto lines = visible_lines(SceneView(mesh, scene.view, of_scene), chosen);
       const std::string text = joined(oracle::compare_with_oracle(mesh, scene.view, lines, chosen));
       if (!text.empty()) wrong += lines.plan.method + (stages == When::always ? ", stages:\n" : ":\n") + text;
     };
     for (const LineMethod method : {LineMethod::roberts, LineMethod::appel})
       for (const When stages : {When::never, When::always}) ask(method, stages, When::never);
     ask(LineMethod::automatic, When::automatic, When::always);
-    return wrong;
+    return wrong + wrong_without_hidden_lines(mesh, scene.view, options);
   } catch (const std::exception& e) {
     return std::string("exception: ") + e.what() + "\n";
   }

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 
 using namespace hsr;
 
@@ -29,9 +29,10 @@ TEST_CASE("an edge behind many separate faces costs no more than sorting them", 
     const std::uint32_t posts = 4096;
     const Mesh mesh = fence(posts);
     LineOptions options;
+    options.method = LineMethod::roberts;
     options.classes = {false, false, false, false, true, false};
     options.why = why;
-    const VisibleLines lines = roberts(mesh, named_view("front"), options);
+    const VisibleLines lines = visible_lines(mesh, named_view("front"), options);
     REQUIRE(lines.lines.size() == 1);
     CHECK(lines.lines[0].intervals() == 2 * posts + 1);
     CHECK(lines.occluders.size() == (why ? posts : 0));

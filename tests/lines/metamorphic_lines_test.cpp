@@ -26,9 +26,11 @@ SeenEdge turned(const SeenEdge& e) {
 }
 
 // Intersections without their places and the numbers of their faces, from either end: these change with the scene.
-std::vector<SeenEdge> seen(const TestScene& scene, const LineOptions& options = all_edges()) {
+std::vector<SeenEdge> seen(const TestScene& scene, const LineOptions& options = all_edges(),
+                           const SceneOptions& of_scene = {}) {
   const Mesh mesh = scene.mesh();
-  std::vector<SeenEdge> all = oracle::seen_edges(mesh, scene.view, visible_lines(mesh, scene.view, options));
+  std::vector<SeenEdge> all =
+      oracle::seen_edges(mesh, scene.view, visible_lines(SceneView(mesh, scene.view, of_scene), options));
   const auto key = [](const SeenEdge& e) { return std::tuple(e.cuts, e.starts_hidden); };
   const auto first = std::find_if(all.begin(), all.end(), [](const SeenEdge& e) { return !e.a.is_valid(); });
   for (auto e = first; e != all.end(); ++e) {
@@ -206,11 +208,12 @@ TEST_CASE("one thread and two give the same bits", "[lines][metamorphic]") {
       LineOptions options = all_edges();
       options.method = method;
       options.why = method == LineMethod::roberts;
-      options.stages.fill(When::always);
+      SceneOptions always;
+      always.stages.fill(When::always);
       const auto with_threads = [&](std::size_t n) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);
         const Mesh mesh = scene.mesh();
-        return visible_lines(mesh, scene.view, options);
+        return visible_lines(SceneView(mesh, scene.view, always), options);
       };
       const VisibleLines one = with_threads(1), two = with_threads(2);
       CHECK(one.lines.size() > 2000);
@@ -227,21 +230,23 @@ TEST_CASE("both methods and every stage give the same lines of thousands of face
     const Mesh mesh = scene.mesh();
     LineOptions options = all_edges();
     options.method = LineMethod::roberts;
-    options.stages.fill(When::never);
+    SceneOptions chosen;
+    chosen.stages.fill(When::never);
     const auto text = [&] {
-      return oracle::to_text(oracle::seen_edges(mesh, scene.view, visible_lines(mesh, scene.view, options)));
+      const SceneView view(mesh, scene.view, chosen);
+      return oracle::to_text(oracle::seen_edges(mesh, scene.view, visible_lines(view, options)));
     };
     const std::string reference = text();
     for (const LineMethod method : {LineMethod::roberts, LineMethod::appel})
       for (const When stages : {When::never, When::always}) {
         options.method = method;
-        options.stages.fill(stages);
+        chosen.stages.fill(stages);
         CHECK(text() == reference);
       }
     // Few edges asked for: most faces are far from them.
     options.classes = {true, false, true, false, true, false};
     options.method = LineMethod::roberts;
-    options.stages.fill(When::never);
+    chosen.stages.fill(When::never);
     const std::string few = text();
     options.method = LineMethod::appel;
     CHECK(text() == few);
@@ -254,10 +259,8 @@ TEST_CASE("every arithmetic that is exact gives the same lines", "[lines][metamo
                      LineOptions options = all_edges();
                      const std::string text = oracle::to_text(seen(scene, options));
                      options.method = LineMethod::appel;
-                     options.arithmetic = Arithmetic::interval;
-                     CHECK(oracle::to_text(seen(scene, options)) == text);
-                     options.arithmetic = Arithmetic::rational;
-                     CHECK(oracle::to_text(seen(scene, options)) == text);
+                     for (const Arithmetic arithmetic : {Arithmetic::interval, Arithmetic::rational})
+                       CHECK(oracle::to_text(seen(scene, options, {.arithmetic = arithmetic})) == text);
                    });
 }
 

@@ -73,19 +73,19 @@ TEST_CASE("what the plan leaves out is hidden, and it leaves out some", "[lines]
 
 /// Of the edges of a scene: how many visible intervals lie in no part that the tiles leave as unhidden, and how much of all
 /// edges the tiles leave out.
-struct LeftOut {
+struct UnhiddenShare {
   std::size_t wrong = 0;
   double share = 0;
 };
 
-LeftOut left_out(const scenes::TestScene& scene) {
+UnhiddenShare left_out(const scenes::TestScene& scene) {
   const Mesh mesh = scene.mesh();
   const ProjectedMesh projected(mesh, scene.view, Arithmetic::staged);
   const OcclusionPyramid tiles(projected, true);
-  LineOptions options = all_edges();
-  options.stages.fill(When::never);
-  const VisibleLines lines = visible_lines(mesh, scene.view, options);
-  LeftOut found;
+  SceneOptions never;
+  never.stages.fill(When::never);
+  const VisibleLines lines = visible_lines(SceneView(mesh, scene.view, never), all_edges());
+  UnhiddenShare found;
   std::vector<UnhiddenInterval> parts;
   for (const Line& line : lines.lines) {
     if (line.is_intersection() || !tiles.unhidden(mesh.edges[line.edge], parts)) continue;
@@ -120,14 +120,14 @@ TEST_CASE("tiles leave every visible part of an edge, and not the hidden ones", 
     scene.add_face(std::vector<Point3>{{4, 5, 2}, {20, 5, 2}, {20, 30, 2.5}});
     scene.add_face(std::vector<Point3>{{12, 0, 0}, {20, 0, 0}, {20, 0, 8}, {12, 0, 8}});
     scene.add_face(std::vector<Point3>{{1, 9, 5}, {19, 9, 5}, {19, 9, 5.5}});
-    const LeftOut found = left_out(scene);
+    const UnhiddenShare found = left_out(scene);
     CHECK(found.wrong == 0);
     CHECK(found.share > 2);
   }
   double share = 0;
   for (const char* family : {"boxes", "triangles", "slopes", "scaled", "magnitudes"})
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
-      const LeftOut found = left_out(scenes::family(family).make(seed));
+      const UnhiddenShare found = left_out(scenes::family(family).make(seed));
       CHECK(found.wrong == 0);
       share += found.share;
     }

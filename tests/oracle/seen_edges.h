@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "hsr/lines/roberts.h"
 #include "hsr/lines/visible_lines.h"
 #include "tests/oracle/exact_vector.h"
 

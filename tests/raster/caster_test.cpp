@@ -39,7 +39,7 @@ std::string wrong_with(const scenes::TestScene& scene) {
     const Image<TriangleId> expected = oracle::seen_at_samples(mesh, scene.view, grid);
     for (const Arithmetic arithmetic : {Arithmetic::staged, Arithmetic::interval, Arithmetic::rational}) {
       try {
-        const Image<TriangleId> found = cast(mesh, scene.view, grid, {.arithmetic = arithmetic}).triangles;
+        const Image<TriangleId> found = cast(SceneView(mesh, scene.view, {.arithmetic = arithmetic}), grid).triangles;
         if (found != expected) return "cast:\n" + text_of(found) + "expected:\n" + text_of(expected);
       } catch (const PreconditionError& error) {
         if (std::string(error.what()) != "SampleSigns: the viewpoint is in the plane of the samples") throw;
@@ -185,7 +185,7 @@ TEST_CASE("plain doubles may be wrong, but give a picture", "[image][caster]") {
       const Mesh mesh = scene.mesh();
       try {
         const SampleGrid grid = sample_grid(scene.view, paper_rectangle(mesh, scene.view), 16, 12);
-        const CastImage image = cast(mesh, scene.view, grid, {.arithmetic = Arithmetic::double_only});
+        const CastImage image = cast(SceneView(mesh, scene.view, {.arithmetic = Arithmetic::double_only}), grid);
         CHECK(image.triangles.width == 16);
       } catch (const InputError&) {
         // Beyond the range of doubles.

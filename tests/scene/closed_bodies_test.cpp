@@ -179,12 +179,12 @@ std::string wrong_with_stages(const TestScene& scene) {
   const Mesh mesh = scene.mesh();
   for (const When back_faces : {When::never, When::always})
     for (const When convex_body : {When::never, When::always}) {
-      LineOptions options;
-      options.classes.fill(true);
-      options.when(LineStage::back_faces) = back_faces;
-      options.when(LineStage::convex_body) = convex_body;
+      const LineOptions options = all_edges();
+      SceneOptions chosen;
+      chosen.when(Stage::back_faces) = back_faces;
+      chosen.when(Stage::convex_body) = convex_body;
       for (const std::string& line :
-           oracle::compare_with_oracle(mesh, scene.view, visible_lines(mesh, scene.view, options), options))
+           oracle::compare_with_oracle(mesh, scene.view, visible_lines(SceneView(mesh, scene.view, chosen), options), options))
         wrong += line + "\n";
     }
   return wrong;

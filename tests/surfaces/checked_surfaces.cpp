@@ -39,15 +39,27 @@ std::string wrong_fragments(const scenes::TestScene& scene) {
     for (const std::string& line : truth.differences(reference)) wrong += "roberts: " + line + "\n";
     const std::string expected = canonical(mesh, scene.view, reference);
     for (const When stages : {When::never, When::always}) {
-      FragmentOptions options;
-      options.stages = stages;
-      const VisibleFragments found = visible_fragments(mesh, scene.view, options);
+      SceneOptions of_scene;
+      of_scene.stages.fill(stages);
+      const SceneView view(mesh, scene.view, of_scene);
+      const VisibleFragments found = visible_fragments(view);
       const std::string name = stages == When::always ? "fragments, stages" : "fragments";
       for (const std::string& line : truth.differences(found)) wrong.append(name).append(": ").append(line).append("\n");
       const std::string seen = differences_to_caster(mesh, scene.view, found);
       if (!seen.empty()) wrong.append(name).append(": ").append(seen).append("\n");
       const std::string text = canonical(mesh, scene.view, found);
       if (expected != text) wrong.append("roberts:\n").append(expected).append(name).append(":\n").append(text);
+      // From lines that were found for a drawing, and where hidden lines are not wanted.
+      LineOptions every_class;
+      every_class.classes.fill(true);
+      of_scene.hidden_lines = false;
+      for (const SceneView& drawn : {view, SceneView(mesh, scene.view, of_scene)})
+        for (const LineMethod method : {LineMethod::roberts, LineMethod::appel}) {
+          every_class.method = method;
+          const VisibleLines lines = visible_lines(drawn, every_class);
+          if (canonical(mesh, scene.view, visible_fragments(drawn, {.lines = &lines})) != expected)
+            wrong.append(name).append(": others from given lines\n");
+        }
     }
     return wrong;
   } catch (const std::exception& e) {

@@ -82,9 +82,10 @@ void agree_on_a_hundred_triangles(std::initializer_list<int> exponents) {
     options.method = LineMethod::roberts;
     const auto by_roberts = oracle::seen_edges(mesh, scene.view, visible_lines(mesh, scene.view, options));
     options.method = LineMethod::appel;
-    options.stages.fill(When::always);
-    CHECK(oracle::differences(by_roberts, oracle::seen_edges(mesh, scene.view, visible_lines(mesh, scene.view, options)))
-              .empty());
+    SceneOptions always;
+    always.stages.fill(When::always);
+    const SceneView view(mesh, scene.view, always);
+    CHECK(oracle::differences(by_roberts, oracle::seen_edges(mesh, scene.view, visible_lines(view, options))).empty());
   }
 }
 

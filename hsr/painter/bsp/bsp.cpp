@@ -8,6 +8,7 @@
 #include "geometry/parallel.h"
 #include "hsr/scene/cut_plane.h"
 #include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/scene_parts.h"
 
 namespace hsr {
 
@@ -202,13 +203,13 @@ class PieceWriter {
 
 }  // namespace
 
-PaintersOrder BspTree::order(const View& view) const {
+PaintersOrder BspTree::order(const SceneView& scene) const {
   PaintersOrder order;
   if (nodes_.empty()) return order;
-  const ProjectedMesh projected(*mesh_, view, Arithmetic::staged);
+  const ProjectedMesh& projected = scene.parts().projected();
   PieceWriter writer(projected, order);
   std::vector<PieceCorner> ring;
-  walk_far_to_near(nodes_, EyeSide(*mesh_, view, bit_range_, filters_), [&](std::uint32_t first, std::uint32_t end) {
+  walk_far_to_near(nodes_, EyeSide(*mesh_, scene.view(), bit_range_, filters_), [&](std::uint32_t first, std::uint32_t end) {
     for (std::uint32_t k = end; k-- > first;) {
       const OrderedPiece& p = pieces_[k];
       ring.clear();

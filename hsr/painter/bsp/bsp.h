@@ -8,6 +8,7 @@
 #include "geometry/plane_filter.h"
 #include "hsr/painter/bsp/bsp_bounds.h"
 #include "hsr/painter/painters_order.h"
+#include "hsr/scene/scene.h"
 
 namespace hsr {
 
@@ -34,7 +35,9 @@ class BspTree {
   explicit BspTree(const Mesh& mesh, const BspOptions& options = {});
 
   /// The pieces beyond the near plane, far to near; none of faces seen edge-on.
-  PaintersOrder order(const View& view) const;
+  PaintersOrder order(const View& view) const { return order(SceneView(*mesh_, view)); }
+  /// @pre the scene is of the mesh that the tree was built of
+  PaintersOrder order(const SceneView& scene) const;
   /// The numbers of the pieces far to near, those of faces seen edge-on included: the walk alone. Cost: some ns a piece.
   void walk(const View& view, std::vector<std::uint32_t>& far_to_near) const;
 

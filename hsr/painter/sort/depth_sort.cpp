@@ -11,6 +11,7 @@
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/painter/sort/near_box.h"
 #include "hsr/painter/sort/overlap_graph.h"
+#include "hsr/scene/scene_parts.h"
 #include "hsr/surfaces/fragments.h"
 
 namespace hsr {
@@ -27,8 +28,8 @@ struct Neighbour {
 
 class Sorter {
  public:
-  Sorter(const Mesh& mesh, const View& view, const DepthSortOptions& options)
-      : options_(options), mesh_(mesh), projected_(mesh, view, options.arithmetic), overlaps_(projected_, options.classic) {}
+  Sorter(const SceneView& scene, const DepthSortOptions& options)
+      : options_(options), mesh_(scene.mesh()), projected_(scene.parts().projected()), overlaps_(projected_, options.classic) {}
 
   DepthSort sort();
 
@@ -55,7 +56,7 @@ class Sorter {
 
   const DepthSortOptions& options_;
   const Mesh& mesh_;
-  ProjectedMesh projected_;
+  const ProjectedMesh& projected_;
   Overlaps overlaps_;
   FacePieces faces_;
   Clusters clusters_;
@@ -388,7 +389,7 @@ void Sorter::emit() {
     }
   };
   const std::vector<std::uint32_t> order = topological_order(make_graph(piece_of.size(), for_each_edge));
-  if (order.size() != piece_of.size() && options_.arithmetic != Arithmetic::double_only)
+  if (order.size() != piece_of.size() && projected_.arithmetic() != Arithmetic::double_only)
     throw InvariantError("depth_sort: a cycle is left");
   result_.order.pieces.reserve(pieces_.size());
   result_.order.corners.reserve(faces_.corners.size());
@@ -445,9 +446,9 @@ std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& vie
   return found;
 }
 
-DepthSort depth_sort(const Mesh& mesh, const View& view, const DepthSortOptions& options) {
-  if (mesh.triangles.empty()) return {};
-  return Sorter(mesh, view, options).sort();
+DepthSort depth_sort(const SceneView& scene, const DepthSortOptions& options) {
+  if (scene.mesh().triangles.empty()) return {};
+  return Sorter(scene, options).sort();
 }
 
 }  // namespace hsr

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hsr/painter/painters_order.h"
+#include "hsr/scene/scene.h"
 #include "hsr/symbols/map_point.h"
 
 namespace hsr {
@@ -37,7 +38,6 @@ struct DepthSort {
 };
 
 struct DepthSortOptions {
-  Arithmetic arithmetic = Arithmetic::staged;
   bool classic = false;         ///< cut every pair that the planes of the two do not separate, as the paper does
   std::size_t most_pieces = 0;  ///< beyond it the scene is refused; 0: 250 000, or 64 a face
   std::function<void(double done)> progress;
@@ -56,6 +56,10 @@ struct DepthSortOptions {
 /// @throws InputError beyond the most pieces
 /// Exact: yes. Cost: O(n log n + k) for k pairs whose boxes overlap in the image, and the cuts.
 /// Source: Newell, Newell & Sancha 1972; the graph: de Berg, van Kreveld & Schwarzkopf 1992.
-DepthSort depth_sort(const Mesh& mesh, const View& view, const DepthSortOptions& options = {});
+DepthSort depth_sort(const SceneView& scene, const DepthSortOptions& options = {});
+/// Of a scene that nothing else looks at.
+inline DepthSort depth_sort(const Mesh& mesh, const View& view, const DepthSortOptions& options = {}) {
+  return depth_sort(SceneView(mesh, view), options);
+}
 
 }  // namespace hsr

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "hsr/painter/sort/image_pieces.h"
+#include "hsr/scene/scene_parts.h"
 
 namespace hsr {
 
-PaintersOrder z_sort(const Mesh& mesh, const View& view, DepthKey key) {
+PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
   PaintersOrder order;
-  if (mesh.triangles.empty()) return order;
-  const ProjectedMesh projected(mesh, view, Arithmetic::staged);
+  if (scene.mesh().triangles.empty()) return order;
+  const ProjectedMesh& projected = scene.parts().projected();
   const FacePieces pieces = face_pieces(projected);
   const Camera camera = projected.camera();
   const Point3& e = camera.eye.at;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hsr/painter/painters_order.h"
+#include "hsr/scene/scene.h"
 
 namespace hsr {
 
@@ -12,6 +13,8 @@ enum class DepthKey : unsigned char { centroid, farthest_vertex };
 ///
 /// The farthest comes first; of equally far ones the higher face. Convex faces are one piece, others their triangles.
 /// Exact: no. Cost: O(n log n).
-PaintersOrder z_sort(const Mesh& mesh, const View& view, DepthKey key);
+PaintersOrder z_sort(const SceneView& scene, DepthKey key);
+/// Of a scene that nothing else looks at.
+inline PaintersOrder z_sort(const Mesh& mesh, const View& view, DepthKey key) { return z_sort(SceneView(mesh, view), key); }
 
 }  // namespace hsr

@@ -8,7 +8,7 @@
 
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/mesh_json.h"
-#include "hsr/lines/roberts.h"
+#include "hsr/lines/visible_lines.h"
 
 using namespace hsr;
 
@@ -28,8 +28,9 @@ struct Example {
     polygons.segments = {{0, 1}};
     mesh = make_mesh(points, polygons);
     LineOptions options;
+    options.method = LineMethod::roberts;
     options.why = true;
-    lines = roberts(mesh, view, options);
+    lines = visible_lines(mesh, view, options);
   }
 };
 
@@ -73,7 +74,7 @@ TEST_CASE("A perspective view has its near plane", "[write][json]") {
 TEST_CASE("Lines that are not seen at all are written all the same", "[write][json]") {
   Example e;
   e.view = parallel_view({1, 0, 0}, {0, 0, 1});
-  e.lines = roberts(e.mesh, e.view);
+  e.lines = visible_lines(e.mesh, e.view, {.method = LineMethod::roberts});
   const auto json = nlohmann::json::parse(lines_json(e.mesh, e.view, e.lines));
   REQUIRE(json["lines"].size() == 4);
   CHECK(json["lines"][0]["edge"] == nlohmann::json({0, 1}));
@@ -111,7 +112,7 @@ TEST_CASE("The text is the same for any number of threads", "[write][json]") {
   }
   const Mesh mesh = make_mesh(points, polygons);
   const View view = parallel_view({1, 2, 3}, {0, 0, 1});
-  const VisibleLines lines = roberts(mesh, view);
+  const VisibleLines lines = visible_lines(mesh, view, {.method = LineMethod::roberts});
   const auto with_threads = [&](std::size_t n) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);
     return lines_json(mesh, view, lines);
