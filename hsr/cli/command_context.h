@@ -1,0 +1,79 @@
+#pragma once
+
+#include <tbb/global_control.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hsr/cli/command_line.h"
+#include "hsr/cli/outputs.h"
+#include "hsr/cli/progress.h"
+#include "hsr/cli/report.h"
+#include "hsr/cli/view_options.h"
+#include "hsr/io/write/svg.h"
+#include "hsr/model.h"
+
+namespace hsr::cli {
+
+/// The options that are the same for all verbs.
+struct CommonArguments {
+  std::optional<int> threads;
+  std::string report;
+  bool quiet = false;
+
+  void add_threads_to(Options& options);
+  /// @param what the report tells
+  void add_report_to(Options& options, const std::string& what);
+  void add_quiet_to(Options& options, const std::string& help);
+};
+
+/// A model, and how it is looked at.
+struct ViewedModel {
+  Model model;
+  Mesh mesh;
+  ChosenView chosen;
+
+  const View& view() const { return chosen.view; }
+  /// The model's file name without its directories.
+  std::string name() const;
+  /// What a picture of it is called: its name, and "view: iso".
+  SvgOptions captions() const;
+};
+
+/// What every verb works with, from its options to the last file that it writes.
+class CommandContext {
+ public:
+  /// Refuses before any work what can be refused, and limits the threads.
+  /// @param input the file to read, which no output may replace @param outputs the files to write, less the report
+  /// @throws InputError naming the option or the file
+  CommandContext(const CommonArguments& common, const std::string& input, std::vector<std::string> outputs,
+                 UnfinishedFiles& unfinished);
+  CommandContext(const CommandContext&) = delete;
+  CommandContext& operator=(const CommandContext&) = delete;
+
+  Report report;
+  ProgressLine progress;
+
+  bool is_quiet() const { return common_.quiet; }
+  bool reports() const { return !common_.report.empty(); }
+
+  /// Reads a model and chooses its view.
+  ViewedModel read(const std::string& path, const ViewOptions& view);
+  /// Says something about the input or the options, unless quiet.
+  void note(const std::string& text);
+  /// The notes that come with a model and its view.
+  void say_notes_of(const ViewedModel& viewed);
+
+  /// Writes an output; no output is in place before finish().
+  void write(const std::string& path, const std::string& bytes);
+  /// Writes the report if one is asked for, and puts all outputs in place.
+  void finish();
+
+ private:
+  const CommonArguments& common_;
+  std::optional<tbb::global_control> threads_;
+  OutputFiles outputs_;
+};
+
+}  // namespace hsr::cli
