@@ -304,6 +304,22 @@ TEST_CASE("an output never takes the place of the model or of another output", "
   CHECK_FALSE(fs::exists(svg));
 }
 
+TEST_CASE("two names of one file are found out before it is there", "[cli]") {
+  const Directory d;
+  write(d / "cube.obj", cube);
+  fs::create_directory(d / "sub");
+  fs::create_directory_symlink(".", d / "linked");
+  const std::string here = "cd " + (d / "") + " && ";
+  for (const std::string& other :
+       {std::string("./a.svg"), std::string("sub/../a.svg"), std::string("linked/a.svg"), d / "a.svg"}) {
+    check_refused(run("draw cube.obj -o a.svg -o " + other, here), {other, "twice"});
+    check_refused(run("draw cube.obj -o " + other + " -o a.svg", here), {"a.svg", "twice"});
+    check_refused(run("order cube.obj -o a.svg --report " + other, here), {other, "twice"});
+  }
+  check_refused(run("draw cube.obj -o no/a.svg", here), {"no/a.svg", "directory"});
+  CHECK(run("draw cube.obj -q -o a.svg -o sub/a.svg", here).status == 0);
+}
+
 TEST_CASE("a full disk is an error, not a success", "[cli]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube);
