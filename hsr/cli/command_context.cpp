@@ -53,12 +53,17 @@ void CommandContext::say_notes_of(const ViewedModel& viewed) {
   if (!viewed.chosen.note.empty()) note(viewed.chosen.note);
 }
 
-void CommandContext::write(const std::string& path, const std::string& bytes) { outputs_.write(path, bytes); }
+void CommandContext::write(const std::string& path, const std::string& bytes, const std::string& summary) {
+  outputs_.write(path, bytes);
+  written_.push_back((path == "-" ? "standard output" : path) + ": " + summary);
+}
 
 void CommandContext::finish() {
-  if (reports()) outputs_.write(common_.report, report.text());
+  if (reports()) write(common_.report, report.text(), "report");
   outputs_.commit();
   progress.clear();
+  if (is_quiet()) return;
+  for (const std::string& line : written_) tell("hsr: {}\n", line);
 }
 
 }  // namespace hsr::cli

@@ -66,14 +66,16 @@ class CommandContext {
   void say_notes_of(const ViewedModel& viewed);
 
   /// Writes an output; no output is in place before finish().
-  void write(const std::string& path, const std::string& bytes);
-  /// Writes the report if one is asked for, and puts all outputs in place.
+  /// @param summary what is in it, for one who wonders: "210 x 297 mm, scale 1:2 (0.5 mm per unit), 123 lines"
+  void write(const std::string& path, const std::string& bytes, const std::string& summary);
+  /// Writes the report if one is asked for, puts all outputs in place, and says so, each in one line, unless quiet.
   void finish();
 
  private:
   const CommonArguments& common_;
   std::optional<tbb::global_control> threads_;
   OutputFiles outputs_;
+  std::vector<std::string> written_;  // a line for each output
 };
 
 }  // namespace hsr::cli

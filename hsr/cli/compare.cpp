@@ -32,7 +32,8 @@ const char* const examples = R"(Examples:
   hsr compare part.stl -o part_compared --view front
   hsr compare city.ply -o city --eye 20,-30,15 --size 512
 
-Writes index.html (needs nothing else), table.csv, report.json, plots/*.svg and pictures/*.png.)";
+Writes index.html (needs nothing else), table.csv, report.json, plots/*.svg and pictures/*.png. Exit status 1: an exact
+method was wrong.)";
 
 Report::Json json_of(const ComparedMethod& m) {
   return {{"method", m.method},
@@ -162,7 +163,7 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
   context.report.set("machine", machine_and_date());
   directory.write("report.json", context.report.text());
   context.progress.clear();
-  if (!context.is_quiet()) tell("hsr: compared: open {}\n", directory.path("index.html"));
+  if (!context.is_quiet()) tell("hsr: {}: {} files, open {}\n", a.directory, directory.files(), directory.path("index.html"));
 
   // An exact method that shows another face than the caster is a defect of hsr, and never goes unsaid.
   for (const ComparedMethod& m : comparison.methods)
@@ -187,7 +188,7 @@ void add_compare(CommandLine& command, UnfinishedFiles& unfinished) {
   options.add("--threads", a->threads, "N", "Of what is timed").with_default_shown();
   options.add("--seed", a->seed, "N", "Of the shuffling").with_default_shown();
   options.begin_group("Report");
-  a->common.add_quiet_to(options, "No notes, no progress");
+  a->common.add_quiet_to(options, "Say nothing but what is wrong");
   options.on_run([a, &unfinished] { run(*a, unfinished); });
 }
 

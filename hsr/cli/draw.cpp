@@ -15,6 +15,7 @@
 #include "hsr/cli/drawing_check.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/messages.h"
+#include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/shading.h"
@@ -54,7 +55,11 @@ const char* const examples = R"(Examples:
   hsr draw part.ply -o lines.json --edges all --exact      every edge, parameters as "p/q"
   hsr draw part.stl -o part.svg --fill                     filled, with the lines on top
   hsr draw part.stl -o part.svg -o errors.csv              and how wrong a z-buffer is, size by size, against its time
-  hsr draw part.ply -o lines.json --hidden dashed --why    and which faces hide what)";
+  hsr draw part.ply -o lines.json --hidden dashed --why    and which faces hide what
+
+Writes each FILE, all of them or none: .svg and .png show the lines on a page; .json has every line with its visible and its
+hidden intervals; .csv is a table of errors against run time. Standard error tells what was written, and the scale of a page.
+Exit status 1: --check or a csv found a difference that must not be.)";
 
 Arithmetic parse_arithmetic(const std::string& text) {
   static const std::map<std::string, Arithmetic> names = {{"staged", Arithmetic::staged},
@@ -196,7 +201,8 @@ class DrawCommand {
   void draw_page();
   void write();
   void note_idle_options();
-  std::string output(Format format) const;
+  std::string bytes_of(Format format) const;
+  std::string summary_of(Format format, const std::string& bytes) const;
   SampleGrid samples(int width, int height) const {
     return samples_for(scene_.view(), scene_.mesh, request_.drawing, width, height);
   }
@@ -322,13 +328,15 @@ void DrawCommand::write() {
     report.leave_out("frame", "JSON has all edges, in the picture or not");
   context_.progress.stage("writing");
   report.timed("write", [&] {
-    for (std::size_t i = 0; i < a_.outputs.size(); ++i) context_.write(a_.outputs[i], output(request_.formats[i]));
+    for (std::size_t i = 0; i < a_.outputs.size(); ++i) {
+      const std::string bytes = bytes_of(request_.formats[i]);
+      context_.write(a_.outputs[i], bytes, summary_of(request_.formats[i], bytes));
+    }
   });
   context_.finish();
 }
 
-/// The bytes of a file.
-std::string DrawCommand::output(Format format) const {
+std::string DrawCommand::bytes_of(Format format) const {
   switch (format) {
     case Format::svg:
       return svg(*drawing_, scene_.captions());
@@ -341,6 +349,34 @@ std::string DrawCommand::output(Format format) const {
   }
   return lines_json(scene_.mesh, scene_.view(), lines_,
                     {a_.exact ? Numbers::exact : Numbers::rounded, a_.fill ? &*fragments_ : nullptr, a_.why});
+}
+
+/// The straight ones; those that were joined end to end count each.
+std::uint64_t straight_lines(const Drawing& drawing) {
+  std::uint64_t count = 0;
+  for (const Polyline& p : drawing.polylines) count += p.end_point - p.first_point - (p.closed ? 0 : 1);
+  return count;
+}
+
+/// What is in a file of that format.
+std::string DrawCommand::summary_of(Format format, const std::string& bytes) const {
+  switch (format) {
+    case Format::svg: {
+      std::string text = paper_size(drawing_->width, drawing_->height);
+      const bool is_empty = drawing_->polylines.empty() && drawing_->fills.fills.empty();
+      if (!is_empty) text += ", " + scale_text(drawing_->scale, a_.page, scene_.view().is_perspective());
+      text += ", " + counted(straight_lines(*drawing_), "line");
+      return a_.fill ? text + ", " + counted(drawing_->fills.fills.size(), "filled area") : text;
+    }
+    case Format::png:
+      return pixel_size(bytes);
+    case Format::csv:
+      return counted(errors_.size(), "row");
+    case Format::json:
+      break;
+  }
+  const std::string text = counted(lines_.lines.size(), "line");
+  return a_.fill ? text + ", " + counted(fragments_->fragments.size(), "fragment") : text;
 }
 
 /// Plain doubles may contradict themselves: then there is no result to show, and that is no defect.
@@ -392,7 +428,7 @@ void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
   a->view.add_to(options);
   add_line_options(*a, options);
   add_surface_options(*a, options);
-  a->page.add_to(options);
+  a->page.add_to(options, "PNG: pixels [150 to the inch]; --check and csv: samples");
   options.begin_group("Numbers");
   options.add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
   a->common.add_threads_to(options);
@@ -403,7 +439,7 @@ void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
       .one_of({"staged", "double", "interval", "rational"});
   options.begin_group("Report");
   a->common.add_report_to(options, "Times, counts and decisions");
-  a->common.add_quiet_to(options, "No notes, no progress");
+  a->common.add_quiet_to(options, "Say nothing but what is wrong");
   options.on_run([a, &unfinished] { run(*a, unfinished); });
 }
 

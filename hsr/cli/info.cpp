@@ -5,6 +5,7 @@
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
+#include "hsr/cli/output_summary.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/io/write/mesh_json.h"
 #include "hsr/lines/plan.h"
@@ -26,7 +27,9 @@ const char* const examples = R"(Examples:
   hsr info part.stl                          what the model is, its defects, what its drawing takes
   hsr info part.stl --edges all --view top   what a drawing of all edges from above can leave out
   hsr info house.obj --mesh mesh.json        the faces as used: merged, dropped, cut into triangles
-  hsr info part.stl --report facts.json      the same facts as JSON)";
+  hsr info part.stl --report facts.json      the same facts as JSON
+
+Writes the facts to standard output, and the faces or a report to files if asked. Exit status 0 for a model with defects, too.)";
 
 std::size_t used(const SceneFacts& f, FaceUse use) { return f.used_as[static_cast<std::size_t>(use)]; }
 
@@ -143,7 +146,9 @@ void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   report.set("view", viewed.chosen.title);
   report.set("method", plan.method);
   for (const LeftOut& stage : plan.left_out) report.leave_out(stage.stage, stage.why);
-  if (!a.mesh.empty()) context.write(a.mesh, mesh_json(viewed.mesh, a.exact ? Numbers::exact : Numbers::rounded));
+  if (!a.mesh.empty())
+    context.write(a.mesh, mesh_json(viewed.mesh, a.exact ? Numbers::exact : Numbers::rounded),
+                  counted(viewed.mesh.faces.size(), "face") + ", " + counted(viewed.mesh.triangles.size(), "triangle"));
   context.finish();
 }
 
@@ -159,7 +164,8 @@ void add_info(CommandLine& command, UnfinishedFiles& unfinished) {
   options.begin_group("Options");
   options.add("--mesh", a->mesh, "FILE", "Write the faces as used as JSON");
   options.add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
-  options.add("--report", a->common.report, "FILE", "The facts and times as JSON");
+  options.add("--report", a->common.report, "FILE", "The facts and times as JSON; - for the standard output");
+  a->common.add_quiet_to(options, "Only the facts: no progress, nothing about files");
   options.on_run([a, &unfinished] { run(*a, unfinished); });
 }
 

@@ -52,7 +52,8 @@ int main(int argc, char** argv) {
   hsr::cli::CommandLine command(
       "hsr", "hsr: what is visible, exactly. Vector drawings of polygon models with hidden lines removed or dashed.",
       std::string("hsr ") + HSR_VERSION,
-      "Exit status: 0 done; 1 a check failed; 2 bad usage or bad input.\n'hsr draw --help' has examples.");
+      "Exit status: 0 done; 1 a check failed; 2 bad usage or bad input.\n'hsr draw --help', or that of another verb, has its "
+      "options, what it writes, and examples.");
   hsr::cli::add_draw(command, unfinished);
   hsr::cli::add_info(command, unfinished);
   hsr::cli::add_order(command, unfinished);

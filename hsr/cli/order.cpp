@@ -9,6 +9,7 @@
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/messages.h"
+#include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
 #include "hsr/drawing/painting.h"
 #include "hsr/drawing/shading.h"
@@ -45,7 +46,10 @@ const char* const examples = R"(Examples:
   hsr order part.stl -o part.svg --opacity 0.5         painted in that order; every layer is right
   hsr order part.stl -o part.png --size 1600x1200
   hsr order scene.obj -o scene.json --method naive     by the middle of each face, as most software does; may be wrong
-  hsr order scene.obj -o scene.svg --check             and compared with the nearest face at each of 1024 x 1024 samples)";
+  hsr order scene.obj -o scene.svg --check             and compared with the nearest face at each of 1024 x 1024 samples
+
+Writes each FILE, all of them or none: .json has the pieces from far to near, which 'hsr verify' reads; .svg and .png are painted
+in that order. Standard error tells what was written, and the scale of a page. Exit status 1: --check found a difference.)";
 
 /// Each cycle of faces, and a point of each overlap in it.
 Report::Json json_of(const std::vector<PaintersCycle>& cycles, const Mesh& mesh, const View& view) {
@@ -136,7 +140,7 @@ class OrderCommand {
   PaintersOrder by_tree();
   void check();
   void write();
-  std::string output(Format format, const std::vector<Colour>& colours) const;
+  void write(const std::string& path, Format format, const std::vector<Colour>& colours);
 
   const OrderArguments& a_;
   OrderRequest request_;
@@ -207,20 +211,26 @@ void OrderCommand::write() {
   context_.progress.stage("writing");
   context_.report.timed("write", [&] {
     const std::vector<Colour> colours = face_colours(scene_.model, scene_.mesh, scene_.view());
-    for (std::size_t i = 0; i < a_.outputs.size(); ++i) context_.write(a_.outputs[i], output(request_.formats[i], colours));
+    for (std::size_t i = 0; i < a_.outputs.size(); ++i) write(a_.outputs[i], request_.formats[i], colours);
   });
   context_.finish();
 }
 
-/// The bytes of a file.
-std::string OrderCommand::output(Format format, const std::vector<Colour>& colours) const {
-  if (format == Format::json)
-    return order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded);
-  if (format == Format::svg)
-    return painting_svg(paint_on_page(scene_.mesh, scene_.view(), order_, colours, request_.lines, request_.drawing),
-                        a_.opacity, scene_.captions());
-  return on_samples(
-      [&] { return painted_png(scene_.chosen, scene_.mesh, order_, colours, a_.opacity, request_.drawing, request_.size); });
+void OrderCommand::write(const std::string& path, Format format, const std::vector<Colour>& colours) {
+  if (format == Format::json) {
+    context_.write(path, order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded),
+                   counted(order_.pieces.size(), "piece"));
+  } else if (format == Format::svg) {
+    const Painting painting = paint_on_page(scene_.mesh, scene_.view(), order_, colours, request_.lines, request_.drawing);
+    std::string summary = paper_size(painting.width, painting.height);
+    if (!painting.pieces.empty()) summary += ", " + scale_text(painting.scale, a_.page, scene_.view().is_perspective());
+    context_.write(path, painting_svg(painting, a_.opacity, scene_.captions()),
+                   summary + ", " + counted(painting.pieces.size(), "piece"));
+  } else {
+    const std::string bytes = on_samples(
+        [&] { return painted_png(scene_.chosen, scene_.mesh, order_, colours, a_.opacity, request_.drawing, request_.size); });
+    context_.write(path, bytes, pixel_size(bytes));
+  }
 }
 
 void add_order_options(OrderArguments& a, Options& options) {
@@ -247,7 +257,8 @@ void add_picture_options(OrderArguments& a, Options& options) {
   options.begin_group("Picture");
   options.add("--opacity", a.opacity, "A", "Of every face, times its own in the file; more than 0, at most 1")
       .with_default_shown();
-  options.add("--edges", a.edges, "LIST", "SVG: classes of edges to draw on the faces: outline,sharp,boundary,wire,smooth, all")
+  options
+      .add("--edges", a.edges, "LIST", "SVG: classes of edges to draw on the faces: outline,sharp,boundary,wire,smooth or all")
       .with_default_shown();
   options.add("--crease", a.crease, "DEG", "An edge is sharp if its faces deviate from flat by more than this")
       .with_default_shown();
@@ -263,13 +274,13 @@ void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
   add_order_options(*a, options);
   a->view.add_to(options);
   add_picture_options(*a, options);
-  a->page.add_to(options);
+  a->page.add_to(options, "PNG: pixels, --check: samples [1024x1024]");
   options.begin_group("Numbers");
   options.add_flag("--exact", a->exact, "JSON: all coordinates as strings \"p/q\"; those that are no doubles always are");
   a->common.add_threads_to(options);
   options.begin_group("Report");
   a->common.add_report_to(options, "Times, tests, cuts and cycles");
-  a->common.add_quiet_to(options, "No notes, no progress");
+  a->common.add_quiet_to(options, "Say nothing but what is wrong");
   options.on_run([a, &unfinished] { OrderCommand(*a, unfinished).run(); });
 }
 

@@ -6,7 +6,7 @@
 
 namespace hsr::cli {
 
-void PageArguments::add_to(Options& options) {
+void PageArguments::add_to(Options& options, const std::string& size_help) {
   options.begin_group("Page");
   options
       .add("--page", page, "PAGE",
@@ -16,7 +16,7 @@ void PageArguments::add_to(Options& options) {
       .with_default_shown();
   options.add("--unit", unit, "UNIT", "The model's unit: mm, cm, m or in").with_default_shown().one_of({"mm", "cm", "m", "in"});
   options.add("--margin", margin, "MM", "Around the drawing, mm").with_default_shown();
-  options.add("--size", size, "WxH", "PNG: pixels [150 to the inch]");
+  options.add("--size", size, "WxH", size_help);
 }
 
 DrawingOptions PageArguments::options() const {

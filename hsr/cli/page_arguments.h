@@ -15,7 +15,8 @@ struct PageArguments {
   std::string page = "A4", scale = "fit", unit = "mm", size;
   double margin = 10;
 
-  void add_to(Options& options);
+  /// @param size_help what --size is the size of
+  void add_to(Options& options, const std::string& size_help);
   /// @throws InputError naming the option
   DrawingOptions options() const;
 };

@@ -124,7 +124,7 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
   describe(report, result);
   directory.write("report.json", report.text());
   progress.clear();
-  if (!a.quiet) tell("hsr: stability: open {}\n", directory.path("index.html"));
+  if (!a.quiet) tell("hsr: {}: {} files, open {}\n", a.directory, directory.files(), directory.path("index.html"));
 
   // A wrong sample of an exact method is a defect of hsr, and never goes unsaid.
   const std::vector<std::string> defects = result.defects();
@@ -144,7 +144,7 @@ void add_stability(CommandLine& command, UnfinishedFiles& unfinished) {
   options.add("--family", a->families, "NAME", "Only these: " + names).separated_by(',');
   options.add("--size", a->size, "N", "Samples each way").with_default_shown();
   options.add_flag("--quick", a->quick, "Fewer values of each knob, within a minute");
-  options.add_flag("-q,--quiet", a->quiet, "No notes, no progress");
+  options.add_flag("-q,--quiet", a->quiet, "Say nothing but what is wrong");
   options.on_run([a, &unfinished] { run(*a, unfinished); });
 }
 

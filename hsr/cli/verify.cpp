@@ -9,6 +9,7 @@
 #include "geometry/error.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
+#include "hsr/cli/output_summary.h"
 #include "hsr/io/read/order_json.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/verdict_svg.h"
@@ -25,9 +26,11 @@ struct VerifyArguments {
 };
 
 const char* const examples = R"(Examples:
-  hsr verify order.json                        the view is the file's
-  hsr verify scene.obj --view top              is the order of its faces right for that view?
-  hsr verify order.json --limit 100 -o wrong.svg   with a picture: painted earlier blue, later red, a ring where they are wrong)";
+  hsr verify order.json                            the view is the file's
+  hsr verify scene.obj --view top                  is the order of its faces right for that view?
+  hsr verify order.json --limit 100 -o wrong.svg   with a picture: painted earlier blue, later red, a ring where they are wrong
+
+Writes the verdict to standard output, and a picture or a report if asked. Exit status 1: the order is wrong.)";
 
 bool is_json(const std::string& path) { return path.size() > 5 && path.substr(path.size() - 5) == ".json"; }
 
@@ -211,8 +214,10 @@ void run(const VerifyArguments& a, UnfinishedFiles& unfinished) {
   const Teller teller(verdict, in.pieces);
   if (!context.is_quiet()) teller.say();
   if (!a.output.empty())
-    context.write(a.output, verdict_svg(verdict, in.pieces, in.view,
-                                        {std::filesystem::path(a.input).filename().string(), "view: " + in.title}));
+    context.write(
+        a.output,
+        verdict_svg(verdict, in.pieces, in.view, {std::filesystem::path(a.input).filename().string(), "view: " + in.title}),
+        counted(verdict.first.size(), "violation"));
   context.report.set("verdict", teller.json());
   context.finish();
   if (!verdict.is_correct()) throw CheckFailed();
