@@ -66,4 +66,9 @@ void CommandContext::finish() {
   for (const std::string& line : written_) tell("hsr: {}\n", line);
 }
 
+void CommandContext::say_written(const OutputDirectory& directory, const std::string& page) {
+  progress.clear();
+  if (!is_quiet()) tell("hsr: {}: {} files, open {}\n", directory.path(), directory.files(), directory.path(page));
+}
+
 }  // namespace hsr::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hsr/cli/command_line.h"
+#include "hsr/cli/directory.h"
 #include "hsr/cli/outputs.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
@@ -70,6 +71,8 @@ class CommandContext {
   void write(const std::string& path, const std::string& bytes, const std::string& summary);
   /// Writes the report if one is asked for, puts all outputs in place, and says so, each in one line, unless quiet.
   void finish();
+  /// The same for a verb that writes a directory and keeps its report there. @param page the file to begin with
+  void say_written(const OutputDirectory& directory, const std::string& page);
 
  private:
   const CommonArguments& common_;

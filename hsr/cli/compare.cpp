@@ -162,8 +162,7 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
   context.report.set("view", viewed.chosen.title);
   context.report.set("machine", machine_and_date());
   directory.write("report.json", context.report.text());
-  context.progress.clear();
-  if (!context.is_quiet()) tell("hsr: {}: {} files, open {}\n", a.directory, directory.files(), directory.path("index.html"));
+  context.say_written(directory, "index.html");
 
   // An exact method that shows another face than the caster is a defect of hsr, and never goes unsaid.
   for (const ComparedMethod& m : comparison.methods)

@@ -5,11 +5,10 @@
 #include <memory>
 
 #include "geometry/error.h"
+#include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/directory.h"
 #include "hsr/cli/messages.h"
-#include "hsr/cli/progress.h"
-#include "hsr/cli/report.h"
 #include "study/stability_csv.h"
 #include "study/stability_page.h"
 #include "study/stability_plots.h"
@@ -22,7 +21,8 @@ struct StabilityArguments {
   std::string directory;
   std::vector<std::string> families;
   int size = 128;
-  bool quick = false, quiet = false;
+  bool quick = false;
+  CommonArguments common;
 };
 
 const char* const examples = R"(Examples:
@@ -103,16 +103,15 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
   if (a.size < 16 || a.size > 1024)
     throw InputError(fmt::format("--size: found {}, expected 16 to 1024 samples each way", a.size));
   OutputDirectory directory(a.directory, unfinished);
-  Report report;
-  ProgressLine progress(a.quiet);
+  CommandContext context(a.common, "", {}, unfinished);
   StabilityOptions options;
   options.families = a.families;
   options.size = a.size;
   options.quick = a.quick;
-  options.progress = [&](const std::string& stage, double done) { progress.show(stage, done); };
-  const Stability result = report.timed("stability", [&] { return stability(options); });
+  options.progress = [&](const std::string& stage, double done) { context.progress.show(stage, done); };
+  const Stability result = context.report.timed("stability", [&] { return stability(options); });
 
-  progress.stage("writing");
+  context.progress.stage("writing");
   for (const NamedPlot& p : stability_plots(result)) directory.write("plots/" + p.name + ".svg", plot_file(p.plot));
   directory.write("table.csv", stability_csv(result));
   PageText text;
@@ -121,10 +120,9 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
                             a.quick ? ", fewer values (--quick)" : "", a.size),
                 machine_and_date(), std::string("hsr ") + HSR_VERSION};
   directory.write("index.html", stability_page(result, text));
-  describe(report, result);
-  directory.write("report.json", report.text());
-  progress.clear();
-  if (!a.quiet) tell("hsr: {}: {} files, open {}\n", a.directory, directory.files(), directory.path("index.html"));
+  describe(context.report, result);
+  directory.write("report.json", context.report.text());
+  context.say_written(directory, "index.html");
 
   // A wrong sample of an exact method is a defect of hsr, and never goes unsaid.
   const std::vector<std::string> defects = result.defects();
@@ -144,7 +142,7 @@ void add_stability(CommandLine& command, UnfinishedFiles& unfinished) {
   options.add("--family", a->families, "NAME", "Only these: " + names).separated_by(',');
   options.add("--size", a->size, "N", "Samples each way").with_default_shown();
   options.add_flag("--quick", a->quick, "Fewer values of each knob, within a minute");
-  options.add_flag("-q,--quiet", a->quiet, "Say nothing but what is wrong");
+  a->common.add_quiet_to(options, "Say nothing but what is wrong");
   options.on_run([a, &unfinished] { run(*a, unfinished); });
 }
 
