@@ -1,7 +1,6 @@
 #pragma once
 
-#include <CLI/App.hpp>
-
+#include "hsr/cli/command_line.h"
 #include "hsr/io/write/output_file.h"
 
 namespace hsr::cli {
@@ -11,11 +10,11 @@ struct CheckFailed {};
 
 /// Each adds one verb to the command; its callback does the work and may throw InputError.
 /// @param unfinished the files that an interrupt must remove
-void add_compare(CLI::App& app, UnfinishedFiles& unfinished);
-void add_draw(CLI::App& app, UnfinishedFiles& unfinished);
-void add_info(CLI::App& app, UnfinishedFiles& unfinished);
-void add_order(CLI::App& app, UnfinishedFiles& unfinished);
-void add_stability(CLI::App& app, UnfinishedFiles& unfinished);
-void add_verify(CLI::App& app, UnfinishedFiles& unfinished);
+void add_compare(CommandLine& command, UnfinishedFiles& unfinished);
+void add_draw(CommandLine& command, UnfinishedFiles& unfinished);
+void add_info(CommandLine& command, UnfinishedFiles& unfinished);
+void add_order(CommandLine& command, UnfinishedFiles& unfinished);
+void add_stability(CommandLine& command, UnfinishedFiles& unfinished);
+void add_verify(CommandLine& command, UnfinishedFiles& unfinished);
 
 }  // namespace hsr::cli

@@ -1,20 +1,15 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cctype>
-#include <filesystem>
 #include <memory>
 
 #include "geometry/error.h"
+#include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/directory.h"
 #include "hsr/cli/messages.h"
 #include "hsr/cli/page_arguments.h"
-#include "hsr/cli/progress.h"
-#include "hsr/cli/report.h"
-#include "hsr/cli/view_options.h"
 #include "hsr/drawing/shading.h"
-#include "hsr/io/read/read.h"
 #include "study/comparison.h"
 #include "study/comparison_csv.h"
 #include "study/comparison_page.h"
@@ -29,7 +24,7 @@ struct CompareArguments {
   ViewOptions view;
   int size = 1024, runs = 3, threads = 1;
   std::uint64_t seed = 1;
-  bool quiet = false;
+  CommonArguments common;
 };
 
 const char* const examples = R"(Examples:
@@ -37,7 +32,8 @@ const char* const examples = R"(Examples:
   hsr compare part.stl -o part_compared --view front
   hsr compare city.ply -o city --eye 20,-30,15 --size 512
 
-Writes index.html (needs nothing else), table.csv, report.json, plots/*.svg and pictures/*.png.)";
+Writes index.html (needs nothing else), table.csv, report.json, plots/*.svg and pictures/*.png. Exit status 1: an exact
+method was wrong.)";
 
 Report::Json json_of(const ComparedMethod& m) {
   return {{"method", m.method},
@@ -71,10 +67,10 @@ Report::Json json_of(const std::vector<ComparedColours>& compared) {
 }
 
 void describe(Report& report, const Comparison& c) {
-  report["faces"] = c.faces;
-  report["triangles"] = c.triangles;
-  report["size"] = c.size;
-  report["threads"] = c.threads;
+  report.set("faces", c.faces);
+  report.set("triangles", c.triangles);
+  report.set("size", c.size);
+  report.set("threads", c.threads);
   Report::Json methods = Report::Json::array(), growth = Report::Json::array(), stages = Report::Json::array();
   for (const ComparedMethod& m : c.methods) methods.push_back(json_of(m));
   for (const Growth& g : c.growth)
@@ -82,11 +78,11 @@ void describe(Report& report, const Comparison& c) {
   for (const ComparedStage& s : c.stages)
     stages.push_back(
         {{"stage", s.stage}, {"kind", s.kind}, {"seconds", s.seconds}, {"without", s.without}, {"result", s.result}});
-  report["supersampling"] = json_of(c.supersampling);
-  report["transparency"] = json_of(c.transparency);
-  report["methods"] = std::move(methods);
-  report["growth"] = std::move(growth);
-  report["stages"] = std::move(stages);
+  report.set("supersampling", json_of(c.supersampling));
+  report.set("transparency", json_of(c.transparency));
+  report.set("methods", std::move(methods));
+  report.set("growth", std::move(growth));
+  report.set("stages", std::move(stages));
   for (const LeftOut& l : c.left_out) report.leave_out(l.stage, l.why);
 }
 
@@ -101,44 +97,28 @@ std::string file_name(const std::string& text) {
   return name;
 }
 
-void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
+void check(const CompareArguments& a) {
   if (a.size < 16 || a.size > 4096)
     throw InputError(fmt::format("--size: found {}, expected 16 to 4096 samples each way", a.size));
   if (a.runs < 1) throw InputError(fmt::format("--runs: found {}, expected 1 or more", a.runs));
   if (a.threads < 1) throw InputError(fmt::format("--threads: found {}, expected 1 or more", a.threads));
-  OutputDirectory directory(a.directory, unfinished);
+}
 
-  Report report;
-  ProgressLine progress(a.quiet);
-  progress.stage("reading");
-  const Model model = report.timed("read", [&] { return read_model(a.model); });
-  const Mesh mesh = report.timed("mesh", [&] { return make_mesh(model.points, model.polygons); });
-  const ChosenView chosen = choose_view(a.view, mesh);
+Comparison compared(const CompareArguments& a, const ViewedModel& viewed, CommandContext& context) {
   DrawingOptions drawing_options;
-  drawing_options.field_of_view = chosen.field_of_view;
-  progress.clear();
-  if (!a.quiet) {
-    for (const std::string& note : model.notes) tell("hsr: note: {}\n", note);
-    if (!chosen.note.empty()) tell("hsr: note: {}\n", chosen.note);
-  }
-
+  drawing_options.field_of_view = viewed.chosen.field_of_view;
   ComparisonOptions options;
   options.size = a.size;
   options.runs = a.runs;
   options.threads = a.threads;
   options.seed = a.seed;
-  options.progress = [&](const std::string& stage, double done) { progress.show(stage, done); };
-  const Comparison comparison = report.timed("compare", [&] {
-    return on_samples([&] {
-      return compare(
-          mesh, chosen.view, [&](int size) { return samples_for(chosen.view, mesh, drawing_options, size, size); }, options);
-    });
-  });
+  options.progress = [&](const std::string& stage, double done) { context.progress.show(stage, done); };
+  const auto samples = [&](int size) { return samples_for(viewed.view(), viewed.mesh, drawing_options, size, size); };
+  return context.report.timed(
+      "compare", [&] { return on_samples([&] { return compare(viewed.mesh, viewed.view(), samples, options); }); });
+}
 
-  progress.stage("writing");
-  const std::vector<Colour> colours = face_colours(model, mesh, chosen.view);
-  std::vector<ComparisonImages> images;
-  for (const ComparedPicture& picture : comparison.pictures) images.push_back(comparison_images(mesh, picture, colours));
+void write_pictures(const Comparison& comparison, const std::vector<ComparisonImages>& images, OutputDirectory& directory) {
   directory.write("pictures/exact.png", images[0].shown);
   for (const ComparedMethod& m : comparison.methods) {
     if (m.picture < 0) continue;
@@ -148,22 +128,41 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
     directory.write(name + "-difference.png", i.mistakes);
     if (!i.depth.empty()) directory.write(name + "-depth.png", i.depth);
   }
-  for (const NamedPlot& p : comparison_plots(comparison)) directory.write("plots/" + p.name + ".svg", plot_file(p.plot));
-  directory.write("table.csv", comparison_csv(comparison));
+}
+
+/// What the page says of its making.
+PageText page_text(const CompareArguments& a, const ViewedModel& viewed, const Comparison& comparison) {
   PageText text;
-  const std::string name = std::filesystem::path(model.name).filename().string();
-  text.title = name + ": visibility methods compared";
+  text.title = viewed.name() + ": visibility methods compared";
   text.facts = {
-      fmt::format("{}: {} faces, {} triangles", name, comparison.faces, comparison.triangles), "view: " + chosen.title,
+      fmt::format("{}: {} faces, {} triangles", viewed.name(), comparison.faces, comparison.triangles),
+      "view: " + viewed.chosen.title,
       fmt::format("{0} x {0} samples in the pictures below; {1} runs of each method, {2} thread(s)", a.size, a.runs, a.threads),
       machine_and_date(), std::string("hsr ") + HSR_VERSION};
-  directory.write("index.html", comparison_page(comparison, images, text));
-  describe(report, comparison);
-  report["view"] = chosen.title;
-  report["machine"] = machine_and_date();
-  directory.write("report.json", report.text());
-  progress.clear();
-  if (!a.quiet) tell("hsr: compared: open {}\n", directory.path("index.html"));
+  return text;
+}
+
+void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
+  check(a);
+  OutputDirectory directory(a.directory, unfinished);
+  CommandContext context(a.common, a.model, {}, unfinished);
+  const ViewedModel viewed = context.read(a.model, a.view);
+  context.say_notes_of(viewed);
+  const Comparison comparison = compared(a, viewed, context);
+
+  context.progress.stage("writing");
+  const std::vector<Colour> colours = face_colours(viewed.model, viewed.mesh, viewed.view());
+  std::vector<ComparisonImages> images;
+  for (const ComparedPicture& picture : comparison.pictures) images.push_back(comparison_images(viewed.mesh, picture, colours));
+  write_pictures(comparison, images, directory);
+  for (const NamedPlot& p : comparison_plots(comparison)) directory.write("plots/" + p.name + ".svg", plot_file(p.plot));
+  directory.write("table.csv", comparison_csv(comparison));
+  directory.write("index.html", comparison_page(comparison, images, page_text(a, viewed, comparison)));
+  describe(context.report, comparison);
+  context.report.set("view", viewed.chosen.title);
+  context.report.set("machine", machine_and_date());
+  directory.write("report.json", context.report.text());
+  context.say_written(directory, "index.html");
 
   // An exact method that shows another face than the caster is a defect of hsr, and never goes unsaid.
   for (const ComparedMethod& m : comparison.methods)
@@ -175,28 +174,21 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, UnfinishedFiles& unfinished) {
+void add_compare(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<CompareArguments>();
-  CLI::App* sub = app.add_subcommand("compare", "All methods on one scene: error against run time, pictures, an HTML page");
-  sub->footer(examples);
-  sub->add_option("MODEL", a->model, "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB")->required();
-  sub->add_option("-o,--output", a->directory, "The directory of the results; made if it is not there")
-      ->required()
-      ->type_name("DIR");
-  a->view.add_to(*sub);
-  const std::string runs = "Runs";
-  sub->add_option("--size", a->size, "Samples each way; sizes from a quarter to twice this are compared")
-      ->capture_default_str()
-      ->type_name("N")
-      ->group(runs);
-  sub->add_option("--runs", a->runs, "Of each method, in shuffled order; slow ones run once")
-      ->capture_default_str()
-      ->type_name("N")
-      ->group(runs);
-  sub->add_option("--threads", a->threads, "Of what is timed")->capture_default_str()->type_name("N")->group(runs);
-  sub->add_option("--seed", a->seed, "Of the shuffling")->capture_default_str()->type_name("N")->group(runs);
-  sub->add_flag("-q,--quiet", a->quiet, "No notes, no progress")->group("Report");
-  sub->callback([a, &unfinished] { run(*a, unfinished); });
+  Options options =
+      command.add_verb("compare", "All methods on one scene: error against run time, pictures, an HTML page", examples);
+  options.add("MODEL", a->model, "", "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB").required();
+  options.add("-o,--output", a->directory, "DIR", "The directory of the results; made if it is not there").required();
+  a->view.add_to(options);
+  options.begin_group("Runs");
+  options.add("--size", a->size, "N", "Samples each way; sizes from a quarter to twice this are compared").with_default_shown();
+  options.add("--runs", a->runs, "N", "Of each method, in shuffled order; slow ones run once").with_default_shown();
+  options.add("--threads", a->threads, "N", "Of what is timed").with_default_shown();
+  options.add("--seed", a->seed, "N", "Of the shuffling").with_default_shown();
+  options.begin_group("Report");
+  a->common.add_quiet_to(options, "Say nothing but what is wrong");
+  options.on_run([a, &unfinished] { run(*a, unfinished); });
 }
 
 }  // namespace hsr::cli

@@ -34,6 +34,7 @@ void OutputDirectory::write(const std::string& name, std::string_view bytes) {
   const fs::path file = fs::path(path_) / name;
   make(file.parent_path());
   write_file(file.string(), bytes, &unfinished_);
+  ++files_;
 }
 
 std::string OutputDirectory::path(const std::string& name) const { return (fs::path(path_) / name).string(); }

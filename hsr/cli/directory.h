@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -16,10 +17,14 @@ class OutputDirectory {
 
   /// @param name may have directories in it @throws InputError if they cannot be made
   void write(const std::string& name, std::string_view bytes);
+  const std::string& path() const { return path_; }
   std::string path(const std::string& name) const;
+  /// How many it has written.
+  std::size_t files() const { return files_; }
 
  private:
   std::string path_;
+  std::size_t files_ = 0;
   UnfinishedFiles& unfinished_;
 };
 

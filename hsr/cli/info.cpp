@@ -1,16 +1,12 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
-#include "hsr/cli/outputs.h"
-#include "hsr/cli/progress.h"
-#include "hsr/cli/report.h"
-#include "hsr/cli/view_options.h"
+#include "hsr/cli/output_summary.h"
 #include "hsr/drawing/drawing.h"
-#include "hsr/io/read/read.h"
 #include "hsr/io/write/mesh_json.h"
 #include "hsr/lines/plan.h"
 #include "hsr/scene/scene_facts.h"
@@ -20,17 +16,20 @@ namespace hsr::cli {
 namespace {
 
 struct InfoArguments {
-  std::string model, mesh, report;
+  std::string model, mesh;
   ViewOptions view;
   LineArguments lines;
   bool exact = false;
+  CommonArguments common;
 };
 
 const char* const examples = R"(Examples:
   hsr info part.stl                          what the model is, its defects, what its drawing takes
   hsr info part.stl --edges all --view top   what a drawing of all edges from above can leave out
   hsr info house.obj --mesh mesh.json        the faces as used: merged, dropped, cut into triangles
-  hsr info part.stl --report facts.json      the same facts as JSON)";
+  hsr info part.stl --report facts.json      the same facts as JSON
+
+Writes the facts to standard output, and the faces or a report to files if asked. Exit status 0 for a model with defects, too.)";
 
 std::size_t used(const SceneFacts& f, FaceUse use) { return f.used_as[static_cast<std::size_t>(use)]; }
 
@@ -96,83 +95,80 @@ void print(const LinePlan& plan, const std::string& view, const std::string& edg
 }
 
 void add_facts(Report& report, const Model& model, const SceneFacts& f) {
-  report["model"] = {{"name", model.name}, {"format", model.format}};
-  report["points"] = {{"given", f.points}, {"distinct", f.distinct_points}, {"used", f.used_points}};
-  report["faces"] = {{"given", f.faces},
-                     {"triangles", f.triangular},
-                     {"quads", f.quadrangular},
-                     {"larger", f.larger},
-                     {"planar", used(f, FaceUse::planar)},
-                     {"not_coplanar", used(f, FaceUse::not_coplanar)},
-                     {"crosses_itself", used(f, FaceUse::crosses_itself)},
-                     {"no_area", used(f, FaceUse::no_area)},
-                     {"duplicate", f.duplicate_faces},
-                     {"axis_parallel", f.axis_parallel_faces}};
-  report["triangles"] = f.triangles;
-  report["wires"] = f.wires;
-  report["objects"] = model.objects;
-  report["edges"] = {{"regular", f.regular_edges},
-                     {"boundary", f.boundary_edges},
-                     {"non_manifold", f.non_manifold_edges},
-                     {"flipped", f.flipped_edges},
-                     {"coplanar", f.coplanar_edges}};
-  report["closed"] = f.is_closed();
-  report["manifold"] = f.is_manifold();
-  report["oriented"] = f.is_consistently_oriented();
-  report["components"] = f.components;
-  report["pinched_vertices"] = f.pinched_vertices;
-  report["box"] = {{f.lowest.x, f.lowest.y, f.lowest.z}, {f.highest.x, f.highest.y, f.highest.z}};
-  report["bits"] = f.coordinates.bits();
-  report["defects"] = defects(model, f);
+  report.set("model", {{"name", model.name}, {"format", model.format}});
+  report.set("points", {{"given", f.points}, {"distinct", f.distinct_points}, {"used", f.used_points}});
+  report.set("faces", {{"given", f.faces},
+                       {"triangles", f.triangular},
+                       {"quads", f.quadrangular},
+                       {"larger", f.larger},
+                       {"planar", used(f, FaceUse::planar)},
+                       {"not_coplanar", used(f, FaceUse::not_coplanar)},
+                       {"crosses_itself", used(f, FaceUse::crosses_itself)},
+                       {"no_area", used(f, FaceUse::no_area)},
+                       {"duplicate", f.duplicate_faces},
+                       {"axis_parallel", f.axis_parallel_faces}});
+  report.set("triangles", f.triangles);
+  report.set("wires", f.wires);
+  report.set("objects", model.objects);
+  report.set("edges", {{"regular", f.regular_edges},
+                       {"boundary", f.boundary_edges},
+                       {"non_manifold", f.non_manifold_edges},
+                       {"flipped", f.flipped_edges},
+                       {"coplanar", f.coplanar_edges}});
+  report.set("closed", f.is_closed());
+  report.set("manifold", f.is_manifold());
+  report.set("oriented", f.is_consistently_oriented());
+  report.set("components", f.components);
+  report.set("pinched_vertices", f.pinched_vertices);
+  const auto corner = [](const Point3& p) { return Report::Json::array({p.x, p.y, p.z}); };
+  report.set("box", Report::Json::array({corner(f.lowest), corner(f.highest)}));
+  report.set("bits", f.coordinates.bits());
+  report.set("defects", defects(model, f));
 }
 
 void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
-  check_outputs(a.model, {a.mesh, a.report});
   LineOptions line_options = a.lines.options();
   SceneOptions scene_options = a.lines.scene_options();
   scene_options.hidden_lines = false;  // as a drawing is without --hidden
-  Report report;
-  ProgressLine progress(false);
-  progress.stage("reading");
-  const Model model = report.timed("read", [&] { return read_model(a.model); });
-  const Mesh mesh = report.timed("mesh", [&] { return make_mesh(model.points, model.polygons); });
-  const ChosenView view = choose_view(a.view, mesh);
+  CommandContext context(a.common, a.model, {a.mesh}, unfinished);
+  Report& report = context.report;
+  const ViewedModel viewed = context.read(a.model, a.view);
   DrawingOptions drawing_options;  // the page of a drawing, unless it is told otherwise
   drawing_options.page = parse_page("A4");
-  drawing_options.field_of_view = view.field_of_view;
-  line_options.frame = frame_size(view.view, drawing_options);
-  progress.stage("facts");
-  const SceneFacts facts = report.timed("facts", [&] { return scene_facts(mesh, model.polygons); });
-  progress.stage("plan");
-  const LinePlan plan =
-      report.timed("plan", [&] { return plan_lines(SceneView(mesh, view.view, scene_options), line_options); });
-  progress.clear();
-  print(model, facts);
-  print(plan, view.title, a.lines.edges);
-  add_facts(report, model, facts);
-  report["view"] = view.title;
-  report["method"] = plan.method;
+  drawing_options.field_of_view = viewed.chosen.field_of_view;
+  line_options.frame = frame_size(viewed.view(), drawing_options);
+  context.progress.stage("facts");
+  const SceneFacts facts = report.timed("facts", [&] { return scene_facts(viewed.mesh, viewed.model.polygons); });
+  context.progress.stage("plan");
+  const LinePlan plan = report.timed("plan", [&] { return plan_lines(viewed.prepared(scene_options), line_options); });
+  context.progress.clear();
+  print(viewed.model, facts);
+  print(plan, viewed.chosen.title, a.lines.edges);
+  add_facts(report, viewed.model, facts);
+  report.set("view", viewed.chosen.title);
+  report.set("method", plan.method);
   for (const LeftOut& stage : plan.left_out) report.leave_out(stage.stage, stage.why);
-  OutputFiles output(unfinished);
-  if (!a.mesh.empty()) output.write(a.mesh, mesh_json(mesh, a.exact ? Numbers::exact : Numbers::rounded));
-  if (!a.report.empty()) output.write(a.report, report.text());
-  output.commit();
+  if (!a.mesh.empty())
+    context.write(a.mesh, mesh_json(viewed.mesh, a.exact ? Numbers::exact : Numbers::rounded),
+                  counted(viewed.mesh.faces.size(), "face") + ", " + counted(viewed.mesh.triangles.size(), "triangle"));
+  context.finish();
 }
 
 }  // namespace
 
-void add_info(CLI::App& app, UnfinishedFiles& unfinished) {
+void add_info(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<InfoArguments>();
-  CLI::App* sub = app.add_subcommand(
-      "info", "Say what a model is: size, topology, defects, the bits it needs, and what a drawing of it takes");
-  sub->footer(examples);
-  sub->add_option("MODEL", a->model, "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB")->required();
-  a->view.add_to(*sub);
-  a->lines.add_to(*sub);
-  sub->add_option("--mesh", a->mesh, "Write the faces as used as JSON")->type_name("FILE");
-  sub->add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
-  sub->add_option("--report", a->report, "The facts and times as JSON")->type_name("FILE");
-  sub->callback([a, &unfinished] { run(*a, unfinished); });
+  Options options = command.add_verb(
+      "info", "Say what a model is: size, topology, defects, the bits it needs, and what a drawing of it takes", examples);
+  options.add("MODEL", a->model, "", "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB").required();
+  a->view.add_to(options);
+  a->lines.add_to(options);
+  options.begin_group("Options");
+  options.add("--mesh", a->mesh, "FILE", "Write the faces as used as JSON");
+  options.add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
+  options.add("--report", a->common.report, "FILE", "The facts and times as JSON; - for the standard output");
+  a->common.add_quiet_to(options, "Only the facts: no progress, nothing about files");
+  options.on_run([a, &unfinished] { run(*a, unfinished); });
 }
 
 }  // namespace hsr::cli

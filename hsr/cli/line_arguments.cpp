@@ -1,8 +1,7 @@
 #include "hsr/cli/line_arguments.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -35,6 +34,14 @@ std::size_t place(const std::array<const char*, n>& names, const std::string& na
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+/// ", frame, convex-body"
+template <std::size_t n>
+std::string listed(const std::array<const char*, n>& names) {
+  std::string text;
+  for (const char* name : names) text += std::string(", ") + name;
+  return text;
+}
+
 std::array<bool, 6> parse_classes(const std::string& text) {
   std::array<bool, 6> classes{};
   if (text == "all") {
@@ -60,8 +67,7 @@ std::array<When, stage_count> parse_stages(const std::string& text) {
     const std::size_t stage = place(stage_names, name);
     if (when == when_names.size() || (stage == stage_names.size() && name != "all"))
       throw InputError("--stages: found \"" + part +
-                       "\", expected STAGE=auto, STAGE=always or STAGE=never, where STAGE is all, " +
-                       fmt::format("{}", fmt::join(stage_names, ", ")));
+                       "\", expected STAGE=auto, STAGE=always or STAGE=never, where STAGE is all" + listed(stage_names));
     if (name == "all")
       stages.fill(static_cast<When>(when));
     else
@@ -72,31 +78,24 @@ std::array<When, stage_count> parse_stages(const std::string& text) {
 
 }  // namespace
 
-void LineArguments::add_to(CLI::App& app) {
-  const std::string group = "Lines";
-  app.add_option("--edges", edges, "Classes to draw: outline,sharp,boundary,intersection,wire,smooth or all")
-      ->capture_default_str()
-      ->type_name("LIST")
-      ->group(group);
-  app.add_option("--crease", crease,
-                 "An edge is sharp if its faces deviate from flat by more than this; exactly this angle is smooth")
-      ->capture_default_str()
-      ->type_name("DEG")
-      ->group(group);
-  app.add_option(
-         "--method", method,
-         "appel, roberts, or auto: whichever suits the model; the result is the same. With --fill roberts also finds the "
-         "fragments, by subtracting shadows: slower")
-      ->capture_default_str()
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "appel", "roberts"}))
-      ->group(group);
-  app.add_option("--stages", stages,
-                 "What is left out before any exact test, to compare times; the result is the same. Of frame, convex-body, "
-                 "back-faces, hidden-tiles, far-faces or all, each with =auto, =always or =never, the last counts: "
-                 "all=never,far-faces=always")
-      ->type_name("LIST")
-      ->group(group);
+void LineArguments::add_to(Options& options) {
+  options.begin_group("Lines");
+  options.add("--edges", edges, "LIST", "Classes to draw: outline,sharp,boundary,intersection,wire,smooth or all")
+      .with_default_shown();
+  options
+      .add("--crease", crease, "DEG",
+           "An edge is sharp if its faces deviate from flat by more than this; exactly this angle is smooth")
+      .with_default_shown();
+  options
+      .add("--method", method, "NAME",
+           "appel, roberts, or auto: whichever suits the model; the result is the same. With --fill roberts also finds the "
+           "fragments, by subtracting shadows: slower")
+      .with_default_shown()
+      .one_of({"auto", "appel", "roberts"});
+  options.add("--stages", stages, "LIST",
+              "What is left out before any exact test, to compare times; the result is the same. Of frame, convex-body, "
+              "back-faces, hidden-tiles, far-faces or all, each with =auto, =always or =never, the last counts: "
+              "all=never,far-faces=always");
 }
 
 LineOptions LineArguments::options() const {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 
+#include "hsr/cli/command_line.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/scene/scene.h"
 
@@ -13,7 +13,7 @@ struct LineArguments {
   std::string edges = "outline,sharp,boundary,intersection,wire", method = "auto", stages;
   double crease = 30;
 
-  void add_to(CLI::App& app);
+  void add_to(Options& options);
   /// @throws InputError naming the option
   LineOptions options() const;
   SceneOptions scene_options() const;

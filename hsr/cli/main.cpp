@@ -1,13 +1,15 @@
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <exception>
+#include <iostream>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include "geometry/error.h"
+#include "hsr/cli/command_line.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/memory_limit.h"
 #include "hsr/cli/messages.h"
@@ -47,36 +49,24 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   std::signal(SIGHUP, on_interrupt);
-  CLI::App app("hsr: what is visible, exactly. Vector drawings of polygon models with hidden lines removed or dashed.", "hsr");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", std::string("hsr ") + HSR_VERSION);
-  app.footer("Exit status: 0 done; 1 a check failed; 2 bad usage or bad input.\n'hsr draw --help' has examples.");
-  hsr::cli::add_draw(app, unfinished);
-  hsr::cli::add_info(app, unfinished);
-  hsr::cli::add_order(app, unfinished);
-  hsr::cli::add_verify(app, unfinished);
-  hsr::cli::add_compare(app, unfinished);
-  hsr::cli::add_stability(app, unfinished);
-  const std::string verb = argc > 1 ? argv[1] : "";
+  hsr::cli::CommandLine command(
+      "hsr", "hsr: what is visible, exactly. Vector drawings of polygon models with hidden lines removed or dashed.",
+      std::string("hsr ") + HSR_VERSION,
+      "Exit status: 0 done; 1 a check failed; 2 bad usage or bad input.\n'hsr draw --help', or that of another verb, has its "
+      "options, what it writes, and examples.");
+  hsr::cli::add_draw(command, unfinished);
+  hsr::cli::add_info(command, unfinished);
+  hsr::cli::add_order(command, unfinished);
+  hsr::cli::add_verify(command, unfinished);
+  hsr::cli::add_compare(command, unfinished);
+  hsr::cli::add_stability(command, unfinished);
   try {
-    const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
-    const bool known = std::any_of(verbs.begin(), verbs.end(), [&](const CLI::App* v) { return v->get_name() == verb; });
-    if (!verb.empty() && verb.front() != '-' && !known)
-      throw hsr::InputError(
-          verb + ": no such verb, expected draw, order, verify, compare, stability or info ('hsr --help' lists them)");
-    app.parse(argc, argv);
+    command.run(argc, argv);
     std::cout.flush();
     if (std::fflush(stdout) != 0 || !std::cout) throw hsr::InputError("standard output: cannot be written");
     return 0;
-  } catch (const CLI::Success& e) {
-    const int status = app.exit(e);
-    std::cout.flush();
-    return std::cout ? status : fail("standard output: cannot be written");
   } catch (const hsr::cli::CheckFailed&) {
     return 1;
-  } catch (const CLI::ParseError& e) {
-    const bool known = !verb.empty() && verb.front() != '-';
-    return fail(std::string(e.what()) + " (see 'hsr " + (known ? verb + " " : "") + "--help')");
   } catch (const hsr::InputError& e) {
     return fail(with_dashes(e.what()));
   } catch (const std::bad_alloc&) {

@@ -1,25 +1,18 @@
-#include <fmt/format.h>
-#include <tbb/global_control.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
-#include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "geometry/error.h"
 #include "hsr/check/order_check.h"
+#include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/messages.h"
-#include "hsr/cli/outputs.h"
+#include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
-#include "hsr/cli/progress.h"
-#include "hsr/cli/report.h"
-#include "hsr/cli/view_options.h"
 #include "hsr/drawing/painting.h"
 #include "hsr/drawing/shading.h"
-#include "hsr/io/read/read.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/image_png.h"
 #include "hsr/io/write/order_json.h"
@@ -41,11 +34,11 @@ struct OrderArguments {
   ViewOptions view;
   PageArguments page;
   std::string method = "depth-sort", cuts = "few";
-  std::string edges = "outline,sharp,boundary,intersection,wire", report;
+  std::string edges = "outline,sharp,boundary,intersection,wire";
   double crease = 30, opacity = 1;
   std::uint64_t seed = 1;
-  bool exact = false, check = false, quiet = false;
-  std::optional<int> threads;
+  bool exact = false, check = false;
+  CommonArguments common;
 };
 
 const char* const examples = R"(Examples:
@@ -53,26 +46,39 @@ const char* const examples = R"(Examples:
   hsr order part.stl -o part.svg --opacity 0.5         painted in that order; every layer is right
   hsr order part.stl -o part.png --size 1600x1200
   hsr order scene.obj -o scene.json --method naive     by the middle of each face, as most software does; may be wrong
-  hsr order scene.obj -o scene.svg --check             and compared with the nearest face at each of 1024 x 1024 samples)";
+  hsr order scene.obj -o scene.svg --check             and compared with the nearest face at each of 1024 x 1024 samples
+
+Writes each FILE, all of them or none: .json has the pieces from far to near, which 'hsr verify' reads; .svg and .png are painted
+in that order. Standard error tells what was written, and the scale of a page. Exit status 1: --check found a difference.)";
+
+/// Each cycle of faces, and a point of each overlap in it.
+Report::Json json_of(const std::vector<PaintersCycle>& cycles, const Mesh& mesh, const View& view) {
+  Report::Json list = Report::Json::array();
+  for (const PaintersCycle& cycle : cycles) {
+    Report::Json faces = Report::Json::array(), points = Report::Json::array();
+    for (const TriangleId t : cycle.facets) faces.push_back(mesh.face_of[t].value);
+    for (const auto& w : witnesses(mesh, view, cycle))
+      points.push_back(Report::Json::array({w[0].to_double(), w[1].to_double(), w[2].to_double()}));
+    list.push_back({{"faces", std::move(faces)}, {"witnesses", std::move(points)}});
+  }
+  return list;
+}
 
 void describe(Report& report, const DepthSort& sorted, const Mesh& mesh, const View& view) {
   const DepthSortCounts& c = sorted.counts;
-  report["clusters"] = c.clusters;
-  report["tests"] = {{"candidates", c.candidates},   {"apart", c.apart},       {"by_depth", c.by_depth},
-                     {"by_plane", c.by_plane},       {"coplanar", c.coplanar}, {"by_overlap", c.by_overlap},
-                     {"overlapping", c.overlapping}, {"piercing", c.piercing}};
-  report["cuts"] = {{"at_intersections", c.cuts_at_intersections}, {"in_cycles", c.cuts_in_cycles}};
-  report["cyclic_components"] = c.cyclic_components;
-  report["largest_component"] = c.largest_component;
-  Report::Json cycles = Report::Json::array();
-  for (const PaintersCycle& cycle : sorted.cycles) {
-    Report::Json faces = Report::Json::array();
-    for (const TriangleId t : cycle.facets) faces.push_back(mesh.face_of[t].value);
-    Report::Json points = Report::Json::array();
-    for (const auto& w : witnesses(mesh, view, cycle)) points.push_back({w[0].to_double(), w[1].to_double(), w[2].to_double()});
-    cycles.push_back({{"faces", std::move(faces)}, {"witnesses", std::move(points)}});
-  }
-  report["cycles"] = std::move(cycles);
+  report.set("clusters", c.clusters);
+  report.set("tests", {{"candidates", c.candidates},
+                       {"apart", c.apart},
+                       {"by_depth", c.by_depth},
+                       {"by_plane", c.by_plane},
+                       {"coplanar", c.coplanar},
+                       {"by_overlap", c.by_overlap},
+                       {"overlapping", c.overlapping},
+                       {"piercing", c.piercing}});
+  report.set("cuts", {{"at_intersections", c.cuts_at_intersections}, {"in_cycles", c.cuts_in_cycles}});
+  report.set("cyclic_components", c.cyclic_components);
+  report.set("largest_component", c.largest_component);
+  report.set("cycles", json_of(sorted.cycles, mesh, view));
   if (c.clusters > 1)
     report.leave_out("relations across clusters",
                      fmt::format("planes that no face crosses part the scene into {} clusters", c.clusters));
@@ -81,172 +87,202 @@ void describe(Report& report, const DepthSort& sorted, const Mesh& mesh, const V
 }
 
 /// The pieces painted one over the other, with 4 x 4 samples to a pixel.
-std::string painted_png(const ChosenView& chosen, const Mesh& mesh, const PaintersOrder& order,
-                        const std::vector<Colour>& colours, double opacity, const DrawingOptions& options,
-                        const PixelSize& size) {
+std::string painted_png(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours, double opacity,
+                        const DrawingOptions& options, const PixelSize& size) {
   constexpr int samples = 4;
-  const SampleGrid grid = samples_for(chosen.view, mesh, options, samples * size.width, samples * size.height);
-  return image_png(box_filtered(paint(mesh, chosen.view, order, grid, colours, opacity), samples));
+  const SampleGrid grid = samples_for(scene.view(), scene.mesh(), options, samples * size.width, samples * size.height);
+  return image_png(box_filtered(paint(scene, order, grid, colours, opacity), samples));
 }
 
-void run(const OrderArguments& a, UnfinishedFiles& unfinished) {
-  // Everything that can be refused is refused before the long work.
+/// The arguments, each found to be one that can be done.
+struct OrderRequest {
   std::vector<Format> formats;
+  LineOptions lines;
+  DrawingOptions drawing;
+  PixelSize size = {1024, 1024};
+};
+
+OrderRequest parse(const OrderArguments& a) {
+  OrderRequest request;
   for (const std::string& path : a.outputs)
-    formats.push_back(format_of(path, std::array{Format::json, Format::svg, Format::png}));
-  std::vector<std::string> files = a.outputs;
-  files.push_back(a.report);
-  check_outputs(a.model, files);
+    request.formats.push_back(format_of(path, std::array{Format::json, Format::svg, Format::png}));
   if (!(a.opacity > 0 && a.opacity <= 1))
     throw InputError(fmt::format("--opacity: found {}, expected more than 0 and at most 1", a.opacity));
   LineArguments lines;
   lines.edges = a.edges;
   lines.crease = a.crease;
-  const LineOptions line_options = lines.options();
-  DrawingOptions drawing_options = a.page.options();
-  const PixelSize size = a.page.size.empty() ? PixelSize{1024, 1024} : parse_size(a.page.size);
-  if (a.threads && *a.threads < 1) throw InputError("--threads: found " + std::to_string(*a.threads) + ", expected 1 or more");
-  std::optional<tbb::global_control> threads;
-  if (a.threads) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*a.threads));
+  request.lines = lines.options();
+  request.drawing = a.page.options();
+  if (!a.page.size.empty()) request.size = parse_size(a.page.size);
+  return request;
+}
 
-  Report report;
-  ProgressLine progress(a.quiet);
-  progress.stage("reading");
-  const Model model = report.timed("read", [&] { return read_model(a.model); });
-  progress.stage("faces");
-  const Mesh mesh = report.timed("mesh", [&] { return make_mesh(model.points, model.polygons); });
-  const ChosenView chosen = choose_view(a.view, mesh);
-  drawing_options.field_of_view = chosen.field_of_view;
-  progress.clear();
-  if (!a.quiet) {
-    for (const std::string& note : model.notes) tell("hsr: note: {}\n", note);
-    if (!chosen.note.empty()) tell("hsr: note: {}\n", chosen.note);
+/// From the model to the files, one step after the other; each keeps what the later ones need.
+class OrderCommand {
+ public:
+  OrderCommand(const OrderArguments& a, UnfinishedFiles& unfinished)
+      : a_(a), request_(parse(a)), context_(a.common, a.model, a.outputs, unfinished) {}
+
+  void run() {
+    scene_ = context_.read(a_.model, a_.view);
+    prepared_ = scene_.prepared();
+    request_.drawing.field_of_view = scene_.chosen.field_of_view;
+    context_.say_notes_of(scene_);
+    find_order();
+    check();
+    write();
+    if (!is_right_) throw CheckFailed();
   }
 
-  progress.stage("order");
-  PaintersOrder order;
-  report["method"] = a.method;
-  if (a.method == "depth-sort") {
-    DepthSortOptions options;
-    options.classic = a.cuts == "classic";
-    DepthSort sorted = report.timed("order", [&] { return depth_sort(mesh, chosen.view, options); });
-    if (!a.report.empty()) describe(report, sorted, mesh, chosen.view);
-    order = std::move(sorted.order);
-  } else if (a.method == "bsp") {
-    BspOptions options;
-    options.seed = a.seed;
-    const BspTree tree = report.timed("build", [&] { return BspTree(mesh, options); });
-    order = report.timed("order", [&] { return tree.order(chosen.view); });
-    report["tree"] = {{"nodes", tree.nodes()},
-                      {"depth", tree.depth()},
-                      {"pieces", tree.pieces()},
-                      {"splits", tree.splits()},
-                      {"seed", a.seed}};
-    order.decisions += tree.decisions();
+ private:
+  void find_order();
+  PaintersOrder depth_sorted();
+  PaintersOrder by_tree();
+  void check();
+  void write();
+  void write(const std::string& path, Format format, const std::vector<Colour>& colours);
+
+  const OrderArguments& a_;
+  OrderRequest request_;
+  CommandContext context_;
+  ViewedModel scene_;
+  std::optional<SceneView> prepared_;
+  PaintersOrder order_;
+  bool is_right_ = true;
+};
+
+void OrderCommand::find_order() {
+  Report& report = context_.report;
+  context_.progress.stage("order");
+  report.set("method", a_.method);
+  if (a_.method == "depth-sort") {
+    order_ = depth_sorted();
+  } else if (a_.method == "bsp") {
+    order_ = by_tree();
   } else {
-    const DepthKey key = a.method == "naive" ? DepthKey::centroid : DepthKey::farthest_vertex;
-    order = report.timed("order", [&] { return z_sort(mesh, chosen.view, key); });
+    const DepthKey key = a_.method == "naive" ? DepthKey::centroid : DepthKey::farthest_vertex;
+    order_ = report.timed("order", [&] { return z_sort(*prepared_, key); });
   }
-  report["faces"] = mesh.faces.size();
-  report["pieces"] = order.pieces.size();
-  report.set_decisions(order.decisions);
+  report.set("faces", scene_.mesh.faces.size());
+  report.set("pieces", order_.pieces.size());
+  report.set_decisions(order_.decisions);
+}
 
-  bool is_right = true;
-  if (a.check) {
-    progress.stage("check");
-    const SampleGrid samples = samples_for(chosen.view, mesh, drawing_options, size.width, size.height);
-    const OrderCheck check =
-        report.timed("check", [&] { return on_samples([&] { return check_order(mesh, chosen.view, order, samples); }); });
-    report["check"] = {{"samples", check.samples}, {"covered", check.covered}, {"wrong", check.wrong}};
-    is_right = check.wrong == 0;
-    progress.clear();
-    if (!is_right)
-      tell("hsr: check: the painting shows another face than the nearest at {} of {} samples, first at column {}, row {}\n",
-           check.wrong, check.samples, check.first_wrong[0], check.first_wrong[1]);
-    else if (!a.quiet)
-      tell("hsr: check: the painting shows the nearest face at each of {} samples, {} of them on the model\n", check.samples,
-           check.covered);
-  }
+PaintersOrder OrderCommand::depth_sorted() {
+  DepthSortOptions options;
+  options.classic = a_.cuts == "classic";
+  DepthSort sorted = context_.report.timed("order", [&] { return depth_sort(*prepared_, options); });
+  if (context_.reports()) describe(context_.report, sorted, scene_.mesh, scene_.view());
+  return std::move(sorted.order);
+}
 
-  progress.stage("writing");
-  OutputFiles output(unfinished);
-  report.timed("write", [&] {
-    const std::vector<Colour> colours = face_colours(model, mesh, chosen.view);
-    for (std::size_t i = 0; i < a.outputs.size(); ++i) {
-      std::string bytes;
-      if (formats[i] == Format::json) {
-        bytes = order_json(mesh, chosen.view, order, a.exact ? Numbers::exact : Numbers::rounded);
-      } else if (formats[i] == Format::svg) {
-        const Painting painting = paint_on_page(mesh, chosen.view, order, colours, line_options, drawing_options);
-        bytes =
-            painting_svg(painting, a.opacity, {std::filesystem::path(model.name).filename().string(), "view: " + chosen.title});
-      } else {
-        bytes = on_samples([&] { return painted_png(chosen, mesh, order, colours, a.opacity, drawing_options, size); });
-      }
-      output.write(a.outputs[i], bytes);
-    }
+PaintersOrder OrderCommand::by_tree() {
+  BspOptions options;
+  options.seed = a_.seed;
+  const BspTree tree = context_.report.timed("build", [&] { return BspTree(scene_.mesh, options); });
+  PaintersOrder order = context_.report.timed("order", [&] { return tree.order(*prepared_); });
+  context_.report.set("tree", {{"nodes", tree.nodes()},
+                               {"depth", tree.depth()},
+                               {"pieces", tree.pieces()},
+                               {"splits", tree.splits()},
+                               {"seed", a_.seed}});
+  order.decisions += tree.decisions();
+  return order;
+}
+
+void OrderCommand::check() {
+  if (!a_.check) return;
+  context_.progress.stage("check");
+  const SampleGrid samples =
+      samples_for(scene_.view(), scene_.mesh, request_.drawing, request_.size.width, request_.size.height);
+  const OrderCheck check =
+      context_.report.timed("check", [&] { return on_samples([&] { return check_order(*prepared_, order_, samples); }); });
+  context_.report.set("check", {{"samples", check.samples}, {"covered", check.covered}, {"wrong", check.wrong}});
+  is_right_ = check.wrong == 0;
+  context_.progress.clear();
+  if (!is_right_)
+    tell("hsr: check: the painting shows another face than the nearest at {} of {} samples, first at column {}, row {}\n",
+         check.wrong, check.samples, check.first_wrong[0], check.first_wrong[1]);
+  else if (!context_.is_quiet())
+    tell("hsr: check: the painting shows the nearest face at each of {} samples, {} of them on the model\n", check.samples,
+         check.covered);
+}
+
+void OrderCommand::write() {
+  context_.progress.stage("writing");
+  context_.report.timed("write", [&] {
+    const std::vector<Colour> colours = face_colours(scene_.model, scene_.mesh, scene_.view());
+    for (std::size_t i = 0; i < a_.outputs.size(); ++i) write(a_.outputs[i], request_.formats[i], colours);
   });
-  if (!a.report.empty()) output.write(a.report, report.text());
-  output.commit();
-  if (!is_right) throw CheckFailed();
+  context_.finish();
+}
+
+void OrderCommand::write(const std::string& path, Format format, const std::vector<Colour>& colours) {
+  if (format == Format::json) {
+    context_.write(path, order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded),
+                   counted(order_.pieces.size(), "piece"));
+  } else if (format == Format::svg) {
+    const Painting painting = paint_on_page(*prepared_, order_, colours, request_.lines, request_.drawing);
+    std::string summary = paper_size(painting.width, painting.height);
+    if (!painting.pieces.empty()) summary += ", " + scale_text(painting.scale, a_.page, scene_.view().is_perspective());
+    context_.write(path, painting_svg(painting, a_.opacity, scene_.captions()),
+                   summary + ", " + counted(painting.pieces.size(), "piece"));
+  } else {
+    const std::string bytes =
+        on_samples([&] { return painted_png(*prepared_, order_, colours, a_.opacity, request_.drawing, request_.size); });
+    context_.write(path, bytes, pixel_size(bytes));
+  }
+}
+
+void add_order_options(OrderArguments& a, Options& options) {
+  options.begin_group("Order");
+  options
+      .add("--method", a.method, "NAME",
+           "depth-sort (exact; cuts faces only where no order of whole ones is right), bsp (exact; a tree that orders "
+           "any view), or what most software does and may be "
+           "wrong: z-sort (by the farthest vertex), naive (by the middle)")
+      .with_default_shown()
+      .one_of({"depth-sort", "bsp", "z-sort", "naive"});
+  options
+      .add("--cuts", a.cuts, "WHICH",
+           "few, or classic: cut every pair that no plane of the two separates, as the paper of 1972 does")
+      .with_default_shown()
+      .one_of({"few", "classic"});
+  options.add("--seed", a.seed, "N", "bsp: of the planes that are tried").with_default_shown();
+  options.add_flag("--check", a.check,
+                   "Compare the painting with the nearest face at each sample of --size [1024x1024]; exit status 1 if they "
+                   "differ");
+}
+
+void add_picture_options(OrderArguments& a, Options& options) {
+  options.begin_group("Picture");
+  options.add("--opacity", a.opacity, "A", "Of every face, times its own in the file; more than 0, at most 1")
+      .with_default_shown();
+  options
+      .add("--edges", a.edges, "LIST", "SVG: classes of edges to draw on the faces: outline,sharp,boundary,wire,smooth or all")
+      .with_default_shown();
+  options.add("--crease", a.crease, "DEG", "An edge is sharp if its faces deviate from flat by more than this")
+      .with_default_shown();
 }
 
 }  // namespace
 
-void add_order(CLI::App& app, UnfinishedFiles& unfinished) {
+void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<OrderArguments>();
-  CLI::App* sub = app.add_subcommand("order", "Painter's order: the faces from far to near, as SVG, PNG or JSON");
-  sub->footer(examples);
-  sub->add_option("MODEL", a->model, "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB")->required();
-  sub->add_option("-o,--output", a->outputs, "The order; its ending chooses svg, png or json; may be repeated")
-      ->required()
-      ->type_name("FILE");
-  const std::string order = "Order";
-  sub->add_option("--method", a->method,
-                  "depth-sort (exact; cuts faces only where no order of whole ones is right), bsp (exact; a tree that orders "
-                  "any view), or what most software does and may be "
-                  "wrong: z-sort (by the farthest vertex), naive (by the middle)")
-      ->capture_default_str()
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"depth-sort", "bsp", "z-sort", "naive"}))
-      ->group(order);
-  sub->add_option("--cuts", a->cuts,
-                  "few, or classic: cut every pair that no plane of the two separates, as the paper of 1972 does")
-      ->capture_default_str()
-      ->type_name("WHICH")
-      ->check(CLI::IsMember({"few", "classic"}))
-      ->group(order);
-  sub->add_option("--seed", a->seed, "bsp: of the planes that are tried")->capture_default_str()->type_name("N")->group(order);
-  sub->add_flag("--check", a->check,
-                "Compare the painting with the nearest face at each sample of --size [1024x1024]; exit status 1 if they differ")
-      ->group(order);
-  a->view.add_to(*sub);
-  const std::string surfaces = "Picture";
-  sub->add_option("--opacity", a->opacity, "Of every face, times its own in the file; more than 0, at most 1")
-      ->capture_default_str()
-      ->type_name("A")
-      ->group(surfaces);
-  sub->add_option("--edges", a->edges, "SVG: classes of edges to draw on the faces: outline,sharp,boundary,wire,smooth, all")
-      ->capture_default_str()
-      ->type_name("LIST")
-      ->group(surfaces);
-  sub->add_option("--crease", a->crease, "An edge is sharp if its faces deviate from flat by more than this")
-      ->capture_default_str()
-      ->type_name("DEG")
-      ->group(surfaces);
-  a->page.add_to(*sub);
-  const std::string numbers = "Numbers";
-  sub->add_flag("--exact", a->exact, "JSON: all coordinates as strings \"p/q\"; those that are no doubles always are")
-      ->group(numbers);
-  sub->add_option("--threads", a->threads, "At most this many threads [all]; the result is the same")
-      ->type_name("N")
-      ->group(numbers);
-  const std::string reporting = "Report";
-  sub->add_option("--report", a->report, "Times, tests, cuts and cycles as JSON; - for the standard output")
-      ->type_name("FILE")
-      ->group(reporting);
-  sub->add_flag("-q,--quiet", a->quiet, "No notes, no progress")->group(reporting);
-  sub->callback([a, &unfinished] { run(*a, unfinished); });
+  Options options = command.add_verb("order", "Painter's order: the faces from far to near, as SVG, PNG or JSON", examples);
+  options.add("MODEL", a->model, "", "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB").required();
+  options.add("-o,--output", a->outputs, "FILE", "The order; its ending chooses svg, png or json; may be repeated").required();
+  add_order_options(*a, options);
+  a->view.add_to(options);
+  add_picture_options(*a, options);
+  a->page.add_to(options, "PNG: pixels, --check: samples [1024x1024]");
+  options.begin_group("Numbers");
+  options.add_flag("--exact", a->exact, "JSON: all coordinates as strings \"p/q\"; those that are no doubles always are");
+  a->common.add_threads_to(options);
+  options.begin_group("Report");
+  a->common.add_report_to(options, "Times, tests, cuts and cycles");
+  a->common.add_quiet_to(options, "Say nothing but what is wrong");
+  options.on_run([a, &unfinished] { OrderCommand(*a, unfinished).run(); });
 }
 
 }  // namespace hsr::cli

@@ -14,8 +14,11 @@ namespace {
 fs::path identity(const std::string& path) {
   if (path == "-") return path;
   std::error_code error;
-  const fs::path real = fs::weakly_canonical(path, error);
-  return error ? fs::path(path).lexically_normal() : real;
+  // weakly_canonical leaves a name relative of which nothing is there, so that "a.svg" would not be "./a.svg".
+  const fs::path absolute = fs::absolute(path, error);
+  if (error) return fs::path(path).lexically_normal();
+  const fs::path real = fs::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : real;
 }
 
 bool is_ordinary(const std::string& path) {

@@ -1,28 +1,22 @@
 #include "hsr/cli/page_arguments.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "geometry/error.h"
 
 namespace hsr::cli {
 
-void PageArguments::add_to(CLI::App& app) {
-  const std::string group = "Page";
-  app.add_option("--page", page, "A0 ... A6 or letter, turned to suit the drawing, WIDTHxHEIGHTmm, or fit (cut to the drawing)")
-      ->capture_default_str()
-      ->type_name("PAGE")
-      ->group(group);
-  app.add_option("--scale", scale, "Paper to model, such as 1:5 or 2:1 (perspective: at the target), or fit")
-      ->capture_default_str()
-      ->type_name("RATIO")
-      ->group(group);
-  app.add_option("--unit", unit, "The model's unit: mm, cm, m or in")
-      ->capture_default_str()
-      ->type_name("UNIT")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
-      ->group(group);
-  app.add_option("--margin", margin, "Around the drawing, mm")->capture_default_str()->type_name("MM")->group(group);
-  app.add_option("--size", size, "PNG: pixels [150 to the inch]")->type_name("WxH")->group(group);
+void PageArguments::add_to(Options& options, const std::string& size_help) {
+  options.begin_group("Page");
+  options
+      .add("--page", page, "PAGE",
+           "A0 ... A6 or letter, turned to suit the drawing, WIDTHxHEIGHTmm, or fit (cut to the drawing)")
+      .with_default_shown();
+  options.add("--scale", scale, "RATIO", "Paper to model, such as 1:5 or 2:1 (perspective: at the target), or fit")
+      .with_default_shown();
+  options.add("--unit", unit, "UNIT", "The model's unit: mm, cm, m or in").with_default_shown().one_of({"mm", "cm", "m", "in"});
+  options.add("--margin", margin, "MM", "Around the drawing, mm").with_default_shown();
+  options.add("--size", size, "WxH", size_help);
 }
 
 DrawingOptions PageArguments::options() const {

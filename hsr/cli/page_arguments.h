@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "geometry/error.h"
 #include "geometry/mesh.h"
+#include "hsr/cli/command_line.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/raster/samples.h"
 
@@ -15,7 +15,8 @@ struct PageArguments {
   std::string page = "A4", scale = "fit", unit = "mm", size;
   double margin = 10;
 
-  void add_to(CLI::App& app);
+  /// @param size_help what --size is the size of
+  void add_to(Options& options, const std::string& size_help);
   /// @throws InputError naming the option
   DrawingOptions options() const;
 };

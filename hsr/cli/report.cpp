@@ -2,30 +2,35 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hsr::cli {
 
 void Report::add_seconds(const std::string& stage, double seconds) {
-  Json& entry = json_["seconds"][stage];
-  const double before = entry.is_number() ? entry.get<double>() : 0;
-  entry = std::round((before + seconds) * 1e6) / 1e6;
+  const auto found = std::find_if(seconds_.begin(), seconds_.end(), [&](const auto& s) { return s.first == stage; });
+  auto& entry = found == seconds_.end() ? seconds_.emplace_back(stage, 0.0) : *found;
+  entry.second = std::round((entry.second + seconds) * 1e6) / 1e6;
 }
 
 void Report::leave_out(const std::string& stage, const std::string& why) {
-  json_["left_out"].push_back({{"stage", stage}, {"why", why}});
+  if (left_out_.is_empty()) json_.set("left_out", Json());  // its place in the file is that of the first
+  left_out_.push_back({{"stage", stage}, {"why", why}});
 }
 
 void Report::set_decisions(const DecisionCounts& c) {
-  json_["decisions"] = {{"filter", c.filter}, {"interval", c.interval}, {"exact", c.exact()}, {"zero", c.zero}};
+  json_.set("decisions", {{"filter", c.filter}, {"interval", c.interval}, {"exact", c.exact()}, {"zero", c.zero}});
 }
 
 std::string Report::text() {
-  if (!json_.contains("left_out")) json_["left_out"] = Json::array();
+  Json seconds(std::initializer_list<Json::Member>{});
+  for (const auto& [stage, spent] : seconds_) seconds.set(stage, spent);
+  json_.set("seconds", std::move(seconds));
+  json_.set("left_out", left_out_);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  json_["memory_mb"] = std::round(static_cast<double>(usage.ru_maxrss) / 1024 * 10) / 10;
-  return json_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  json_.set("memory_mb", std::round(static_cast<double>(usage.ru_maxrss) / 1024 * 10) / 10);
+  return json_.text() + "\n";
 }
 
 }  // namespace hsr::cli

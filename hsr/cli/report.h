@@ -1,19 +1,21 @@
 #pragma once
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "geometry/predicates.h"
+#include "hsr/cli/json_value.h"
 
 namespace hsr::cli {
 
 /// Collects "hsr-report/1" while a command runs.
 class Report {
  public:
-  using Json = nlohmann::ordered_json;
+  using Json = JsonValue;
 
-  Report() : json_{{"format", "hsr-report/1"}, {"seconds", Json::object()}} {}
+  Report() : json_{{"format", "hsr-report/1"}, {"seconds", Json()}} {}
 
   /// Runs `work`, adds its wall time to the stage, and returns what it returns.
   template <class Work>
@@ -30,7 +32,8 @@ class Report {
     return work();
   }
 
-  Json& operator[](const std::string& key) { return json_[key]; }
+  /// Adds a member, or replaces it.
+  void set(const std::string& key, Json value) { json_.set(key, std::move(value)); }
   void add_seconds(const std::string& stage, double seconds);
   void leave_out(const std::string& stage, const std::string& why);
   void set_decisions(const DecisionCounts& counts);
@@ -40,6 +43,8 @@ class Report {
 
  private:
   Json json_;
+  std::vector<std::pair<std::string, double>> seconds_;
+  Json left_out_ = Json::array();
 };
 
 }  // namespace hsr::cli

@@ -1,16 +1,14 @@
 #include "study/stability.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "geometry/error.h"
+#include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/directory.h"
 #include "hsr/cli/messages.h"
-#include "hsr/cli/progress.h"
-#include "hsr/cli/report.h"
 #include "study/stability_csv.h"
 #include "study/stability_page.h"
 #include "study/stability_plots.h"
@@ -23,7 +21,8 @@ struct StabilityArguments {
   std::string directory;
   std::vector<std::string> families;
   int size = 128;
-  bool quick = false, quiet = false;
+  bool quick = false;
+  CommonArguments common;
 };
 
 const char* const examples = R"(Examples:
@@ -68,9 +67,9 @@ Report::Json json_of(const FamilyResult& f) {
 }
 
 void describe(Report& report, const Stability& stability) {
-  report["size"] = stability.size;
-  report["quick"] = stability.quick;
-  report["defects"] = stability.defects();
+  report.set("size", stability.size);
+  report.set("quick", stability.quick);
+  report.set("defects", stability.defects());
   Report::Json families = Report::Json::array();
   for (const FamilyResult& f : stability.families) {
     families.push_back(json_of(f));
@@ -80,7 +79,7 @@ void describe(Report& report, const Stability& stability) {
           report.leave_out(fmt::format("{}, {}, {} {}", f.family.name, row.name(), f.family.knob, f.values[k].value),
                            row.points[k].why);
   }
-  report["families"] = std::move(families);
+  report.set("families", std::move(families));
   Report::Json gaps = Report::Json::array(), biases = Report::Json::array();
   for (const MeasuredGap& g : stability.gaps)
     gaps.push_back({{"format", name(g.format)},
@@ -95,25 +94,24 @@ void describe(Report& report, const Stability& stability) {
                       {"slope_bias", b.slope_bias},
                       {"shown_share", b.shown_share},
                       {"shines_through", b.shines_through}});
-  report["gaps"] = std::move(gaps);
-  report["biases"] = std::move(biases);
-  report["machine"] = machine_and_date();
+  report.set("gaps", std::move(gaps));
+  report.set("biases", std::move(biases));
+  report.set("machine", machine_and_date());
 }
 
 void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
   if (a.size < 16 || a.size > 1024)
     throw InputError(fmt::format("--size: found {}, expected 16 to 1024 samples each way", a.size));
   OutputDirectory directory(a.directory, unfinished);
-  Report report;
-  ProgressLine progress(a.quiet);
+  CommandContext context(a.common, "", {}, unfinished);
   StabilityOptions options;
   options.families = a.families;
   options.size = a.size;
   options.quick = a.quick;
-  options.progress = [&](const std::string& stage, double done) { progress.show(stage, done); };
-  const Stability result = report.timed("stability", [&] { return stability(options); });
+  options.progress = [&](const std::string& stage, double done) { context.progress.show(stage, done); };
+  const Stability result = context.report.timed("stability", [&] { return stability(options); });
 
-  progress.stage("writing");
+  context.progress.stage("writing");
   for (const NamedPlot& p : stability_plots(result)) directory.write("plots/" + p.name + ".svg", plot_file(p.plot));
   directory.write("table.csv", stability_csv(result));
   PageText text;
@@ -122,10 +120,9 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
                             a.quick ? ", fewer values (--quick)" : "", a.size),
                 machine_and_date(), std::string("hsr ") + HSR_VERSION};
   directory.write("index.html", stability_page(result, text));
-  describe(report, result);
-  directory.write("report.json", report.text());
-  progress.clear();
-  if (!a.quiet) tell("hsr: stability: open {}\n", directory.path("index.html"));
+  describe(context.report, result);
+  directory.write("report.json", context.report.text());
+  context.say_written(directory, "index.html");
 
   // A wrong sample of an exact method is a defect of hsr, and never goes unsaid.
   const std::vector<std::string> defects = result.defects();
@@ -135,20 +132,18 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
 
 }  // namespace
 
-void add_stability(CLI::App& app, UnfinishedFiles& unfinished) {
+void add_stability(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<StabilityArguments>();
-  CLI::App* sub = app.add_subcommand("stability", "Stiff and extreme scenes: where each method and arithmetic breaks");
-  sub->footer(examples);
-  sub->add_option("-o,--output", a->directory, "The directory of the results; made if it is not there")
-      ->required()
-      ->type_name("DIR");
+  Options options =
+      command.add_verb("stability", "Stiff and extreme scenes: where each method and arithmetic breaks", examples);
+  options.add("-o,--output", a->directory, "DIR", "The directory of the results; made if it is not there").required();
   std::string names;
   for (const StabilityFamily& f : stability_families()) names += (names.empty() ? "" : ", ") + std::string(f.name);
-  sub->add_option("--family", a->families, "Only these: " + names)->delimiter(',')->type_name("NAME");
-  sub->add_option("--size", a->size, "Samples each way")->capture_default_str()->type_name("N");
-  sub->add_flag("--quick", a->quick, "Fewer values of each knob, within a minute");
-  sub->add_flag("-q,--quiet", a->quiet, "No notes, no progress");
-  sub->callback([a, &unfinished] { run(*a, unfinished); });
+  options.add("--family", a->families, "NAME", "Only these: " + names).separated_by(',');
+  options.add("--size", a->size, "N", "Samples each way").with_default_shown();
+  options.add_flag("--quick", a->quick, "Fewer values of each knob, within a minute");
+  a->common.add_quiet_to(options, "Say nothing but what is wrong");
+  options.on_run([a, &unfinished] { run(*a, unfinished); });
 }
 
 }  // namespace hsr::cli

@@ -1,23 +1,16 @@
 #include "hsr/painter/verify/verify.h"
 
-#include <fmt/format.h>
-#include <tbb/global_control.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "geometry/error.h"
+#include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
-#include "hsr/cli/messages.h"
-#include "hsr/cli/outputs.h"
-#include "hsr/cli/progress.h"
-#include "hsr/cli/report.h"
-#include "hsr/cli/view_options.h"
+#include "hsr/cli/output_summary.h"
 #include "hsr/io/read/order_json.h"
-#include "hsr/io/read/read.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/verdict_svg.h"
 
@@ -26,17 +19,18 @@ namespace hsr::cli {
 namespace {
 
 struct VerifyArguments {
-  std::string input, output, report;
+  std::string input, output;
   ViewOptions view;
-  std::size_t limit = 10;
-  bool quiet = false;
-  std::optional<int> threads;
+  std::uint64_t limit = 10;
+  CommonArguments common;
 };
 
 const char* const examples = R"(Examples:
-  hsr verify order.json                        the view is the file's
-  hsr verify scene.obj --view top              is the order of its faces right for that view?
-  hsr verify order.json --limit 100 -o wrong.svg   with a picture: painted earlier blue, later red, a ring where they are wrong)";
+  hsr verify order.json                            the view is the file's
+  hsr verify scene.obj --view top                  is the order of its faces right for that view?
+  hsr verify order.json --limit 100 -o wrong.svg   with a picture: painted earlier blue, later red, a ring where they are wrong
+
+Writes the verdict to standard output, and a picture or a report if asked. Exit status 1: the order is wrong.)";
 
 bool is_json(const std::string& path) { return path.size() > 5 && path.substr(path.size() - 5) == ".json"; }
 
@@ -65,8 +59,8 @@ class Teller {
   Report::Json json() const {
     Report::Json violations = Report::Json::array();
     for (const Violation& v : verdict_.first)
-      violations.push_back({{"pieces", {v.earlier, v.later}},
-                            {"faces", {face(v.earlier), face(v.later)}},
+      violations.push_back({{"pieces", Report::Json::array({v.earlier, v.later})},
+                            {"faces", Report::Json::array({face(v.earlier), face(v.later)})},
                             {"kind", kind(v.fault)},
                             {"witness", witness(v.witness)}});
     Report::Json cycle = Report::Json::array();
@@ -82,7 +76,7 @@ class Teller {
                         {"order_exists", verdict_.order_exists},
                         {"violations", std::move(violations)},
                         {"cycle", std::move(cycle)}};
-    if (verdict_.cuts_that_suffice) out["cuts_that_suffice"] = *verdict_.cuts_that_suffice;
+    if (verdict_.cuts_that_suffice) out.set("cuts_that_suffice", *verdict_.cuts_that_suffice);
     return out;
   }
 
@@ -163,13 +157,11 @@ struct Input {
 };
 
 /// The order of a model's faces.
-Input from_model(const VerifyArguments& a, Report& report, ProgressLine& progress) {
-  const Model model = report.timed("read", [&] { return read_model(a.input); });
-  const Mesh mesh = make_mesh(model.points, model.polygons);
-  const ChosenView chosen = choose_view(a.view, mesh);
-  progress.clear();
-  if (!a.quiet && !chosen.note.empty()) tell("hsr: note: {}\n", chosen.note);
-  Input in{{}, chosen.view, chosen.title};
+Input from_model(const VerifyArguments& a, CommandContext& context) {
+  const ViewedModel viewed = context.read(a.input, a.view);
+  const Model& model = viewed.model;
+  if (!viewed.chosen.note.empty()) context.note(viewed.chosen.note);
+  Input in{{}, viewed.view(), viewed.chosen.title};
   for (std::size_t f = 0; f < model.polygons.size(); ++f) {
     PaintedPolygon p;
     p.face = static_cast<std::uint32_t>(f);
@@ -182,8 +174,9 @@ Input from_model(const VerifyArguments& a, Report& report, ProgressLine& progres
   return in;
 }
 
-Input from_order(const VerifyArguments& a, Report& report) {
-  PaintingFile file = report.timed("read", [&] { return read_order(a.input); });
+Input from_order(const VerifyArguments& a, CommandContext& context) {
+  context.progress.stage("reading");
+  PaintingFile file = context.report.timed("read", [&] { return read_order(a.input); });
   Input in{std::move(file.far_to_near), {}, "the file's"};
   if (!asks_for_view(a.view) && file.view) {
     if (changes_view(a.view))
@@ -211,46 +204,41 @@ Input from_order(const VerifyArguments& a, Report& report) {
 
 void run(const VerifyArguments& a, UnfinishedFiles& unfinished) {
   if (!a.output.empty()) (void)format_of(a.output, std::array{Format::svg});
-  check_outputs(a.input, {a.output, a.report});
-  if (a.threads && *a.threads < 1) throw InputError("--threads: found " + std::to_string(*a.threads) + ", expected 1 or more");
-  std::optional<tbb::global_control> threads;
-  if (a.threads) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*a.threads));
-  Report report;
-  ProgressLine progress(a.quiet);
-  progress.stage("reading");
-  const Input in = is_json(a.input) ? from_order(a, report) : from_model(a, report, progress);
-  progress.stage("verify");
+  CommandContext context(a.common, a.input, {a.output}, unfinished);
+  const Input in = is_json(a.input) ? from_order(a, context) : from_model(a, context);
+  context.progress.stage("verify");
   VerifyOptions options;
   options.limit = a.limit;
-  const Verdict verdict = report.timed("verify", [&] { return verify(in.pieces, in.view, options); });
-  progress.clear();
+  const Verdict verdict = context.report.timed("verify", [&] { return verify(in.pieces, in.view, options); });
+  context.progress.clear();
   const Teller teller(verdict, in.pieces);
-  if (!a.quiet) teller.say();
-  OutputFiles output(unfinished);
+  if (!context.is_quiet()) teller.say();
   if (!a.output.empty())
-    output.write(a.output, verdict_svg(verdict, in.pieces, in.view,
-                                       {std::filesystem::path(a.input).filename().string(), "view: " + in.title}));
-  report["verdict"] = teller.json();
-  if (!a.report.empty()) output.write(a.report, report.text());
-  output.commit();
+    context.write(
+        a.output,
+        verdict_svg(verdict, in.pieces, in.view, {std::filesystem::path(a.input).filename().string(), "view: " + in.title}),
+        counted(verdict.first.size(), "violation"));
+  context.report.set("verdict", teller.json());
+  context.finish();
   if (!verdict.is_correct()) throw CheckFailed();
 }
 
 }  // namespace
 
-void add_verify(CLI::App& app, UnfinishedFiles& unfinished) {
+void add_verify(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<VerifyArguments>();
-  CLI::App* sub = app.add_subcommand("verify", "Is a painting order right for a view? The answer, and where it is not");
-  sub->footer(examples);
-  sub->add_option("ORDER.json|MODEL", a->input, "hsr-order/1 by anyone, or a model whose faces are painted in the file's order")
-      ->required();
-  sub->add_option("-o,--output", a->output, "A picture of the violations, .svg")->type_name("FILE");
-  sub->add_option("--limit", a->limit, "Violations to describe")->capture_default_str()->type_name("N");
-  a->view.add_to(*sub);
-  sub->add_option("--threads", a->threads, "At most this many threads [all]; the result is the same")->type_name("N");
-  sub->add_option("--report", a->report, "The verdict as JSON; - for the standard output")->type_name("FILE");
-  sub->add_flag("-q,--quiet", a->quiet, "Only the exit status: 0 correct, 1 wrong");
-  sub->callback([a, &unfinished] { run(*a, unfinished); });
+  Options options =
+      command.add_verb("verify", "Is a painting order right for a view? The answer, and where it is not", examples);
+  options.add("ORDER.json|MODEL", a->input, "", "hsr-order/1 by anyone, or a model whose faces are painted in the file's order")
+      .required();
+  options.add("-o,--output", a->output, "FILE", "A picture of the violations, .svg");
+  options.add("--limit", a->limit, "N", "Violations to describe").with_default_shown();
+  a->view.add_to(options);
+  options.begin_group("Options");
+  a->common.add_threads_to(options);
+  a->common.add_report_to(options, "The verdict");
+  a->common.add_quiet_to(options, "Only the exit status: 0 correct, 1 wrong");
+  options.on_run([a, &unfinished] { run(*a, unfinished); });
 }
 
 }  // namespace hsr::cli

@@ -1,6 +1,6 @@
 #include "hsr/cli/view_options.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>
@@ -69,27 +69,19 @@ Point3 parse_point(const std::string& option, const std::string& text) {
   return {parse_number(option, parts[0], text), parse_number(option, parts[1], text), parse_number(option, parts[2], text)};
 }
 
-void ViewOptions::add_to(CLI::App& app) {
-  const std::string group = "View";
-  app.add_option("--view", name, "front, back, left, right, top, bottom or iso [iso]")->type_name("NAME")->group(group);
-  app.add_option("--eye", eye, "Perspective from this point")->type_name("X,Y,Z")->group(group);
-  app.add_option("--target", target, "The point looked at [centre of the bounding box]")->type_name("X,Y,Z")->group(group);
-  app.add_option("--direction", direction, "Parallel view; the direction points toward the viewer")
-      ->type_name("X,Y,Z")
-      ->group(group);
-  app.add_option("--up", up, "What is up on the paper [the up axis, or what it can be]")->type_name("X,Y,Z")->group(group);
-  app.add_option("--fov", field_of_view,
-                 "Perspective: frame this angle, across the shorter side, instead of all beyond the near plane")
-      ->type_name("DEG")
-      ->group(group);
-  app.add_option("--near", near, "Perspective: distance of the near plane [a thousandth of eye to target]")
-      ->type_name("D")
-      ->group(group);
-  app.add_option("--up-axis", up_axis, "The model's up axis, y or z: turns the views, never the model")
-      ->capture_default_str()
-      ->type_name("AXIS")
-      ->check(CLI::IsMember({"y", "z"}))
-      ->group(group);
+void ViewOptions::add_to(Options& options) {
+  options.begin_group("View");
+  options.add("--view", name, "NAME", "front, back, left, right, top, bottom or iso [iso]");
+  options.add("--eye", eye, "X,Y,Z", "Perspective from this point");
+  options.add("--target", target, "X,Y,Z", "The point looked at [centre of the bounding box]");
+  options.add("--direction", direction, "X,Y,Z", "Parallel view; the direction points toward the viewer");
+  options.add("--up", up, "X,Y,Z", "What is up on the paper [the up axis, or what it can be]");
+  options.add("--fov", field_of_view, "DEG",
+              "Perspective: frame this angle, across the shorter side, instead of all beyond the near plane");
+  options.add("--near", near, "D", "Perspective: distance of the near plane [a thousandth of eye to target]");
+  options.add("--up-axis", up_axis, "AXIS", "The model's up axis, y or z: turns the views, never the model")
+      .with_default_shown()
+      .one_of({"y", "z"});
 }
 
 ChosenView choose_view(const ViewOptions& o, const Mesh& mesh) {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 
 #include "geometry/mesh.h"
+#include "hsr/cli/command_line.h"
 #include "hsr/view/view.h"
 
 namespace hsr::cli {
@@ -15,7 +15,7 @@ struct ViewOptions {
   std::optional<double> field_of_view, near;
   std::string up_axis = "z";
 
-  void add_to(CLI::App& app);
+  void add_to(Options& options);
 };
 
 /// What the options mean for a model.

@@ -86,7 +86,7 @@ TEST_CASE("draw writes every format that was asked for", "[cli]") {
   const Outcome o = run("draw " + model + " -o " + (d / "a.svg") + " -o " + (d / "a.png") + " -o " + (d / "a.json") +
                         " --report " + (d / "r.json") + " --hidden dashed");
   CHECK(o.status == 0);
-  CHECK(o.text.empty());
+  CHECK(count(o.text, "\n") == 4);  // one for each file
   CHECK(contents(d / "a.svg").find("<svg") != std::string::npos);
   CHECK(contents(d / "a.png").rfind("\x89PNG", 0) == 0);
   const json lines = json::parse(contents(d / "a.json"));
@@ -98,6 +98,79 @@ TEST_CASE("draw writes every format that was asked for", "[cli]") {
   CHECK(report["lines"]["visible_intervals"] == 9);
   CHECK(report["lines"]["hidden_intervals"] == 3);
   CHECK(d.files() == 5);
+}
+
+TEST_CASE("draw and order say what they wrote and at which scale", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube), svg = d / "a.svg", other = d / "a.json", picture = d / "a.png";
+  const auto said = [&](const std::string& arguments) {
+    const Outcome o = run(arguments);
+    CHECK(o.status == 0);
+    return o.text;
+  };
+  const std::string front = "draw " + model + " --view front -o " + svg;
+  CHECK(said(front + " --scale 1:2") == "hsr: " + svg + ": 210 x 297 mm, scale 1:2 (0.5 mm per unit), 4 lines\n");
+  CHECK(said(front + " --scale 1:2 --unit in") == "hsr: " + svg + ": 210 x 297 mm, scale 1:2 (12.7 mm per unit), 4 lines\n");
+  // The page fits the drawing: a side of the cube is one unit, and there are two margins of 10 mm.
+  CHECK(said(front + " --scale 20:1 --unit cm --page fit") ==
+        "hsr: " + svg + ": 220 x 220 mm, scale 20:1 (200 mm per unit), 4 lines\n");
+  // Found by fitting: 35 mm are left for one unit.
+  CHECK(said(front + " --page 37x40mm --margin 1 --unit cm") ==
+        "hsr: " + svg + ": 37 x 40 mm, scale 3.5:1 (35 mm per unit), 4 lines\n");
+  CHECK(said(front + " --page 37.123x40mm --margin 1").find("37.123 x 40 mm, scale 35.12 mm per unit, 4 lines") !=
+        std::string::npos);
+  CHECK(said(front + " --scale 10000:1 --page fit").find("scale 10000:1 (10000 mm per unit)") != std::string::npos);
+  CHECK(said("draw " + model + " --eye 3,-4,5 --scale 20:1 -o " + svg)
+            .find("scale 20:1 at the target (20 mm per unit), 9 lines") != std::string::npos);
+  CHECK(said("draw " + model + " --edges wire -o " + svg).find(svg + ": 210 x 297 mm, no lines\n") != std::string::npos);
+
+  CHECK(said("draw " + model + " --view front --fill -o " + other + " -o " + picture + " --size 64x48 --report " + svg) ==
+        "hsr: " + other + ": 8 lines, 1 fragment\nhsr: " + picture + ": 64 x 48 pixels\nhsr: " + svg + ": report\n");
+  CHECK(json::parse(contents(other))["lines"].size() == 8);
+  CHECK(said("draw " + model + " --view front --page A6 -o " + picture) == "hsr: " + picture + ": 620 x 874 pixels\n");
+  CHECK(said("order " + model + " --view front --scale 5:1 -o " + svg + " -o " + other + " -o " + picture + " --size 64x48") ==
+        "hsr: " + svg + ": 210 x 297 mm, scale 5:1 (5 mm per unit), 2 pieces\nhsr: " + other + ": 2 pieces\nhsr: " + picture +
+            ": 64 x 48 pixels\n");
+}
+
+TEST_CASE("what was written is told on standard error, and with -q not at all", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube), order = d / "o.json";
+  REQUIRE(run("order " + model + " -q -o " + order).text.empty());
+  const auto streams = [&](const std::string& arguments) {
+    const std::string out = d / "out", error = d / "error";
+    CHECK(WEXITSTATUS(std::system((HSR_COMMAND + (" " + arguments) + " > " + out + " 2> " + error).c_str())) == 0);
+    return std::pair(contents(out), contents(error));
+  };
+  for (const std::string& verb : {"draw " + model + " -o " + (d / "a.svg") + " -o " + (d / "a.png"),
+                                  "order " + model + " -o " + (d / "a.json") + " -o " + (d / "a.svg"),
+                                  "info " + model + " --mesh " + (d / "m.json"), "verify " + order + " -o " + (d / "v.svg")}) {
+    const auto [out, error] = streams(verb + " --report -");
+    INFO(verb << "\n" << error);
+    CHECK(out.find("\"format\": \"hsr-report/1\"") != std::string::npos);
+    CHECK(out.find("hsr: ") == std::string::npos);
+    CHECK(count(error, "\n") == 1 + count(verb, " -o ") + count(verb, " --mesh "));
+    CHECK(error.find("hsr: standard output: report\n") != std::string::npos);
+    CHECK(streams(verb + " --report - -q").second.empty());
+  }
+  CHECK(streams("info " + model + " --mesh " + (d / "m.json")).second ==
+        "hsr: " + (d / "m.json") + ": 6 faces, 12 triangles\n");
+  CHECK(streams("verify " + order + " -o " + (d / "v.svg")).second == "hsr: " + (d / "v.svg") + ": no violations\n");
+  CHECK(run("compare " + model + " -q --size 16 --runs 1 -o " + (d / "quiet")).text.empty());
+}
+
+TEST_CASE("help of each verb has examples, and says what is written", "[cli]") {
+  const std::string all = run("--help").text;
+  for (const std::string verb : {"draw", "info", "order", "verify", "compare", "stability"}) {
+    INFO(verb);
+    CHECK(count(all, "\n  " + verb + " ") == 1);
+    const Outcome help = run(verb + " --help");
+    CHECK(help.status == 0);
+    CHECK(count(help.text, "\n  hsr " + verb + " ") >= 3);
+    CHECK(count(help.text, "\nWrites ") == 1);
+    CHECK(count(help.text, "-q,--quiet") == 1);
+    CHECK(help.text.find("xit status") != std::string::npos);
+  }
 }
 
 TEST_CASE("a box seen face-on is four lines, hidden ones asked for or not", "[cli]") {
@@ -238,7 +311,7 @@ TEST_CASE("stability writes a page that needs nothing else, a table, a report an
   const Outcome outcome = run("stability --quick --size 32 --family gap --family sliver,ulp -o " + (d / "out/stiff"));
   INFO(outcome.text);
   REQUIRE(outcome.status == 0);
-  CHECK(outcome.text.find("open ") != std::string::npos);
+  CHECK(outcome.text == "hsr: " + (d / "out/stiff") + ": 6 files, open " + (d / "out/stiff/index.html") + "\n");
   const std::string page = contents(d / "out/stiff/index.html");
   CHECK(page.find("<!DOCTYPE html>") == 0);
   CHECK(page.find("src=\"http") == std::string::npos);
@@ -302,6 +375,22 @@ TEST_CASE("an output never takes the place of the model or of another output", "
   check_refused(run("draw " + model + " -o " + svg + " -o " + (d / "no/b.svg")), {"no/b.svg"});
   CHECK(contents(model) == cube);
   CHECK_FALSE(fs::exists(svg));
+}
+
+TEST_CASE("two names of one file are found out before it is there", "[cli]") {
+  const Directory d;
+  write(d / "cube.obj", cube);
+  fs::create_directory(d / "sub");
+  fs::create_directory_symlink(".", d / "linked");
+  const std::string here = "cd " + (d / "") + " && ";
+  for (const std::string& other :
+       {std::string("./a.svg"), std::string("sub/../a.svg"), std::string("linked/a.svg"), d / "a.svg"}) {
+    check_refused(run("draw cube.obj -o a.svg -o " + other, here), {other, "twice"});
+    check_refused(run("draw cube.obj -o " + other + " -o a.svg", here), {"a.svg", "twice"});
+    check_refused(run("order cube.obj -o a.svg --report " + other, here), {other, "twice"});
+  }
+  check_refused(run("draw cube.obj -o no/a.svg", here), {"no/a.svg", "directory"});
+  CHECK(run("draw cube.obj -q -o a.svg -o sub/a.svg", here).status == 0);
 }
 
 TEST_CASE("a full disk is an error, not a success", "[cli]") {

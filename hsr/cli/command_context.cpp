@@ -1,0 +1,74 @@
+#include "hsr/cli/command_context.h"
+
+#include <filesystem>
+
+#include "geometry/error.h"
+#include "hsr/cli/messages.h"
+#include "hsr/io/read/read.h"
+
+namespace hsr::cli {
+
+void CommonArguments::add_threads_to(Options& options) {
+  options.add("--threads", threads, "N", "At most this many threads [all]; the result is the same");
+}
+
+void CommonArguments::add_report_to(Options& options, const std::string& what) {
+  options.add("--report", report, "FILE", what + " as JSON; - for the standard output");
+}
+
+void CommonArguments::add_quiet_to(Options& options, const std::string& help) { options.add_flag("-q,--quiet", quiet, help); }
+
+std::string ViewedModel::name() const { return std::filesystem::path(model.name).filename().string(); }
+
+SvgOptions ViewedModel::captions() const { return {name(), "view: " + chosen.title}; }
+
+CommandContext::CommandContext(const CommonArguments& common, const std::string& input, std::vector<std::string> outputs,
+                               UnfinishedFiles& unfinished)
+    : progress(common.quiet), common_(common), outputs_(unfinished) {
+  outputs.push_back(common.report);
+  check_outputs(input, outputs);
+  if (!common.threads) return;
+  if (*common.threads < 1) throw InputError("--threads: found " + std::to_string(*common.threads) + ", expected 1 or more");
+  threads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*common.threads));
+}
+
+ViewedModel CommandContext::read(const std::string& path, const ViewOptions& view) {
+  ViewedModel viewed;
+  progress.stage("reading");
+  viewed.model = report.timed("read", [&] { return read_model(path); });
+  progress.stage("faces");
+  viewed.mesh = report.timed("mesh", [&] { return make_mesh(viewed.model.points, viewed.model.polygons); });
+  viewed.chosen = choose_view(view, viewed.mesh);
+  return viewed;
+}
+
+void CommandContext::note(const std::string& text) {
+  if (is_quiet()) return;
+  progress.clear();
+  tell("hsr: note: {}\n", text);
+}
+
+void CommandContext::say_notes_of(const ViewedModel& viewed) {
+  for (const std::string& text : viewed.model.notes) note(text);
+  if (!viewed.chosen.note.empty()) note(viewed.chosen.note);
+}
+
+void CommandContext::write(const std::string& path, const std::string& bytes, const std::string& summary) {
+  outputs_.write(path, bytes);
+  written_.push_back((path == "-" ? "standard output" : path) + ": " + summary);
+}
+
+void CommandContext::finish() {
+  if (reports()) write(common_.report, report.text(), "report");
+  outputs_.commit();
+  progress.clear();
+  if (is_quiet()) return;
+  for (const std::string& line : written_) tell("hsr: {}\n", line);
+}
+
+void CommandContext::say_written(const OutputDirectory& directory, const std::string& page) {
+  progress.clear();
+  if (!is_quiet()) tell("hsr: {}: {} files, open {}\n", directory.path(), directory.files(), directory.path(page));
+}
+
+}  // namespace hsr::cli

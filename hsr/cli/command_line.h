@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the name that CLI11 has
+class App;
+class Option;
+}  // namespace CLI
+
+namespace hsr::cli {
+
+/// An option that was declared, to say more of it.
+class Option {
+ public:
+  explicit Option(CLI::Option* option) : option_(option) {}
+  Option& required();
+  Option& with_default_shown();
+  /// Refuses other values.
+  Option& one_of(const std::vector<std::string>& values);
+  /// One argument may have several values.
+  Option& separated_by(char separator);
+
+ private:
+  CLI::Option* option_;
+};
+
+/// The options of a verb. This and CommandLine hide CLI11 from the verbs, since it takes seconds to compile.
+class Options {
+ public:
+  explicit Options(CLI::App* verb) : verb_(verb) {}
+
+  /// The heading in --help over the options that follow.
+  void begin_group(const std::string& name) { group_ = name; }
+
+  /// Stores what is found in `value`, which must live until the verb has run.
+  /// @param names "-o,--output", or "MODEL" for an argument without a name
+  /// @param type what stands for the value in --help
+  Option add(const std::string& names, std::string& value, const std::string& type, const std::string& help);
+  Option add(const std::string& names, std::vector<std::string>& value, const std::string& type, const std::string& help);
+  Option add(const std::string& names, int& value, const std::string& type, const std::string& help);
+  Option add(const std::string& names, std::optional<int>& value, const std::string& type, const std::string& help);
+  Option add(const std::string& names, std::uint64_t& value, const std::string& type, const std::string& help);
+  Option add(const std::string& names, double& value, const std::string& type, const std::string& help);
+  Option add(const std::string& names, std::optional<double>& value, const std::string& type, const std::string& help);
+  void add_flag(const std::string& names, bool& value, const std::string& help);
+
+  /// What the verb does once all options are known; it may throw InputError.
+  void on_run(std::function<void()> run);
+
+ private:
+  template <class Value>
+  Option add_value(const std::string& names, Value& value, const std::string& type, const std::string& help);
+
+  CLI::App* verb_;
+  std::string group_ = "Options";
+};
+
+/// The command with its verbs.
+class CommandLine {
+ public:
+  CommandLine(const std::string& name, const std::string& description, const std::string& version, const std::string& footer);
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  /// @param footer what --help of the verb ends with
+  Options add_verb(const std::string& name, const std::string& description, const std::string& footer);
+  /// Does what the arguments ask for: runs a verb, or prints help or the version.
+  /// @throws InputError in one line for arguments that are no use of the command; and what the verb throws
+  void run(int argc, char** argv);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+};
+
+}  // namespace hsr::cli

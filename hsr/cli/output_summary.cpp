@@ -1,0 +1,54 @@
+#include "hsr/cli/output_summary.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "geometry/error.h"
+#include "hsr/drawing/page.h"
+
+namespace hsr::cli {
+
+namespace {
+
+/// To four digits, and never with an exponent where whole millimetres will do.
+std::string millimetres(double x) { return x >= 1000 && x < 1e9 ? fmt::format("{:.0f}", x) : fmt::format("{:.4g}", x); }
+
+/// "1:2" or "5:1" if the larger of the two is a number of at most two digits, zeros aside; else nothing.
+std::string plain_ratio(double ratio) {
+  const double larger = ratio < 1 ? 1 / ratio : ratio;
+  const std::string text = fmt::format("{:.2g}", larger);
+  if (!(larger < 1e15) || std::abs(std::strtod(text.c_str(), nullptr) - larger) > 1e-9 * larger) return "";
+  const std::string number = larger < 100 ? text : fmt::format("{:.0f}", larger);
+  return ratio < 1 ? "1:" + number : number + ":1";
+}
+
+}  // namespace
+
+std::string counted(std::uint64_t count, const std::string& one) {
+  if (count == 0) return "no " + one + "s";
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
+std::string paper_size(double width, double height) { return fmt::format("{:.6g} x {:.6g} mm", width, height); }
+
+std::string scale_text(double mm_per_unit, const PageArguments& page, bool is_perspective) {
+  const std::string at = is_perspective ? " at the target" : "", per_unit = millimetres(mm_per_unit) + " mm per unit";
+  const std::string ratio = parse_scale(page.scale) ? page.scale : plain_ratio(mm_per_unit / parse_unit(page.unit));
+  if (ratio.empty()) return "scale " + per_unit + at;
+  return "scale " + ratio + at + " (" + per_unit + ")";
+}
+
+std::string pixel_size(const std::string& png) {
+  // After the signature the first chunk, IHDR, has width and height, four bytes each, the highest first.
+  require(png.size() >= 24, "pixel_size: no PNG file");
+  const auto number = [&](std::size_t at) {
+    std::uint32_t n = 0;
+    for (std::size_t k = at; k < at + 4; ++k) n = n << 8 | static_cast<std::uint8_t>(png[k]);
+    return n;
+  };
+  return fmt::format("{} x {} pixels", number(16), number(20));
+}
+
+}  // namespace hsr::cli

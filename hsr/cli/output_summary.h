@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "hsr/cli/page_arguments.h"
+
+namespace hsr::cli {
+
+/// "no lines", "1 line", "1234 lines": how many there are of what `one` is a word for.
+std::string counted(std::uint64_t count, const std::string& one);
+
+/// "210 x 297 mm"
+std::string paper_size(double width, double height);
+
+/// The scale of a page as a draughtsman reads it: "scale 1:2 (0.5 mm per unit)" where it was asked for or is a plain ratio, else
+/// "scale 3.474 mm per unit"; in perspective it is that at the target.
+/// @param mm_per_unit millimetres of paper to a unit of the model
+std::string scale_text(double mm_per_unit, const PageArguments& page, bool is_perspective);
+
+/// "1240 x 1754 pixels", from what the file itself says.
+/// @pre `png` holds a PNG file
+std::string pixel_size(const std::string& png);
+
+}  // namespace hsr::cli
