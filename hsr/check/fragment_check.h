@@ -38,7 +38,7 @@ Image<TriangleId> paint(const Mesh& mesh, const View& view, const VisibleFragmen
 /// @throws PreconditionError as paint() does
 /// Exact: yes. Cost: that of cast() and of painting.
 FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples);
-/// The same, where what cast() gives is known.
+/// Compares with a picture that cast() has already made. @param nearest what cast() gives for these samples
 FragmentCheck check_fragments(const Mesh& mesh, const View& view, const VisibleFragments& fragments, const SampleGrid& samples,
                               const Image<TriangleId>& nearest);
 

@@ -9,14 +9,14 @@
 
 namespace hsr {
 
-/// The triangles that can hide something, in a tree of their image boxes: not those wholly before the near plane, nor those
-/// that are left out because they are hidden themselves.
+/// The triangles that can hide something, in a tree of their image boxes: without those that the near plane cuts away wholly,
+/// and without those that are left out because they are hidden themselves.
 /// Cost: O(n log n), parallel.
 struct Occluders {
   std::vector<TriangleId> triangles;
   BoxTree tree;                       ///< over `triangles`
-  std::vector<TriangleFilter> faces;  ///< along the tree: near ones near; empty unless prepared
-  std::vector<std::uint32_t> place;   ///< of each of `triangles` in `faces`
+  std::vector<TriangleFilter> faces;  ///< in the order of the leaves of the tree; empty unless prepared
+  std::vector<std::uint32_t> place;   ///< triangles[i] has the filter faces[place[i]]
 
   /// @param boxes of all triangles @param left_out by triangle; empty: none
   Occluders(const ProjectedMesh& projected, const std::vector<ImageBox>& boxes, const std::vector<std::uint8_t>& left_out);
