@@ -14,7 +14,7 @@ class ClosedBodies;
 class OcclusionPyramid;
 class OccludingEdges;
 
-/// @param tiles none: nothing is known to be hidden
+/// @param pyramid what is known to be hidden, or nullptr
 VisibleLines roberts(const ProjectedMesh& projected, const ClassifiedEdges& requested, const Occluders& occluders,
                      const LineOptions& options, const OcclusionPyramid* pyramid = nullptr);
 VisibleLines appel(const ProjectedMesh& projected, const ClassifiedEdges& requested, const OccludingEdges& layers,
