@@ -271,7 +271,7 @@ TEST_CASE("a cycle of more than 4096 faces is cut by planes, and in order", "[ru
   const Mesh mesh = scene.mesh();
   const DepthSort result = depth_sort(mesh, scene.view);
   CHECK(result.counts.largest_component == n);
-  CHECK(result.counts.cuts_in_cycles > 0);
+  CHECK(result.counts.cuts_in_cycles > 1);  // one cut would do, as it does for a thousand
   const SampleGrid grid = sample_grid(scene.view, paper_rectangle(mesh, scene.view), 300, 300);
   CHECK(check_order(mesh, scene.view, result.order, grid).wrong == 0);
 }
