@@ -1,12 +1,14 @@
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
+#include <vector>
 
 // Rules of docs/conventions.md that the command keeps, and that no other test shows.
 
