@@ -68,7 +68,7 @@ struct FixedArithmetic {
   static Number scalar(double) { throw InvariantError("the near plane has no fixed-width stage"); }
 };
 
-/// The same in one hardware register pair, for values below 2^127: as cheap as the filter, and it decides the zeros.
+/// Scaled integers in a pair of hardware registers, for values below 2^127: as cheap as the filter, and it decides the zeros.
 struct NarrowArithmetic {
   using Number = __int128;
   double scale, direction_scale;

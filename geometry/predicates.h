@@ -47,7 +47,7 @@ class Predicates {
 
   /// On which side of `x` the point lies: the sign of x(p). Degree 3 (near_line: 6).
   Sign side(const Plane& x, const Point3& p);
-  /// The same, for a caller whose PlaneFilter left the sign open: starts after the double filter.
+  /// The sign of x(p) for a caller whose PlaneFilter could not decide it: starts after the double filter.
   Sign side_beyond_filter(const Plane& x, const Point3& p);
 
   /// The sign of x(p) y(q) - x(q) y(p). Degree 6 for spans.

@@ -13,7 +13,7 @@ namespace hsr {
 /// microsecond; for the few signs that no bound in doubles decides.
 Sign slope(const Plane& x, const Point3& p, const Point3& q);
 
-/// The same of the plane of a line in the image.
+/// The sign of x(q) - x(p) for the view plane of a line in the image.
 Sign slope(const Camera& camera, const ViewPlane& x, const Point3& p, const Point3& q);
 
 }  // namespace hsr

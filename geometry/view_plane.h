@@ -40,7 +40,7 @@ struct ViewPlane {
 /// direction q of the point, where u and v are `rows`.
 std::array<ErrorBounded, 2> image_of_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m,
                                               const Point3& origin, const std::array<Point3, 2>& rows);
-/// The same for a point.
+/// Image coordinates of a point, in doubles with a proven bound; as for image_of_crossing().
 std::array<ErrorBounded, 2> image_of_point(const Camera& camera, const Point3& p, const Point3& origin,
                                            const std::array<Point3, 2>& rows);
 
@@ -48,7 +48,8 @@ std::array<ErrorBounded, 2> image_of_point(const Camera& camera, const Point3& p
 /// @throws PreconditionError if the lines are parallel in the image, or x contains the viewpoint
 std::array<Rational, 3> exact_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x);
 std::array<Rational, 3> exact_point(const Camera& camera, const Point3& p, const Plane& x);
-/// The same in doubles with proven bounds; errors that are not finite where they tell nothing.
+/// The point of the plane x that is seen where the lines of l and m cross, in doubles with proven bounds; errors that are not
+/// finite where they tell nothing.
 std::array<ErrorBounded, 3> bounded_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x);
 /// The coordinates of image_of_crossing and image_of_point. Exact.
 std::array<Rational, 2> exact_image_of_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m,

@@ -33,7 +33,7 @@ struct NamedPlot {
 /// An <svg> element, 800 by 440, for a page whose custom properties --ink, --paper, --faint and --c0 ...
 /// --c7 give it its colours.
 std::string plot_svg(const Plot& plot);
-/// The same with plain colours, as a file: few drawing programs know properties.
+/// The plot as a file of its own with plain colours, since few drawing programs know custom properties.
 std::string plot_file(const Plot& plot);
 
 }  // namespace hsr

@@ -156,7 +156,7 @@ std::vector<double> ratio_values(bool quick) {
 }
 StiffScene ratio(double r, int size) { return two_walls(size, 0.125, r, 0, 1.015625, {0.5, 2 * r}); }
 
-// Two faces that cross where x = 0: the line of sight keeps x, and beyond it the sloping one is before the other.
+// Two faces that cross where x = 0: the line of sight keeps x, and beyond it the sloping one is in front of the other.
 
 StiffScene slope(double s, int size) {
   StiffScene scene;

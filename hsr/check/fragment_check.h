@@ -49,7 +49,7 @@ inline FragmentCheck check_fragments(const Mesh& mesh, const View& view, const V
                                      const SampleGrid& samples) {
   return check_fragments(SceneView(mesh, view), fragments, samples);
 }
-/// The same, where what cast() gives is known.
+/// Compares with a picture that cast() has already made. @param nearest what cast() gives for these samples
 FragmentCheck check_fragments(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples,
                               const Image<TriangleId>& nearest);
 /// Of a scene that nothing else looks at.

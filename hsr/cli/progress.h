@@ -22,7 +22,7 @@ class ProgressLine {
   void stage(const std::string& name);
   /// The share of the stage that is done, 0 ... 1. Any thread.
   void show(double done) { done_ = done; }
-  /// The same of a stage by its name, which is begun if another one runs.
+  /// The share that is done of the stage with this name, which is begun if another one runs.
   void show(const std::string& name, double done);
   /// Removes the line, to print something else.
   void clear();

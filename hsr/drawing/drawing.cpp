@@ -233,7 +233,7 @@ class Collector {
 
 Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, const DrawingOptions& options,
              const Regions* regions) {
-  std::vector<std::uint32_t> seen;  // lines that are not a point, nor before the near plane
+  std::vector<std::uint32_t> seen;  // lines whose image is not a point, and that the near plane does not cut away
   for (std::uint32_t i = 0; i < lines.lines.size(); ++i)
     if (lines.lines[i].intervals() > 0) seen.push_back(i);
   if (const auto frame = frame_size(view, options)) {

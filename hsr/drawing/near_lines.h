@@ -24,8 +24,8 @@ struct DistinctLines {
 ///
 ///   (1) every point left out is that near to a line that is left, but for half a unit of rounding; so there are no gaps
 ///   (2) two lines only count if they run in roughly one direction (a slope of 1 in 8) and beside each other for more than
-///   least_on_paper, and of a chain runs of 100 times that, or all of it: what crosses or continues a line stays, and so do the
-///   outlines of fine meshes
+///       least_on_paper, and of a chain runs of 100 times that, or all of it: what crosses or continues a line stays, and so do
+///       the outlines of fine meshes
 ///   (3) of two lines that part where they meet, at a common end, nothing is left out
 ///   (4) a line of which nothing is left out is as it was
 ///

@@ -41,7 +41,7 @@ class Projection {
   /// The cut in thousandths of a unit, correctly rounded, halves away from zero. `at` is its enclosure.
   PaperPoint rounded(const SupportingLine& support, const Cut& cut, const HomogeneousPoint& at) const;
 
-  /// The same of any point: nothing where its enclosure leaves two answers.
+  /// Any point in thousandths of a unit, correctly rounded; nothing where its enclosure leaves two answers.
   static std::optional<PaperPoint> rounded(const HomogeneousPoint& at);
   static PaperPoint rounded(const std::array<Rational, 2>& exact);
   /// The image of a point in space.

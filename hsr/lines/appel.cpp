@@ -23,7 +23,7 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 
-/// How many layers lie before an edge just inside one of its ends, to the left and to the right of the edge.
+/// How many triangles are in front of an edge just inside one of its ends, to the left and to the right of the edge.
 struct Sides {
   std::int32_t left = 0, right = 0;
 };
@@ -105,7 +105,7 @@ class Appel {
   std::vector<std::uint32_t> order_;
   std::vector<Part> parts_;
   WeightedDisjointSets counts_;
-  std::vector<std::int32_t> before_;  // by vertex: the layers before it, without the triangles at it, where it is clean
+  std::vector<std::int32_t> before_;  // by vertex, where it is clean: the triangles in front of it, without those at it
   DecisionCounts root_decisions_;
 };
 
@@ -152,7 +152,7 @@ void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
   part.pairs = crossings.pairs();
 }
 
-/// What lies before a vertex, without the triangles at it, is the same for all of its edges where the vertex is clean.
+/// The number of triangles in front of a clean vertex, without those at it, is the same for all of its edges.
 void Appel::carry_on() {
   const auto carry = [&](std::size_t p, std::size_t begin, std::size_t end) {
     const Part& part = parts_[p];
@@ -243,7 +243,7 @@ Sides Appel::start(const Part& part, std::size_t i, const Edge& e, InvisibilityC
           count.before(e.a, e.b, Sign::negative, occluders_) + at_start.right};
 }
 
-/// The parts of the edge before which, on one side or the other, there is a layer.
+/// The parts of the edge that have a triangle in front of them, just to the left or just to the right.
 void Appel::add_shadows(TriangleOcclusion& occlusion, std::span<const InvisibilityChange> changes, Sides layers,
                         std::vector<HiddenInterval>& hidden) const {
   struct Place {

@@ -8,12 +8,12 @@
 
 namespace hsr {
 
-/// The visible and the hidden parts of each edge, by quantitative invisibility: how many faces lie before a point of an edge
-/// changes only where an occluding edge (an outline or a boundary) crosses before it, where the edge pierces a face, and at
-/// vertices. It is counted once in each connected part of the drawing and carried on along the edges.
+/// The visible and the hidden parts of each edge, by quantitative invisibility: the number of faces in front of a point of an
+/// edge changes only where an occluding edge (an outline or a boundary) crosses in front of it, where the edge pierces a face,
+/// and at vertices. It is counted once in each connected part of the drawing and carried on along the edges.
 ///
-/// The same intervals and classes as `roberts`, for any mesh; cuts may be named otherwise where several coincide. Edges that
-/// touch something in space, or cross the near plane, are done as `roberts` does them.
+/// It gives the intervals and classes of `roberts` for any mesh; where several cuts coincide, another one may name the end.
+/// Edges that touch something in space, or cross the near plane, are done as `roberts` does them.
 ///
 /// Exact: yes. Degenerate: docs/conventions.md. Cost: O(n log n + k log k), k = pairs of an edge and an occluding edge that
 /// overlap in the image: on closed meshes far fewer than the pairs of an edge and a face.

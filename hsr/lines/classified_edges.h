@@ -17,30 +17,32 @@ class ViewFrustum;
 /// How many edges are handled together: fixed, so that counts are the same for any number of threads.
 constexpr std::size_t edges_of_block = 512;
 
-/// What of an edge is asked for.
+/// An edge, or the part of it that has one class, whose visibility is wanted.
 struct RequestedPart {
   EdgeId edge;
   EdgeClass edge_class = EdgeClass::smooth;
   Cut from{Cut::Kind::start}, to{Cut::Kind::end};
 };
 
-/// The edges that are asked for, ascending, their classes and boxes. An edge of several classes stands there once for each of
-/// its parts. Cost: O(n), parallel.
+/// The edges of the classes that are wanted, in ascending order, with their classes and boxes. An edge whose class changes
+/// along it is listed once for each part. Cost: O(n), parallel.
 struct ClassifiedEdges {
   std::vector<EdgeId> edges;
   std::vector<EdgeClass> classes;
   std::vector<ImageBox> boxes;
-  std::vector<std::uint8_t> hidden;  ///< provably hidden all along, and no point in the image; empty: not known of any
+  /// By edge of the list: 1 if it is provably hidden all along and its image is no point. Empty if this is known of none.
+  std::vector<std::uint8_t> hidden;
   DecisionCounts decisions;
 
-  /// @param outside the edges to leave out, or nullptr
-  /// @param occluders all triangles, or nullptr @param has_contact by edge: whether it may lie in one of them; empty: none does
+  /// @param outside leaves out the edges outside of this frustum, unless it is nullptr
+  /// @param occluders all triangles, or nullptr
+  /// @param has_contact by edge: whether it may lie in one of these triangles; empty if none does
   ClassifiedEdges(const ProjectedMesh& projected, const LineOptions& options, const ViewFrustum* outside,
                   const Occluders* occluders, const std::vector<std::uint8_t>& has_contact);
-  /// Edges for their own sake: their classes are not looked at.
+  /// The given edges from end to end, without finding their classes.
   ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending);
 
-  /// Whether only a part of edge i of the list is asked for.
+  /// Whether entry i of the list is only a part of its edge.
   bool is_part(std::size_t i) const;
   RequestedPart operator[](std::size_t i) const;
 
@@ -52,7 +54,7 @@ struct ClassifiedEdges {
   const Part* part(std::size_t i) const;
   void find_boxes(const ProjectedMesh& projected);
 
-  std::vector<Part> parts_;  // ascending; edges that are not in it are asked for from end to end
+  std::vector<Part> parts_;  // ascending; entries of the list that are not in it stand for whole edges
 };
 
 }  // namespace hsr

@@ -34,7 +34,7 @@ class HiddenIntervals {
   HiddenIntervals(const ProjectedMesh& projected, const LineOptions& options)
       : projected_(projected), options_(options), occlusion_(projected) {}
 
-  /// The line as all the triangles that overlap it in the image leave it. @param tiles none: nothing is known to be hidden
+  /// The line as all the triangles that overlap it in the image leave it. @param pyramid what is known to be hidden, or nullptr
   void add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders,
                       const OcclusionPyramid* pyramid = nullptr);
   void add_by_casting(std::uint32_t i, const Intersection& meet, const ImageBox& box, const Occluders& occluders);
@@ -42,7 +42,7 @@ class HiddenIntervals {
   void add(const LineTask& line, std::vector<HiddenInterval>& occlusion);
   /// A line wholly beyond the near plane that is hidden, or visible, all along.
   void add_whole(const LineTask& line, bool is_hidden);
-  /// An edge without parts: seen as a point, or before the near plane.
+  /// An edge without intervals: its image is a point, or the near plane cuts all of it away.
   void add_nothing(const LineTask& line);
 
   TriangleOcclusion& occlusion() { return occlusion_; }

@@ -8,9 +8,9 @@
 
 namespace hsr {
 
-/// Quantitative invisibility just inside an edge: how many counted triangles lie strictly before a point of the edge next to
-/// its vertex v, moved a little to one side. First along the edge, then, much less, to the side: so nothing is ever seen on the
-/// border of a triangle.
+/// Quantitative invisibility just inside an edge: how many counted triangles are strictly in front of a point of the edge next
+/// to its vertex v. The point is moved from v a little along the edge, and then, much less, to one side: so its image never
+/// lies on the border of a triangle.
 /// Exact: yes, where the edge touches nothing in space.
 class InvisibilityCount {
  public:

@@ -76,7 +76,7 @@ void InvisibilityEvents::cross(const Edge& edge, const OccludingEdge& occluding,
   const Sign s0 = line_->side(f.a, exact_), s1 = line_->side(f.b, exact_);
   if (s0 == s1 && s0 != Sign::zero) return;
   if (s0 == s1) {
-    // Seen along the edge: it crosses nowhere, but it may lie before the ends, or touch them.
+    // Its image is in line with the edge: it crosses nowhere, but it may be in front of the ends, or touch them.
     if (!(line_->certainly_before_start(f.a) && line_->certainly_before_start(f.b)) &&
         !(line_->certainly_after_start(f.a) && line_->certainly_after_start(f.b)))
       course_.start_is_clean = false;

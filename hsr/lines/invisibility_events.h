@@ -13,27 +13,29 @@ namespace hsr {
 
 class LineFilter;
 
-/// A place inside an edge where the number of layers before it changes, going from a to b: by `left` just to the left of the
-/// edge, by `right` just to the right. They differ where an occluding edge ends exactly on the edge, as seen.
+/// A place inside an edge where the number of triangles in front of it changes, going from a to b: by `left` just to the left
+/// of the edge, by `right` just to the right. The two differ where the image of an occluding edge ends exactly on the edge.
 struct InvisibilityChange {
   std::uint32_t by;  ///< an EdgeId; of a pierced face, a TriangleId
   bool is_face;
   std::int32_t left, right;
 };
 
-/// What happens along one edge.
+/// What happens along one edge on the way from its vertex a to b.
 struct EdgeWalk {
-  bool is_point = false;             ///< seen as a point
-  bool is_hidden = false;            ///< known to be hidden, and not followed
-  bool is_degenerate = false;        ///< it touches something in space, or crosses the near plane: layers do not tell
-  bool start_is_clean = true;        ///< no occluding edge that is not at a lies before a or on it, as seen
-  bool end_is_clean = true;          ///< the same for b
-  std::int32_t left = 0, right = 0;  ///< the sum of the changes
+  bool is_point = false;       ///< the image of the edge is a point
+  bool is_hidden = false;      ///< the edge is known to be hidden, and was not followed
+  bool is_degenerate = false;  ///< it touches something in space, or crosses the near plane, so that counting cannot decide
+  /// No occluding edge, except those incident to a, passes in front of a or through it. The number of triangles in front of a,
+  /// without those at a, is then the same for all edges at a.
+  bool start_is_clean = true;
+  bool end_is_clean = true;          ///< as start_is_clean, for b
+  std::int32_t left = 0, right = 0;  ///< the sums of the changes
 
   bool is_followed() const { return !is_point && !is_hidden && !is_degenerate; }
 };
 
-/// Finds where the layers before an edge change. One object per thread.
+/// Finds where the number of triangles in front of an edge (its quantitative invisibility) changes. One object per thread.
 ///
 /// "Just to the left" settles every coincidence in the image: an end of an occluding edge that is seen exactly on the edge lies
 /// to the right of what is just to the left of it, and to the left of what is just to the right. In space nothing is settled

@@ -253,7 +253,7 @@ void TriangleOcclusion::cast(TriangleId triangle, const Prefilter& prefilter, st
 ///   strictly beyond the line cd, within the closed angle of the eye and cd, met beyond the near plane;
 /// or the way from p toward the eye starts inside the triangle: p in T, and where the edge runs along a side of T, the eye is
 /// strictly on the inner side of it, and likewise for the near plane.
-/// (The last point of T before the eye is on a side of T, and differs from p unless the way leaves T at once.)
+/// (The last point of T on the way to the eye is on a side of T, and differs from p unless the way leaves T at once.)
 void TriangleOcclusion::edge_on(TriangleId triangle, std::vector<HiddenInterval>& occlusion) {
   const auto& c = projected_.mesh().triangles[triangle];
   const Plane plane = projected_.face_plane(triangle);
@@ -303,7 +303,7 @@ void TriangleOcclusion::edge_on(TriangleId triangle, std::vector<HiddenInterval>
     if (!clip(line_cut(u, v), line, a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v, inner, runs_outside))
       return;
   }
-  // What of the edge lies in the near plane itself has nothing of T before it.
+  // Points of the edge in the near plane itself have nothing of T in front of them.
   if (near_cuts && is_edge() && projected_.beyond_near(a_.vertex) == Sign::zero &&
       projected_.beyond_near(b_.vertex) == Sign::zero)
     return;

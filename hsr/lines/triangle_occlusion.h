@@ -12,11 +12,11 @@
 
 namespace hsr {
 
-/// A place on a line with an approximate parameter, for sorting: the exact order is asked only where the errors overlap.
+/// A place on a line with its approximate parameter, for sorting: the exact order is computed only where the errors overlap.
 struct Breakpoint {
   Cut cut;
   double t = 0, error = 0;
-  Sign fall = Sign::positive;  ///< of x(a) - x(b), x the cutting plane
+  Sign fall = Sign::positive;  ///< positive: the value of the cutting plane decreases from a to b; negative: it increases
 };
 
 /// A part of a line that one triangle hides.
@@ -28,10 +28,10 @@ struct HiddenInterval {
 /// The shadows that triangles cast on one line at a time: an edge from a to b, or where two faces pierce each other, from the
 /// one end a to the other b. One object per thread.
 ///
-/// A point p is in the shadow of a triangle T, seen from the side, iff
+/// A point p is in the shadow of a triangle T that is not seen edge-on iff
 ///   p is strictly beyond the plane of T: facing * T(p) > 0;
 ///   p is in the closed cone of the eye and T: facing * O(t_i, t_i+1, p) >= 0 for its three sides;
-///   the line of sight meets T beyond the near plane, where T reaches before it: -facing * near_line(p) >= 0.
+///   if the near plane cuts T, the line of sight meets T beyond the near plane: -facing * near_line(p) >= 0.
 /// All of these are linear along the line, so the shadow is an interval. A T seen edge-on hides only in its own plane, where it
 /// acts by its three sides and its interior (see edge_on).
 class TriangleOcclusion {
@@ -49,7 +49,7 @@ class TriangleOcclusion {
   bool within(const std::array<HalfSpace, 3>& half_spaces, Breakpoint& from, Breakpoint& to, std::size_t& along);
   /// Appends the shadows of `triangle` on the edge, at most four.
   void cast(TriangleId triangle, std::vector<HiddenInterval>& occlusion) { cast(triangle, {}, occlusion); }
-  /// The same.
+  /// As above, for a triangle whose filter is at hand.
   void cast(const TriangleFilter& face, std::vector<HiddenInterval>& occlusion);
 
   /// Where the plane of `cut` crosses the line. @pre it separates the ends of the line

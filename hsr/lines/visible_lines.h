@@ -25,8 +25,8 @@ struct Occluder {
   Cut from, to;
 };
 
-/// An edge as seen, or a part of one of one class; or where two faces pierce each other. The intervals [cuts[k], cuts[k + 1]]
-/// tile it beyond the near plane, hidden and visible in turn.
+/// An edge, or the part of one that has one class, or the segment where two faces pierce each other. The intervals
+/// [cuts[k], cuts[k + 1]] tile it beyond the near plane and are hidden and visible in turn.
 struct Line {
   EdgeId edge;                     ///< not valid: an intersection
   std::uint32_t intersection = 0;  ///< which one, where there is no edge
@@ -59,8 +59,7 @@ struct VisibleLines {
 /// by the method that the scene calls for.
 ///
 ///   (1) the intervals of one edge tile it beyond the near plane, and none is empty; where an edge lies in other faces its
-///   class
-///       may change along it, and each part of one class is a line
+///       class may change along it, and each part of one class is a line
 ///   (2) removing a face never removes a visible point
 ///   (3) the result does not depend on the order of the faces, on the number of threads, nor on the method or the stages
 ///

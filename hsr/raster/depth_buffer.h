@@ -34,7 +34,7 @@ struct DepthBuffer {
 /// The z-buffer as graphics systems have it: depths from 0 to 1 between a near and a far plane, in a format of few bits.
 ///
 ///   (1) all begins at depth 1; for `greater` and `gequal`, which look for what is farthest, at 0
-///   (2) samples before the near or beyond the far plane are not drawn
+///   (2) samples nearer than the near plane or beyond the far plane are not drawn
 ///   (3) with `less`, of equal depths the lowest index is shown; with `lequal` the highest
 ///   (4) samples on edges as z_buffer() has them
 ///

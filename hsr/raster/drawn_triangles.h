@@ -19,7 +19,7 @@ struct RoundedNearness {
 };
 
 /// The triangles of a mesh as every image-space method draws them: corners projected in doubles and rounded to `Real` (float,
-/// double), what lies before the near plane cut away. So methods that differ, differ by what they do with them.
+/// double), what is nearer than the near plane cut away. So methods that differ, differ by what they do with them.
 ///
 /// @param depth_of what a picture interpolates as the depth (it takes the place of Seen::nearness): linear in the nearness
 /// Exact: no. Triangles with a corner that is out of range (ScannedTriangle::is_drawable) are not drawn. Corners are projected

@@ -20,7 +20,7 @@ struct FrustumOptions {
 };
 
 /// The triangles that are not certainly out of the picture: their bounds lie wholly beyond one of its four sides, a sample off
-/// so that rounding cannot draw them, or before the near plane.
+/// so that rounding cannot draw them, or that the near plane cuts away.
 ///
 ///   (1) no picture changes, of any method
 ///   (2) where doubles cannot tell, triangles are kept

@@ -31,7 +31,7 @@ struct SampleSpan {
 ///
 ///   (1) a sample is inside iff an odd number of sides pass on its left, exactly, with the rule for samples on edges
 ///   (2) polygons that cover an area once, as seen, cover each of its samples once: common sides neither overlap nor leave
-///   holes
+///       holes
 ///
 /// Corners may be constructed points: only the planes of the sides and the rows of their ends matter.
 /// One object per thread. Exact: yes. Cost: O(sides log sides + crossings), a few ns each in doubles, plus samples painted.

@@ -106,7 +106,7 @@ class SampleSigns {
   /// Whether a vertex is in front of the eye as the samples are: beyond the plane through the eye parallel to theirs. Always so
   /// in a parallel view, and for what is beyond the near plane and less than 89.9999 degrees off the middle of the picture.
   bool is_in_front(VertexId v, Predicates& exact) const;
-  /// The same for another point. @pre a perspective view
+  /// Whether any other point is in front of the eye as the samples are. @pre a perspective view
   bool is_in_front(const std::array<Rational, 3>& p) const;
   /// What doubles tell of a point within `error` of p in each coordinate: positive, it is in front; zero, nothing.
   Sign certain_front(const Point3& p, double error) const;

@@ -34,8 +34,8 @@ struct Scanline {
 /// Source: Wylie, Romney, Evans & Erdahl 1967; Bouknight 1970; Foley, van Dam, Feiner & Hughes 1990, "scan-line algorithms".
 Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples);
 
-/// The same on the pieces of a painter's order, which do not pierce: the depth sort has cut them (painter/depth_sort.h). Cyclic
-/// overlap needs no cuts here, and has them too.
+/// The scanline algorithm on the pieces of a painter's order, which do not pierce each other since the depth sort has cut them
+/// (hsr/painter/sort/depth_sort.h). The cuts of cyclic overlaps are not needed here, and do no harm.
 ///
 ///   (2) the picture of the nearest faces, but for edges that rounding moves and depths that it ties
 Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, const PaintersOrder& pieces);

@@ -43,7 +43,8 @@ void draw_span(Real* nearness, std::uint32_t* triangle, std::uint32_t t, int lef
 }
 
 #ifdef __SSE2__
-/// The same for floats, four side by side: whole groups, of which samples before `begin` and from `end` on stay as they are.
+/// draw_span() for floats, four samples at once: in the first and the last group of four, samples outside of [begin, end) stay
+/// as they are.
 void draw_span(float* nearness, std::uint32_t* triangle, std::uint32_t t, int left, ScannedTriangle<float>::Row row, int begin,
                int end) {
   constexpr int lanes = 4;

@@ -35,7 +35,7 @@ using DepthImage = Image<DepthPixel<Real>>;
 /// Source: Catmull 1974.
 template <class Real>
 DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples);
-/// The same of some triangles only: what culling leaves. @pre ascending
+/// The z-buffer of some triangles only, such as those that culling leaves. @pre ascending
 template <class Real>
 DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, std::span<const TriangleId> triangles);
 

@@ -14,8 +14,8 @@
 
 namespace hsr {
 
-/// A closed box in an image: two image coordinates and the nearness to the viewer (larger is nearer). Conservative: what it
-/// stands for lies inside, whatever was rounded.
+/// A closed box in an image: two image coordinates and the nearness to the viewer (greater is nearer). Conservative: whatever
+/// was rounded, the thing that it bounds lies inside.
 struct ImageBox {
   std::array<float, 2> low, high;
   float farthest, nearest;
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> hilbert_order(std::span<const ImageBox> boxes);
 /// Cost: build O(n log n), parallel; a query O(log n + k) on meshes. The same order of calls for any number of threads.
 ///
 /// Many queries close to one another share the way down: `leaves` finds the leaves that overlap all of them together, and
-/// `visit_leaf` looks for each query at one leaf. `first`: leaves before it are passed over.
+/// `visit_leaf` looks for each query at one leaf. Leaves with a lower number than `first` are passed over.
 /// Source: Kamel & Faloutsos 1993 (R-trees packed along a Hilbert curve).
 class BoxTree {
  public:
@@ -66,7 +66,7 @@ class BoxTree {
     visit_boxes<Depth::touching>(query, [&](std::uint32_t i, std::uint32_t /*at*/) { return f(i); });
   }
 
-  /// The same, as f(index of box, its place in the order along the leaves).
+  /// Like visit(), for any kind of overlap, and calls f(index of box, position of the box along the leaves).
   template <Depth depth, class F>
   void visit_boxes(const ImageBox& query, F&& f) const;
 
@@ -98,11 +98,12 @@ class BoxTree {
   /// Bit k: box k overlaps the query.
   template <Depth depth>
   static unsigned overlaps(const Node& node, const ImageBox& query);
-  /// Appends the nodes of a level of which a box overlaps the query, but for those that end before the leaf `first`.
+  /// Appends the nodes of a level in which some box overlaps the query, but not those whose leaves are all lower than `first`.
   template <Depth depth>
   bool nodes(const ImageBox& query, std::uint32_t level, std::size_t limit, std::vector<std::uint32_t>& found,
              std::uint32_t first) const;
-  /// What is not in use is no number, and adds nothing.
+  /// The box around the boxes of a node. Unused slots hold NaN and add nothing: std::min and std::max with a NaN as their
+  /// second argument return the first.
   static ImageBox united(const Node& n) {
     ImageBox all = ImageBox::nothing();
     for (std::size_t k = 0; k < width; ++k) {

@@ -12,8 +12,8 @@ namespace hsr {
 ///
 /// A body is a component of faces, connected by edges of just two triangles, that is closed and consistently oriented, lies
 /// wholly on or beyond the near plane, and is star-shaped: some point inside sees all of it. So it meets itself nowhere, and a
-/// line of sight that leaves it has entered it before. Which way its faces are turned does not matter. What bounds of rounded
-/// values do not prove is no body.
+/// line of sight that leaves it through a far side has entered it through a near side. Which way its faces are turned does not
+/// matter. A component for which error bounds do not prove all this is no body.
 ///
 ///   (1) without the far sides nothing else is hidden or visible
 ///   (2) what lies between far sides only is hidden all along

@@ -22,7 +22,7 @@ struct Intersections {
 ///
 /// Piercing is to cross: each face has points strictly on both sides of the other's plane, at a segment of positive length that
 /// lies along no side of them. Touching is a contact, if it is along a line.
-/// @param tiles segments that they hide are left out; none: nothing is known to be hidden
+/// @param pyramid segments that it hides are left out; nullptr: nothing is known to be hidden
 /// Exact: yes; contacts are marked generously. Cost: O(n log n + k) for k pairs whose boxes touch, parallel.
 /// Source: Guigue & Devillers 2003 (signs of degree 3 first).
 Intersections find_intersections(const ProjectedMesh& projected, const Occluders& occluders,

@@ -53,7 +53,8 @@ class LineFilter {
     return true;
   }
 
-  /// For points on the line: whether p certainly lies before a, as seen on the way from a to b; after a; after b; before b.
+  /// For a point p whose image is on the line: whether, on the way from a to b, it certainly comes earlier or later than a, and
+  /// earlier or later than b.
   bool certainly_before_start(VertexId p) const { return along(p, image_.p) == Sign::negative; }
   bool certainly_after_start(VertexId p) const { return along(p, image_.p) == Sign::positive; }
   bool certainly_before_end(VertexId p) const { return along(p, image_.q) == Sign::negative; }

@@ -13,8 +13,8 @@
 
 namespace hsr {
 
-/// The triangles that can hide something, in a tree of their image boxes: not those wholly before the near plane, nor those
-/// that are left out because they are hidden themselves.
+/// The triangles that can hide something, in a tree of their image boxes: without those that the near plane cuts away wholly,
+/// and without those that are left out because they are hidden themselves.
 /// Cost: O(n log n), parallel.
 class Occluders {
  public:

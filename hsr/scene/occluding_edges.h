@@ -9,13 +9,13 @@
 
 namespace hsr {
 
-/// An edge at which the number of layers changes in the image.
+/// An edge at whose image the number of triangles over an image point changes.
 struct OccludingEdge {
   EdgeId edge;
-  std::int32_t weight;  ///< layers to the left of a -> b, as seen, minus layers to the right; never zero
+  std::int32_t weight;  ///< triangles to the left of a -> b in the image, minus triangles to the right; never zero
 };
 
-/// The triangles as layers in the image: which of them quantitative invisibility counts, and where their number changes.
+/// Which triangles quantitative invisibility counts, as layers over the image, and the edges at which their number changes.
 ///
 /// Counted is a triangle that is not seen edge-on, of a face that lies wholly on or beyond the near plane. The layers over two
 /// image points differ by the weights of the edges crossed on the way (Appel 1967): outlines and boundaries, and edges of many
@@ -26,7 +26,7 @@ struct OccludingEdge {
 /// too, it hides as much. Cast, one by one as `roberts` does, are the others: with a side that no counted triangle has, and
 /// where no triangle of the same plane goes on; and those of faces that the near plane cuts. Where such a side, or such a
 /// triangle, is left out because it is hidden, so is what it would hide. Where it is the far side of a body, the line of sight
-/// comes out of the body there and has entered it before, through what is not left out.
+/// comes out of the body there and has entered it through a triangle that is not left out.
 ///
 /// Exact: yes. Cost: O(n), parallel, and O(m log m) for m occluding edges.
 class OccludingEdges {

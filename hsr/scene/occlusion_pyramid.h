@@ -14,23 +14,25 @@ namespace hsr {
 
 struct AffineDepth;
 
-/// A part of an edge that may be seen, in shares of the way along its image; infinite: to an end of the edge.
+/// A sub-interval of an edge that the tiles do not prove hidden. Parameters are linear along the projected edge: 0 at e.a, 1 at
+/// e.b. -infinity and +infinity mean "from the vertex e.a" and "to the vertex e.b".
 struct UnhiddenInterval {
-  double from, to;    ///< all beyond them is hidden, up to the next part
-  double low, high;   ///< a little beyond them, within the edge
-  float hidden_from;  ///< what is less near than this is hidden from low to high
+  double from, to;    ///< everything between `to` and the `from` of the next interval is hidden
+  double low, high;   ///< the same interval made a little longer on both sides, but not longer than the edge
+  float hidden_from;  ///< whatever has a nearness below this is hidden between `low` and `high`
 };
 
 /// A grid of tiles over the image, each with a depth beyond which everything is hidden: a conservative test that drops what is
 /// provably hidden, before anything exact is asked.
 ///
 /// A tile is covered by a triangle, or by two that share an edge and lie on opposite sides of it, where it lies certainly
-/// within all their other sides. What lies beyond the farthest point of those triangles within the tile is then hidden in all
-/// of the closed tile. Every bound is rounded toward "not hidden". Where the images are exact (axis-parallel views), so are
-/// sides that run along an axis: in an elevation what ends exactly where the face before it ends is hidden, too.
+/// within all their other sides. Whatever is farther than the farthest point of those triangles within the tile is then hidden
+/// in all of the closed tile. Every bound is rounded toward "not hidden". Where the images are exact (axis-parallel views), so
+/// are sides that run along an axis: in an elevation a face that ends exactly where the face in front of it ends is hidden,
+/// too.
 ///
-/// Depths are kept as numbers that are affine over the image of a plane: parallel, the nearness of boxes; perspective, the
-/// reciprocal of the depth.
+/// Tiles keep a nearness (greater is nearer) that is affine over the image of a plane: in parallel views that of the boxes, in
+/// perspective the reciprocal of the depth.
 ///
 ///   (1) what `hides` says yes to, and what `unhidden` leaves out, is hidden at every point
 ///   (2) the same for any number of threads
@@ -48,13 +50,13 @@ class OcclusionPyramid {
   /// Whether the triangle, or the edge, is certainly hidden.
   bool hides(TriangleId t) const;
   bool hides(const Edge& e) const;
-  /// The same of the segment between two points.
+  /// Whether the segment between two points, each known within its error, is certainly hidden.
   bool hides(const BoundedPoint3& a, const BoundedPoint3& b) const;
-  /// The parts of an edge that may be seen, in the order of the way from e.a to e.b. Between them, before the first and after
-  /// the last all of it is hidden. False: nothing is known, and there are none.
+  /// Finds the parts of an edge that may be visible, ordered from e.a to e.b; all the rest of the edge is hidden. Returns
+  /// false, and no parts, if the tiles say nothing about the edge.
   bool unhidden(const Edge& e, std::vector<UnhiddenInterval>& parts) const;
-  /// What is less near than this is hidden all along the segment from p to q of the image, and just beside it; -infinity where
-  /// nothing is known to be. @param error of each coordinate
+  /// A nearness below which everything is hidden along the image segment from p to q and just beside it; no_occluder if nothing
+  /// is known to be hidden there. @param error of each coordinate of p and q
   float hidden_from(const ImagePoint& p, const ImagePoint& q, double error) const;
   /// Marks, by triangle, the faces that are certainly hidden. Whole faces: where the triangles of a planar face meet, the mesh
   /// has no edge.
@@ -76,7 +78,7 @@ class OcclusionPyramid {
   };
   struct Level {
     std::int32_t columns = 0, rows = 0;
-    std::vector<float> nearness;  // affine; what is less near is hidden; -infinity: nothing is
+    std::vector<float> nearness;  // affine; whatever is less near than this is hidden; no_occluder: nothing is hidden
     float at(std::int32_t i, std::int32_t j) const {
       return nearness[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i)];
     }

@@ -12,31 +12,31 @@
 
 namespace hsr {
 
-/// A part of a line of the map to look along, and the part of a line in space that is seen as it, along which places are
-/// reckoned: from a, where `from` is seen, t = 0, to b, where `to` is, t = 1.
+/// A part of a line of the map along which the envelope is wanted, and the segment in space whose image it is. Places on it
+/// have a parameter t along that segment: t = 0 at a, whose image is `from`, and t = 1 at b, whose image is `to`.
 struct MapStretch {
   MapLine line;
   MapPoint from, to;
   BoundedPoint3 a, b;
-  VertexId at_a = {}, at_b = {};  ///< the vertices that are a and b, if they are
-  /// It is of an edge, and visible: no face that is wholly nearer is beside it.
+  VertexId at_a = {}, at_b = {};  ///< the vertices at a and b; not valid where the end is no vertex
+  /// The segment is a visible part of an edge, so no face that is wholly nearer can be seen beside it.
   bool is_visible = false;
-  TriangleId elsewhere = {};  ///< a face that ends at the line, on the side that is not looked at
-  /// Faces that are likely to be seen beside it: looked at first, so that what lies behind them need not be.
+  TriangleId elsewhere = {};  ///< a face that ends at the line and lies on the other side, so that it need not be looked at
+  /// Faces that are likely to be visible beside it. They are looked at first, and whatever is behind them is then skipped.
   std::array<const TriangleFilter*, 2> first = {};
 
-  /// The place at t, in space.
+  /// The point in space at the parameter t, which is known within `error`.
   BoundedPoint3 at(double t, double error) const;
 };
 
-/// A part of a line of the map, and the triangle that is seen just beside it; none: nothing is.
+/// A part of a line of the map, and the triangle that is visible just beside it; not valid if nothing but the paper is.
 struct SeenPart {
   MapPoint from, to;  ///< along the line
   TriangleId seen;
-  double to_t = 0, to_error = 0;  ///< where `to` is, as in MapStretch
+  double to_t = 0, to_error = 0;  ///< the parameter of `to` along the MapStretch, and its error bound
 };
 
-/// Which triangle is seen just beside a part of a line: the lower envelope of the faces over it. One object per thread.
+/// Which triangle is visible just beside a part of a line: the lower envelope of the faces over it. One object per thread.
 ///
 /// "Just beside" settles what coincides in the image: a triangle that ends at the line is there on its own side only; of two
 /// that meet in the line the one that is nearer beside it is seen; of two in one plane the lower index.
@@ -45,20 +45,23 @@ struct SeenPart {
 /// segments), here of faces over a line.
 class LineEnvelope {
  public:
-  /// @param tiles none: nothing is known to be hidden
+  /// @param pyramid what is known to be hidden, or nullptr
   LineEnvelope(MapPredicates& map, const Occluders& occluders, const OcclusionPyramid* pyramid)
       : map_(map), projected_(map.projected()), occluders_(occluders), pyramid_(pyramid) {}
 
   /// @param side positive, to the left of the line; the answer holds until the next call
   std::span<const SeenPart> find(const MapStretch& stretch, Sign side);
 
-  /// What the two faces that meet in a line are seen as.
+  /// The envelope on both sides of the line in which two faces meet.
   struct EnvelopePair {
-    std::span<const SeenPart> left;  ///< to the left; what hides both is any face before them
-    bool is_for_both = false;        ///< where one of the two is seen to the left, the other one is to the right
+    /// What is visible just to the left, part by part. Where other faces hide both of the two, `seen` is any of those that do.
+    std::span<const SeenPart> left;
+    /// True: on every part where one of the two faces is visible on the left, the other one is visible on the right, so this
+    /// one pass serves both sides. False: each side has to be looked at on its own.
+    bool is_for_both = false;
   };
-  /// The same of the line in which the two faces `stretch.first` meet, at once for both sides. Where they are hidden, both
-  /// sides are seen the same, but where another line of the map runs.
+  /// One pass for both sides of the line in which the two faces `stretch.first` meet. Where other faces hide these two, the
+  /// same face is visible on both sides, unless another line of the map runs there: so those parts bound no region.
   EnvelopePair both_sides(const MapStretch& stretch);
 
  private:
@@ -74,7 +77,7 @@ class LineEnvelope {
     Place from, to;
     TriangleId seen;
     Linear nearness;
-    /// At least, so far as they are known: of what is seen here, as boxes and as `nearness` have it.
+    /// Lower bounds of how near `seen` is on this part, once they are known: as boxes measure nearness, and as `nearness` does.
     float farthest = unknown;
     double least = HUGE_VAL;
   };
@@ -108,12 +111,12 @@ class LineEnvelope {
   const Occluders& occluders_;
   const OcclusionPyramid* pyramid_;
   const MapStretch* stretch_ = nullptr;
-  ImageBox query_;                // of what may change the answer
+  ImageBox query_;                // only triangles that overlap this box can change the answer
   SegmentFilter image_;           // of the stretch
-  double least_ = 0;              // of `nearness` of what matters: what is less near changes nothing
-  bool is_meeting_ = false;       // both sides are looked at
-  bool depends_on_side_ = false;  // what was found does
-  Linear depth_;                  // of the stretch, as ProjectedMesh has it
+  double least_ = 0;              // a face whose `nearness` stays below this changes nothing
+  bool is_meeting_ = false;       // both sides are looked at in one pass
+  bool depends_on_side_ = false;  // some answer of this pass holds for the left side only
+  Linear depth_;                  // of the stretch: ProjectedMesh::depth
   Sign side_ = Sign::positive;
   std::vector<Part> parts_, next_;
   std::vector<SeenPart> result_;

@@ -16,8 +16,8 @@ struct Rings {
   std::vector<std::uint32_t> first_ring = {0};    ///< region k has the rings first_ring[k] ... ; one more than regions
 };
 
-/// A side with where its ends are seen, in any coordinates of the image: their turns, or with `mirrored` the opposite ones, are
-/// what is seen.
+/// A side and the places of its ends in some coordinates of the image: those in which left turns are left turns to the viewer,
+/// or, as `mirrored` says, those in which they are right turns.
 struct PlacedSide {
   MapSide side;
   MapPlace from, to;
@@ -49,7 +49,7 @@ class RingLinker {
   std::unique_ptr<Linker> linker_;
 };
 
-/// The same, once.
+/// Links the sides of one part of the plane: a RingLinker that is used once.
 Rings link_rings(MapPredicates& map, std::span<const MapSide> sides);
 
 }  // namespace hsr

@@ -4,11 +4,11 @@
 
 namespace hsr {
 
-/// The visible fragments of each face: the face minus the shadows of the faces before it, in convex pieces that are bounded by
-/// lines of the scene.
+/// The visible fragments of each face: the face minus the shadows of the faces in front of it, in convex pieces that are
+/// bounded by lines of the scene.
 ///
 /// The reference for visible_fragments(): slower, and it shares with it no more than the signs and how sides are linked to
-/// rings. Exact: yes. Cost: for each face the shadows before it times the pieces that it falls into. Source: Roberts 1963 and
+/// rings. Exact: yes. Cost: for each face the number of shadows on it times the pieces that it falls into. Source: Roberts 1963 and
 /// Weiler & Atherton 1977, with the shadow of one triangle as the body.
 VisibleFragments roberts_surfaces(const SceneView& scene, const FragmentOptions& options = {});
 /// Of a scene that nothing else looks at.

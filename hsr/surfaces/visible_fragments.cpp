@@ -38,7 +38,7 @@ struct FacetSides {
 /// Collects the sides along the lines of the map. One object per block of lines.
 class SideFinder {
  public:
-  /// @param place of each triangle among the prepared ones @param tiles none: nothing is known to be hidden
+  /// @param place of each triangle among the prepared ones @param pyramid what is known to be hidden, or nullptr
   SideFinder(const ProjectedMesh& projected, const Occluders& occluders, const Intersections& intersections,
              const std::vector<std::uint32_t>& place, const OcclusionPyramid* pyramid)
       : projected_(projected),

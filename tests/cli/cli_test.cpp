@@ -80,7 +80,7 @@ void check_refused(const Outcome& outcome, const std::vector<std::string>& words
 
 }  // namespace
 
-TEST_CASE("draw writes every format that was asked for", "[cli]") {
+TEST_CASE("draw writes every format that was asked for", "[cli][J5]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube);
   const Outcome o = run("draw " + model + " -o " + (d / "a.svg") + " -o " + (d / "a.png") + " -o " + (d / "a.json") +
@@ -200,7 +200,7 @@ TEST_CASE("exact numbers are strings", "[cli]") {
   }
 }
 
-TEST_CASE("the same bytes for any number of threads", "[cli]") {
+TEST_CASE("the same bytes for any number of threads", "[cli][M5]") {
   const Directory d;
   std::string scene;
   for (int i = 0; i < 60; ++i) {
@@ -219,7 +219,7 @@ TEST_CASE("the same bytes for any number of threads", "[cli]") {
   }
 }
 
-TEST_CASE("bad usage is one line that says what was expected", "[cli]") {
+TEST_CASE("bad usage is one line that says what was expected", "[cli][M4]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube), out = " -o " + (d / "a.svg");
   check_refused(run("draw " + (d / "none.obj") + out), {"none.obj"});
@@ -436,7 +436,7 @@ TEST_CASE("a closed standard output is not taken for a file", "[cli]") {
   }
 }
 
-TEST_CASE("an eye inside the model frames 90 degrees and says so", "[cli]") {
+TEST_CASE("an eye inside the model frames 90 degrees and says so", "[cli][V11]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube);
   CHECK(run("draw " + model + " -o " + (d / "a.svg") + " --eye 0.25,0.5,0.75").text.find("90") != std::string::npos);
@@ -481,7 +481,7 @@ std::string why_left_out(const std::string& report, const std::string& stage) {
   return "";
 }
 
-TEST_CASE("orders are painted, written, and verified", "[cli][order]") {
+TEST_CASE("orders are painted, written, and verified", "[cli][order][J4]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube);
   for (const std::string method : {"depth-sort", "bsp"}) {
@@ -543,7 +543,7 @@ TEST_CASE("an order that is none is refused in one line", "[cli][order]") {
 
 }  // namespace
 
-TEST_CASE("a drawing is the same with and without each stage", "[cli]") {
+TEST_CASE("a drawing is the same with and without each stage", "[cli][M2]") {
   const Directory d;
   const std::string model = write(d / "towers.obj", towers(6));
   const std::string views[] = {"", " --view front", " --eye 9.5,9.25,1.5 --target 14,15,1", " --eye 9.5,9.25,1.5 --fov 20",
@@ -571,7 +571,7 @@ TEST_CASE("a drawing is the same with and without each stage", "[cli]") {
 const char* const window =
     "v 0 0 0\nv 6 0 0\nv 6 6 0\nv 0 6 0\nv 2 2 1\nv 4 2 1\nv 4 4 1\nv 2 4 1\no wall\nf 1 2 3 4\no pane\nf 5 6 7 8\n";
 
-TEST_CASE("fill draws the visible faces, and JSON has them as rings", "[cli]") {
+TEST_CASE("fill draws the visible faces, and JSON has them as rings", "[cli][D8][J3]") {
   const Directory at;
   const std::string model = write(at / "window.obj", window);
   const Outcome o = run("draw " + model + " -o " + (at / "w.svg") + " -o " + (at / "w.json") + " -o " + (at / "w.png") +
@@ -604,7 +604,7 @@ TEST_CASE("check says that the fragments are right", "[cli]") {
   CHECK(run("draw " + model + " -o " + (at / "w.svg") + " --merge all").status == 2);
 }
 
-TEST_CASE("a csv has error against time up to the size asked for", "[cli]") {
+TEST_CASE("a csv has error against time up to the size asked for", "[cli][K2]") {
   const Directory at;
   const std::string model = write(at / "window.obj", window);
   const Outcome o = run("draw " + model + " -o " + (at / "w.csv") + " --size 512x300 --report " + (at / "r.json"));
@@ -632,7 +632,7 @@ TEST_CASE("a picture that has no exact samples is refused", "[cli]") {
   CHECK(run("order " + model + view + (at / "a.json")).status == 0);
 }
 
-TEST_CASE("JSON has the edges outside the frame, too", "[cli]") {
+TEST_CASE("JSON has the edges outside the frame, too", "[cli][V10]") {
   const Directory d;
   const std::string model = write(d / "towers.obj", towers(4));
   const std::string view = " --eye 30,-20,15 --edges all -q -o " + (d / "a.json") + " -o " + (d / "a.svg");

@@ -92,7 +92,7 @@ TEST_CASE("Of two hidden lines one behind the other one is drawn, and it names b
   CHECK(d.hidden_under_hidden == 1);
 }
 
-TEST_CASE("Visible lines that overlap are merged into one", "[drawing][duplicates]") {
+TEST_CASE("Visible lines that overlap are merged into one", "[drawing][duplicates][D4]") {
   HandMadeLines h;
   h.add({-10, 0, -10}, {2, 0, 2});
   h.add({10, 5, 10}, {-2, 5, -2});
@@ -104,7 +104,7 @@ TEST_CASE("Visible lines that overlap are merged into one", "[drawing][duplicate
   CHECK(d.merged == 1);
 }
 
-TEST_CASE("Where visible lines of two classes coincide the first class is drawn", "[drawing][duplicates]") {
+TEST_CASE("Where visible lines of two classes coincide the first class is drawn", "[drawing][duplicates][D2]") {
   HandMadeLines h;
   h.add({-10, 0, 0}, {10, 0, 0}, EdgeClass::sharp);
   h.add({0, 5, 0}, {4, 5, 0}, EdgeClass::boundary);
@@ -181,7 +181,7 @@ TEST_CASE("A square becomes one closed path and a cross two straight ones", "[dr
   CHECK(bent.points.size() == 5);
 }
 
-TEST_CASE("Dashes run on: a hidden line in twenty collinear pieces is one path of two points", "[drawing][join]") {
+TEST_CASE("Dashes run on: a hidden line in twenty collinear pieces is one path of two points", "[drawing][join][D4]") {
   HandMadeLines h;
   for (int k = -10; k < 10; ++k)
     h.add({1.0 * k, 0.7 * k, 3.0 * k}, {k + 1.0, 0.7 * k + 1, 3.0 * k + 3}, EdgeClass::sharp, true);
@@ -192,7 +192,7 @@ TEST_CASE("Dashes run on: a hidden line in twenty collinear pieces is one path o
   CHECK(d.merged == 19);
 }
 
-TEST_CASE("Lines under a hundredth of a millimetre are dropped, unless they join others", "[drawing][join]") {
+TEST_CASE("Lines under a hundredth of a millimetre are dropped, unless they join others", "[drawing][join][D5]") {
   HandMadeLines h;
   h.add({-10, 0, 0}, {10, 0, 0});
   h.add({0, 0, 5}, {0.0094, 0, 5});
@@ -211,7 +211,7 @@ TEST_CASE("Lines under a hundredth of a millimetre are dropped, unless they join
   CHECK(e.short_dropped == 0);
 }
 
-TEST_CASE("Coordinates are rounded from the exact value, halves away from zero", "[drawing][rounding]") {
+TEST_CASE("Coordinates are rounded from the exact value, halves away from zero", "[drawing][rounding][E3][D6]") {
   // 0.0625 and 0.1875 mm are 62.5 and 187.5 thousandths.
   HandMadeLines h;
   h.add({-0.0625, 0, -0.1875}, {0.0625, 0, 0.1875});
@@ -325,7 +325,7 @@ TEST_CASE("A scale that makes a drawing of more than a thousand kilometres is re
   CHECK(h.draw(HiddenLines::dashed, 1e-300).polylines.size() == 1);
 }
 
-TEST_CASE("In perspective a point is drawn where its line of sight meets the paper", "[drawing][perspective]") {
+TEST_CASE("In perspective a point is drawn where its line of sight meets the paper", "[drawing][perspective][V5]") {
   HandMadeLines h;  // twice as far: half as large
   h.add({-4, 0, -4}, {4, 0, 4});
   h.add({-4, 10, 4}, {4, 10, 4});

@@ -59,7 +59,7 @@ TEST_CASE("Enclosures that know nothing say nothing", "[drawing][enclosure]") {
   CHECK_FALSE(rounded(unknown * Enclosure(0.5)));
 }
 
-TEST_CASE("Parameters and places are the exact ones rounded, on random scenes", "[drawing][enclosure][property]") {
+TEST_CASE("Parameters and places are the exact ones rounded, on random scenes", "[drawing][enclosure][property][E3][J1]") {
   for (int seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
     std::mt19937_64 random(seed);

@@ -87,7 +87,7 @@ Drawing filled(const scenes::TestScene& scene, const std::vector<Colour>& colour
   return drawing;
 }
 
-TEST_CASE("no seam shows between fills of one colour", "[drawing][fills]") {
+TEST_CASE("no seam shows between fills of one colour", "[drawing][fills][D10]") {
   const scenes::TestScene scene = fans();
   const std::vector<Colour> black(scene.polygons.size(), Colour{0, 0, 0, 255});
   const Drawing parts = filled(scene, black, Merge::none), whole = filled(scene, black, Merge::colour);
@@ -156,7 +156,7 @@ TEST_CASE("no seam shows between the pieces of a painting", "[drawing][fills]") 
     }
 }
 
-TEST_CASE("merging unites what is of one colour, and in one plane", "[drawing][fills]") {
+TEST_CASE("merging unites what is of one colour, and in one plane", "[drawing][fills][D9]") {
   const scenes::TestScene scene = fans();
   std::vector<Colour> colours(scene.polygons.size(), Colour{9, 9, 9, 255});
   CHECK(filled(scene, colours, Merge::coplanar).fills.fills.size() == 2);

@@ -63,7 +63,7 @@ TEST_CASE("Of two hidden lines 0.005 mm apart one is drawn and names both; 0.02 
   }
 }
 
-TEST_CASE("Exactly 0.01 mm is near, 0.011 mm is not", "[drawing][near]") {
+TEST_CASE("Exactly 0.01 mm is near, 0.011 mm is not", "[drawing][near][D3]") {
   for (const int apart : {10, 11}) {
     HandMadeLines h;
     h.add({-10, 0, 0}, {10, 0, 0});
@@ -73,7 +73,7 @@ TEST_CASE("Exactly 0.01 mm is near, 0.011 mm is not", "[drawing][near]") {
   }
 }
 
-TEST_CASE("A hidden line 0.005 mm beside a visible one is not drawn, longer or shorter", "[drawing][near]") {
+TEST_CASE("A hidden line 0.005 mm beside a visible one is not drawn, longer or shorter", "[drawing][near][D3]") {
   for (const double end : {8.0, 10.009}) {
     HandMadeLines h;
     h.add({-end, 0, 0.005}, {end, 3, 0.005}, EdgeClass::outline, true);

@@ -140,7 +140,7 @@ Soup soup(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("What is drawn is the union of the parts, visible before hidden, on random scenes", "[drawing][property]") {
+TEST_CASE("What is drawn is the union of the parts, visible before hidden, on random scenes", "[drawing][property][D1]") {
   std::uint64_t duplicates = 0, merged = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     CAPTURE(seed);

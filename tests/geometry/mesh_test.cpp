@@ -66,7 +66,7 @@ std::pair<std::vector<Point3>, Polygons> soup(unsigned seed, std::uint32_t faces
 
 }  // namespace
 
-TEST_CASE("Points that are bit-identical are merged, the lowest index stands for all", "[geometry][mesh]") {
+TEST_CASE("Points that are bit-identical are merged, the lowest index stands for all", "[geometry][mesh][F1]") {
   const double next = std::nextafter(1.0, 2.0);
   const Mesh mesh =
       make_mesh({{1, 0, 0}, {1, 0, 0}, {next, 0, 0}, {0, 1, 0}, {1, -0.0, -0.0}, {0, 0, 1}}, polygons({{4, 3, 5}, {1, 2, 3}}));
@@ -78,7 +78,7 @@ TEST_CASE("Points that are bit-identical are merged, the lowest index stands for
   CHECK(edges(mesh) == Lines{"0-2 ring 1", "0-3 ring 0 1", "0-5 ring 0", "2-3 ring 1", "3-5 ring 0"});
 }
 
-TEST_CASE("Merging agrees with comparing all points", "[geometry][mesh][property]") {
+TEST_CASE("Merging agrees with comparing all points", "[geometry][mesh][property][F1]") {
   const auto points = soup(1, 0, 3000, 12).first;
   const Mesh mesh = make_mesh(points, {});
   std::map<std::array<double, 3>, std::size_t> lowest;
@@ -89,7 +89,7 @@ TEST_CASE("Merging agrees with comparing all points", "[geometry][mesh][property
   CHECK(lowest.size() < points.size());
 }
 
-TEST_CASE("A planar face has edges along its ring only, a bent one a diagonal too", "[geometry][mesh]") {
+TEST_CASE("A planar face has edges along its ring only, a bent one a diagonal too", "[geometry][mesh][F6]") {
   const Mesh planar = make_mesh(square, polygons({{0, 1, 2, 3}}));
   CHECK(planar.faces[FaceId(0)] == FaceUse::planar);
   CHECK(planar.triangles.size() == 2);
@@ -113,7 +113,7 @@ TEST_CASE("A diagonal inside a planar face is not at an edge of another face, on
   CHECK(edges(bent)[1] == "0-2 ring diagonal 0 1 2");
 }
 
-TEST_CASE("Faces of no area keep their number and take their edges with them", "[geometry][mesh]") {
+TEST_CASE("Faces of no area keep their number and take their edges with them", "[geometry][mesh][F4]") {
   const std::vector<Point3> points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {7, 7, 7}};
   const Mesh mesh = make_mesh(points, polygons({{0, 1, 2}, {0, 1, 3}, {}, {4}, {0, 4, 0}, {0, 1, 4, 1}, {1, 2, 3}}));
   using enum FaceUse;
@@ -123,7 +123,7 @@ TEST_CASE("Faces of no area keep their number and take their edges with them", "
   CHECK(edges(mesh) == Lines{"0-1 ring 0", "0-3 ring 0", "1-2 ring 1", "1-3 ring 0 1", "2-3 ring 1"});  // not 0-2, not 1-4
 }
 
-TEST_CASE("A spike has no edge, a keyhole has one with the face on both sides", "[geometry][mesh]") {
+TEST_CASE("A spike has no edge, a keyhole has one with the face on both sides", "[geometry][mesh][F5]") {
   const Mesh spike = make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 0}}, polygons({{0, 1, 3, 1, 2}}));
   CHECK(edges(spike) == Lines{"0-1 ring 0", "0-2 ring 0", "1-2 ring 0"});
 
@@ -163,7 +163,7 @@ TEST_CASE("A mesh may be empty", "[geometry][mesh]") {
   CHECK(mesh.first_triangle.size() == 1);
 }
 
-TEST_CASE("What is no number and what is no point is refused with its place", "[geometry][mesh]") {
+TEST_CASE("What is no number and what is no point is refused with its place", "[geometry][mesh][R3]") {
   const double infinite = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(make_mesh({{0, 0, 0}, {0, std::nan(""), 0}}, {}), "point 1: a finite coordinate expected, found nan");
   CHECK_THROWS_WITH(make_mesh({{0, 0, -infinite}}, {}), "point 0: a finite coordinate expected, found -inf");

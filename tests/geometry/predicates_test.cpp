@@ -231,12 +231,14 @@ Predicates for_points(const std::vector<Point3>& points, Arithmetic arithmetic =
 
 }  // namespace
 
-TEST_CASE("every stage of side has the sign of the rationals", "[geometry][predicates][fuzz]") { fuzz_side(200'000, 1); }
-TEST_CASE("every stage of cross has the sign of the rationals", "[geometry][predicates][fuzz]") { fuzz_cross(200'000, 2); }
-TEST_CASE("every stage of side at three planes' meet has the sign of the rationals", "[geometry][predicates][fuzz]") {
+TEST_CASE("every stage of side has the sign of the rationals", "[geometry][predicates][fuzz][E1][A1]") {
+  fuzz_side(200'000, 1);
+}
+TEST_CASE("every stage of cross has the sign of the rationals", "[geometry][predicates][fuzz][A1]") { fuzz_cross(200'000, 2); }
+TEST_CASE("every stage of side at three planes' meet has the sign of the rationals", "[geometry][predicates][fuzz][A1]") {
   fuzz_meet(200'000, 3);
 }
-TEST_CASE("the near plane and its lines have the signs of the rationals", "[geometry][predicates][fuzz]") {
+TEST_CASE("the near plane and its lines have the signs of the rationals", "[geometry][predicates][fuzz][V7]") {
   fuzz_near(20'000, 4);
 }
 
@@ -256,7 +258,7 @@ TEST_CASE("the fuzz test sees a polynomial that is wrong in its last bit", "[geo
   CHECK(check_stages(careless, reference_side(x, {0.5, 0.5, z}), c, 3) < 0);
 }
 
-TEST_CASE("the stage that decides is the cheapest that can", "[geometry][predicates]") {
+TEST_CASE("the stage that decides is the cheapest that can", "[geometry][predicates][A2]") {
   const auto decide = [](const std::vector<Point3>& p) {
     Predicates predicates = for_points(p);
     const Sign s = predicates.side(Plane::of_face(p[0], p[1], p[2]), p[3]);
@@ -320,7 +322,7 @@ TEST_CASE("the stage that decides is the cheapest that can", "[geometry][predica
   }
 }
 
-TEST_CASE("counts of stages add up", "[geometry][predicates]") {
+TEST_CASE("counts of stages add up", "[geometry][predicates][A3]") {
   DecisionCounts n = {.filter = 1, .interval = 2, .narrow = 4, .fixed = 8, .big = 16, .zero = 32};
   CHECK(n.exact() == 28);
   CHECK(n.all() == 31);
@@ -334,7 +336,7 @@ TEST_CASE("orientation does not lose what lies below the smallest double", "[geo
   CHECK(for_points(p).side(Plane::along_axis(p[0], p[1], 2), p[2]) == Sign::positive);
 }
 
-TEST_CASE("every arithmetic but plain doubles gives the same signs", "[geometry][predicates]") {
+TEST_CASE("every arithmetic but plain doubles gives the same signs", "[geometry][predicates][A4]") {
   Numbers random(21);
   for (int i = 0; i < 500; ++i) {
     const Configuration c(random, 8, i % 2 == 0);
@@ -351,7 +353,7 @@ TEST_CASE("every arithmetic but plain doubles gives the same signs", "[geometry]
 }
 
 TEST_CASE("plain doubles are wrong where the answer needs exactness, so the comparison means something",
-          "[geometry][predicates]") {
+          "[geometry][predicates][A4]") {
   const std::vector<Point3> p = {{0, 0, 0}, {1e-256, 0, 0}, {0, 0, 1}, {.5, 1e-256, .5}};
   CHECK(for_points(p, Arithmetic::double_only).side(Plane::of_face(p[0], p[1], p[2]), p[3]) == Sign::zero);
 }

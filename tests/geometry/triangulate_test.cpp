@@ -50,7 +50,7 @@ Points lifted(Points points, double a, double b) {
 
 }  // namespace
 
-TEST_CASE("A quad is cut at its lowest-index corner", "[geometry][triangulate]") {
+TEST_CASE("A quad is cut at its lowest-index corner", "[geometry][triangulate][F8]") {
   const Points square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const Cut c = cut(square, ring({2, 3, 0, 1}));
   CHECK(c.use == FaceUse::planar);
@@ -63,7 +63,7 @@ TEST_CASE("A quad is cut at its lowest-index corner", "[geometry][triangulate]")
   CHECK(cut(bent, ring({2, 3, 0, 1})).corners() == std::vector{triangle(0, 1, 2), triangle(0, 2, 3)});
 }
 
-TEST_CASE("A quad that is concave beside its lowest-index corner is cut at the other diagonal", "[geometry][triangulate]") {
+TEST_CASE("A quad that is concave beside its lowest-index corner is cut at the other diagonal", "[geometry][triangulate][F8]") {
   // An arrow head; the concave corner is at (1, 1).
   const double arrow[4][2] = {{0, 0}, {4, 1}, {0, 2}, {1, 1}};
   const int concave = 3;
@@ -89,7 +89,7 @@ TEST_CASE("A quad with a straight corner is cut at that corner", "[geometry][tri
   CHECK(c.corners() == std::vector{triangle(1, 2, 3), triangle(1, 3, 0)});
 }
 
-TEST_CASE("Repeated corners and spikes collapse", "[geometry][triangulate]") {
+TEST_CASE("Repeated corners and spikes collapse", "[geometry][triangulate][F2]") {
   const Points points = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {5, 5, 0}, {1, 0, 0}, {3, 0, 0}};
   const auto is_the_triangle = [&](const Ring& r) {
     const Cut c = cut(points, r);
@@ -114,7 +114,7 @@ TEST_CASE("A polygon of no area has no triangles", "[geometry][triangulate]") {
   }
 }
 
-TEST_CASE("A face with a hole through a keyhole is one planar face", "[geometry][triangulate]") {
+TEST_CASE("A face with a hole through a keyhole is one planar face", "[geometry][triangulate][F3][F6]") {
   const Points points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}};
   for (const double slope : {0.0, 0.5}) {
     const Points p = lifted(points, slope, -slope);
@@ -147,7 +147,7 @@ TEST_CASE("A corner on the border of a triangle keeps it from being an ear", "[g
                                    triangle(3, 4, 6), triangle(3, 6, 7), triangle(8, 3, 7)});
 }
 
-TEST_CASE("A bow tie is cut into triangles that run as it does", "[geometry][triangulate]") {
+TEST_CASE("A bow tie is cut into triangles that run as it does", "[geometry][triangulate][F7]") {
   // Lopsided, and symmetric: the area vector is zero.
   for (const double width : {1.0, 2.0}) {
     const Points points = {{0, 0, 0}, {width, 0, 0}, {0, 2, 0}, {2, 2, 0}};
@@ -175,7 +175,7 @@ TEST_CASE("A polygon that runs around twice crosses itself", "[geometry][triangu
 }
 
 TEST_CASE("The ears of a simple polygon are cut off lowest index first and cover it exactly",
-          "[geometry][triangulate][property]") {
+          "[geometry][triangulate][property][F9]") {
   std::mt19937 random(20);
   int simple = 0, straight = 0;
   for (int round = 0; round < 2500; ++round) {
@@ -264,7 +264,7 @@ TEST_CASE("The triangles of any planar face cover each point as often as the pol
 }
 
 TEST_CASE("Polygons that are not coplanar are cut into as many triangles, each with an area",
-          "[geometry][triangulate][property]") {
+          "[geometry][triangulate][property][F7]") {
   std::mt19937 random(22);
   std::uniform_int_distribution<int> height(-3, 3);
   for (int round = 0; round < 500; ++round) {

@@ -50,7 +50,7 @@ void add_square(TestScene& scene, std::initializer_list<Point3> corners) {
   scene.add_face(face);
 }
 
-TEST_CASE("a partition that touches a facade from behind is not drawn on it", "[lines][contacts]") {
+TEST_CASE("a partition that touches a facade from behind is not drawn on it", "[lines][contacts][C1][C3][C9]") {
   for (const View& view : {scenes::from_direction({0, -1, 0}), scenes::from_direction({1, -3, 1}),
                            scenes::from_eye({2, -5, 1}, {2, 0, 1}), scenes::from_eye({5, -5, 2}, {2, 0, 1})}) {
     TestScene scene = wall(view);
@@ -62,13 +62,13 @@ TEST_CASE("a partition that touches a facade from behind is not drawn on it", "[
   CHECK(Seen(behind).edge(4, 7) == "sharp: 0 visible 1");  // there it divides the facade
 }
 
-TEST_CASE("a partition higher than its facade is drawn above it", "[lines][contacts]") {
+TEST_CASE("a partition higher than its facade is drawn above it", "[lines][contacts][C3][C11]") {
   TestScene scene = wall(scenes::from_direction({1, -3, 1}));
   add_square(scene, {{2, 0, 0}, {2, 4, 0}, {2, 4, 6}, {2, 0, 6}});
   CHECK(Seen(scene).edge(4, 7) == "smooth: 0 visible 1/2; boundary: 1/2 visible 1");
 }
 
-TEST_CASE("a floor through the line that divides a wall crosses it there", "[lines][contacts]") {
+TEST_CASE("a floor through the line that divides a wall crosses it there", "[lines][contacts][C6][C10][C11]") {
   TestScene scene;
   scene.points = {{0, 0, 0}, {4, 0, 0}, {4, 0, 2}, {0, 0, 2}, {4, 0, 4}, {0, 0, 4}};
   scene.add_face({0, 1, 2, 3});
@@ -82,7 +82,7 @@ TEST_CASE("a floor through the line that divides a wall crosses it there", "[lin
   CHECK(Seen(scene).edge(2, 3) == "smooth: 0 visible 1/4 hidden 3/4 visible 1");  // edge-on: on neither side
 }
 
-TEST_CASE("the ridge of a roof that touches a ceiling does not cross it", "[lines][contacts]") {
+TEST_CASE("the ridge of a roof that touches a ceiling does not cross it", "[lines][contacts][C8]") {
   TestScene scene;
   scene.points = {{1, 0, -1}, {3, 0, -1}, {3, 1, 0}, {1, 1, 0}, {3, 2, -1}, {1, 2, -1}};
   scene.add_face({0, 1, 2, 3});
@@ -94,7 +94,7 @@ TEST_CASE("the ridge of a roof that touches a ceiling does not cross it", "[line
   CHECK(Seen(scene).edge(2, 3) == "smooth: 0 visible 1");  // the ceiling is nearest on both sides
 }
 
-TEST_CASE("squares that pierce each other share a line", "[lines][contacts]") {
+TEST_CASE("squares that pierce each other share a line", "[lines][contacts][I1][I5]") {
   TestScene scene;
   add_square(scene, {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}});
   add_square(scene, {{0, -1, -2}, {0, 1, -2}, {0, 1, 2}, {0, -1, 2}});
@@ -110,7 +110,7 @@ TEST_CASE("squares that pierce each other share a line", "[lines][contacts]") {
   CHECK(Seen(scene).intersections() == Texts{"triangles 0 x 2 0,1/2,0 to 0,1,0 intersection: 0 visible 1"});
 }
 
-TEST_CASE("a third face hides a part of where two pierce each other", "[lines][contacts]") {
+TEST_CASE("a third face hides a part of where two pierce each other", "[lines][contacts][I1]") {
   TestScene scene;
   add_square(scene, {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}});
   add_square(scene, {{-1, -1, -1}, {-1, 1, -1}, {1, 1, 1}, {1, -1, 1}});
@@ -120,7 +120,7 @@ TEST_CASE("a third face hides a part of where two pierce each other", "[lines][c
         Texts{"triangles 0 x 2 0,-1,0 to 0,1,0 intersection: 0 visible 1/4 hidden 5/8 visible 1"});
 }
 
-TEST_CASE("where faces of several triangles pierce each other there is one line", "[lines][contacts]") {
+TEST_CASE("where faces of several triangles pierce each other there is one line", "[lines][contacts][I3]") {
   TestScene scene;
   // A U, its arms to the right; the second square stands across both arms, the third along the diagonals of its own.
   scene.points = {{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}, {1, 3, 0}, {4, 3, 0}, {4, 4, 0}, {0, 4, 0}};
@@ -136,7 +136,7 @@ TEST_CASE("where faces of several triangles pierce each other there is one line"
   CHECK(Seen(diagonal).intersections() == Texts{"triangles 0 x 2 0,0,0 to 4,4,0 intersection: 0 visible 1"});
 }
 
-TEST_CASE("what touches a wall pierces nothing", "[lines][contacts]") {
+TEST_CASE("what touches a wall pierces nothing", "[lines][contacts][I2]") {
   TestScene scene = wall(scenes::from_direction({1, -3, 1}));
   add_square(scene, {{1, 0, 1}, {1, -2, 1}, {2, -2, 2}});                     // a corner in the wall
   add_square(scene, {{3, 0, 1}, {3, -1, 1}, {3, -1, 2}, {3, 0, 2}});          // an edge in it
@@ -145,7 +145,7 @@ TEST_CASE("what touches a wall pierces nothing", "[lines][contacts]") {
   CHECK(Seen(scene).intersections().empty());
 }
 
-TEST_CASE("a wire in a face, or where faces pierce each other, stays a wire", "[lines][contacts]") {
+TEST_CASE("a wire in a face, or where faces pierce each other, stays a wire", "[lines][contacts][C16]") {
   TestScene scene = wall(scenes::from_direction({1, -3, 1}));
   add_square(scene, {{1, -1, 1}, {3, -1, 1}, {3, 1, 1}, {1, 1, 1}});
   const auto first = static_cast<std::uint32_t>(scene.points.size());

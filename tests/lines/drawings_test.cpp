@@ -30,7 +30,7 @@ int count(const CheckedLines& lines, const std::string& intervals) {
   return n;
 }
 
-TEST_CASE("a box seen face-on shows four lines", "[lines][drawing]") {
+TEST_CASE("a box seen face-on shows four lines", "[lines][drawing][H4][H9]") {
   for (const Point3& d : {Point3{0, -1, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}) {
     const TestScene scene = box(2, 3, 4, scenes::from_direction(d));
     const CheckedLines lines(scene);
@@ -53,7 +53,7 @@ TEST_CASE("a box seen aslant shows nine edges and hides three", "[lines][drawing
   }
 }
 
-TEST_CASE("the far corner of a cube is exactly behind the near one along its diagonal", "[lines][drawing]") {
+TEST_CASE("the far corner of a cube is exactly behind the near one along its diagonal", "[lines][drawing][V1]") {
   const CheckedLines lines(box(1, 1, 1, scenes::from_direction({1, 1, 1})));
   CHECK(lines.differences() == "");
   CHECK(lines(0, 1) == "sharp: 0 hidden 1");  // its three edges lie behind the front three edges' images
@@ -62,7 +62,7 @@ TEST_CASE("the far corner of a cube is exactly behind the near one along its dia
   CHECK(count(lines, "0 visible 1") == 9);
 }
 
-TEST_CASE("a partition welded to a facade from behind is not drawn on it", "[lines][drawing]") {
+TEST_CASE("a partition welded to a facade from behind is not drawn on it", "[lines][drawing][C9]") {
   TestScene scene;
   scene.points = {{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {0, 0, 3}, {2, 0, 3}, {4, 0, 3}, {2, 4, 0}, {2, 4, 3}};
   scene.add_face({0, 1, 4, 3});
@@ -101,7 +101,7 @@ TestScene prism(const View& view) {
   return scene;
 }
 
-TEST_CASE("a prism with dihedral angles of 15 degrees shows its rims and two outlines", "[lines][drawing]") {
+TEST_CASE("a prism with dihedral angles of 15 degrees shows its rims and two outlines", "[lines][drawing][C7]") {
   const auto verticals = [](const CheckedLines& lines, EdgeClass c) {
     int n = 0;
     for (const auto& e : lines.edges()) n += e.b.value == e.a.value + 24 && e.edge_class == c ? 1 : 0;
@@ -134,7 +134,7 @@ TEST_CASE("a prism with dihedral angles of 15 degrees shows its rims and two out
   }
 }
 
-TEST_CASE("a non-planar quad hides part of its own edge", "[lines][drawing]") {
+TEST_CASE("a non-planar quad hides part of its own edge", "[lines][drawing][H6]") {
   TestScene scene;
   scene.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {3, -1, 3}};
   scene.add_face({0, 1, 2, 3});
@@ -144,7 +144,7 @@ TEST_CASE("a non-planar quad hides part of its own edge", "[lines][drawing]") {
   CHECK(lines(0, 1) == "boundary: 0 hidden 4/5 visible 1");
 }
 
-TEST_CASE("a diagonal is drawn where it is an outline and nowhere else", "[lines][drawing]") {
+TEST_CASE("a diagonal is drawn where it is an outline and nowhere else", "[lines][drawing][C15]") {
   TestScene scene;
   scene.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {0, 4, 0}};
   scene.add_face({0, 1, 2, 3});

@@ -224,7 +224,7 @@ TEST_CASE("one thread and two give the same bits", "[lines][metamorphic]") {
   }
 }
 
-TEST_CASE("both methods and every stage give the same lines of thousands of faces", "[lines][metamorphic]") {
+TEST_CASE("both methods and every stage give the same lines of thousands of faces", "[lines][metamorphic][M1][M2]") {
   for (const std::uint64_t seed : {600'002U, 600'003U}) {
     const TestScene scene = crowd(seed);
     const Mesh mesh = scene.mesh();

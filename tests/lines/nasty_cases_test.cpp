@@ -75,7 +75,7 @@ TEST_CASE("two triangles with the same image that pass through each other", "[li
   CHECK(e(2, 4) == "boundary: 0 hidden 1");
 }
 
-TEST_CASE("coincident depth does not hide", "[lines][nasty]") {  // 3
+TEST_CASE("coincident depth does not hide", "[lines][nasty][H3][H6][H10]") {  // 3
   SECTION("an exact duplicate, and one the other way round: a sheet without thickness") {
     const Polygon triangle{{{0, 0, 0}, {4, 0, 1}, {0, 4, 2}}}, flipped{{{0, 4, 2}, {4, 0, 1}, {0, 0, 0}}};
     for (const auto& view :
@@ -96,7 +96,7 @@ TEST_CASE("coincident depth does not hide", "[lines][nasty]") {  // 3
   }
 }
 
-TEST_CASE("one subnormal decides between two faces", "[lines][nasty]") {  // 4
+TEST_CASE("one subnormal decides between two faces", "[lines][nasty][E2]") {  // 4
   const double tiny = 5e-324;
   const auto e = checked(from_top({{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, {{{0, 0, tiny}, {4, 0, tiny}, {0, 4, tiny}}}},
                                   {{{{1, -1, 0}, {1, 5, 0}}}, {{{1, -1, tiny}, {1, 5, tiny}}}}));
@@ -115,10 +115,10 @@ std::vector<Polygon> roof() {
   return {{{{0, -1, 1}, {0, 1, 1}, {-2, 1, 0}, {-2, -1, 0}}}, {{{0, 1, 1}, {0, -1, 1}, {2, -1, 0}, {2, 1, 0}}}};
 }
 
-TEST_CASE("a roof does not hide its ridge and has no crack", "[lines][nasty]") {  // 5
-  const auto e = checked(from_top(roof(), {{{{0, -2, -1}, {0, 2, -1}}},           // exactly behind the ridge
-                                           {{{-4, 0, -1}, {4, 0, -1}}},           // across
-                                           {{{-4, -4, -1}, {4, 4, -1}}},          // aslant, through the ridge's image
+TEST_CASE("a roof does not hide its ridge and has no crack", "[lines][nasty][H2]") {  // 5
+  const auto e = checked(from_top(roof(), {{{{0, -2, -1}, {0, 2, -1}}},               // exactly behind the ridge
+                                           {{{-4, 0, -1}, {4, 0, -1}}},               // across
+                                           {{{-4, -4, -1}, {4, 4, -1}}},              // aslant, through the ridge's image
                                            {{{-4, -1, -1}, {4, -1, -1}}}}));  // behind the gable's border, past a shared corner
   CHECK(e(0, 1) == "sharp: 0 visible 1");
   CHECK(e(0, 3) == "boundary: 0 visible 1");
@@ -130,7 +130,7 @@ TEST_CASE("a roof does not hide its ridge and has no crack", "[lines][nasty]") {
 
 const Polygon floor_square{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}};
 
-TEST_CASE("touching is not piercing", "[lines][nasty]") {  // 6
+TEST_CASE("touching is not piercing", "[lines][nasty][H10]") {  // 6
   SECTION("a vertex touches a face from above") {
     const auto e = checked(from_top({floor_square, {{{2, 2, 0}, {1, 1, 2}, {3, 1, 2}}}}));
     CHECK(e.intervals(4, 5) == "0 visible 1");
@@ -151,7 +151,7 @@ TEST_CASE("touching is not piercing", "[lines][nasty]") {  // 6
   }
 }
 
-TEST_CASE("a face seen edge-on hides what is behind it in its own plane", "[lines][nasty]") {  // 7
+TEST_CASE("a face seen edge-on hides what is behind it in its own plane", "[lines][nasty][H5]") {  // 7
   const Polygon gable{{{-1, 0, 0}, {1, 0, 0}, {0, 0, 2}}};
   SECTION("in a parallel view") {
     const auto e = checked(from_top({gable}, {{{{-2, 0, -1}, {2, 0, -1}}},
@@ -191,13 +191,13 @@ TEST_CASE("one common image point hides nothing, a common image line does", "[li
   CHECK(line(3, 5) == "boundary: 0 visible 1");
 }
 
-TEST_CASE("of edges that overlap in the image the far one is hidden where they do", "[lines][nasty]") {  // 9
+TEST_CASE("of edges that overlap in the image the far one is hidden where they do", "[lines][nasty][H7]") {  // 9
   const auto e = checked(from_top({{{{0, 0, 1}, {4, 0, 1}, {2, 2, 1}}}, {{{2, 0, 0}, {8, 0, 0}, {5, -2, 0}}}}));
   CHECK(e(3, 4) == "boundary: 0 hidden 1/3 visible 1");
   CHECK(e(0, 1) == "boundary: 0 visible 1");
 }
 
-TEST_CASE("an edge that ends exactly behind another has no sliver", "[lines][nasty]") {  // 10
+TEST_CASE("an edge that ends exactly behind another has no sliver", "[lines][nasty][H7]") {  // 10
   const auto e = checked(from_top({{{{0, 0, 1}, {4, 0, 1}, {2, 2, 1}}}},
                                   {{{{2, 0, 0}, {2, -3, 0}}}, {{{2, 0, 0.5}, {2, 3, 0.5}}}, {{{2, 2, 0}, {2, 5, 0}}}}));
   CHECK(e(3, 4) == "wire: 0 visible 1");
@@ -213,8 +213,8 @@ TEST_CASE("three edges through one image point give equal ends", "[lines][nasty]
   CHECK(e(0, 1) == "boundary: 0 visible 1");
 }
 
-TEST_CASE("edges are cut at the near plane, and what is before it hides nothing", "[lines][nasty]") {  // 12
-  const auto view = scenes::from_eye({0, 0, 0}, {0, 0, 4}, 0.25);                                      // near plane z = 1
+TEST_CASE("edges are cut at the near plane, and what is before it hides nothing", "[lines][nasty][V8][V9]") {  // 12
+  const auto view = scenes::from_eye({0, 0, 0}, {0, 0, 4}, 0.25);  // near plane z = 1
   const auto e = checked(seen_from(view,
                                    {{{{-9, -9, -2}, {9, -9, -2}, {0, 9, -2}}},     // behind the eye
                                     {{{-1, -1, 0.5}, {1, -1, 0.5}, {0, 1, 0.5}}},  // between the eye and the near plane
@@ -331,7 +331,7 @@ TEST_CASE("three planes through one point", "[lines][nasty]") {  // 23
   for (const std::uint32_t axis : {12U, 14U, 16U}) CHECK(e(axis, axis + 1) == "wire: 0 hidden 1/2 visible 1");
 }
 
-TEST_CASE("an edge of any number of faces has the class of the two nearest", "[lines][nasty]") {  // 24
+TEST_CASE("an edge of any number of faces has the class of the two nearest", "[lines][nasty][C1][C2][C4][C5][C8][C14]") {  // 24
   const auto class_of = [](std::initializer_list<Point3> apexes, const Point3& direction = top) {
     TestScene scene;
     scene.points = {{0, 0, 0}, {0, 4, 0}};
@@ -366,7 +366,7 @@ TEST_CASE("a Moebius band", "[lines][nasty]") {  // 24
   }
 }
 
-TEST_CASE("triangles without an area hide nothing", "[lines][nasty]") {  // 26
+TEST_CASE("triangles without an area hide nothing", "[lines][nasty][F4]") {  // 26
   const auto e = checked(from_top({{{{0, 0, 1}, {4, 0, 1}, {2, 0, 1}}}, {{{0, 1, 1}, {4, 1, 1}, {0, 1, 1}}}, floor_square},
                                   {{{{1, -1, -1}, {1, 5, -1}}}, {{{0, 0, 0.5}, {4, 0, 0.5}}}}));
   CHECK(e(10, 11) == "wire: 0 visible 1/6 hidden 5/6 visible 1");
@@ -375,7 +375,7 @@ TEST_CASE("triangles without an area hide nothing", "[lines][nasty]") {  // 26
   CHECK(e(3, 4) == "absent");
 }
 
-TEST_CASE("NaN and infinity are errors, and -0 is 0", "[lines][nasty]") {  // 28
+TEST_CASE("NaN and infinity are errors, and -0 is 0", "[lines][nasty][R3]") {  // 28
   for (const double bad : {huge, -huge, std::numeric_limits<double>::quiet_NaN()}) {
     TestScene scene = from_top({floor_square});
     scene.points[2].y = bad;

@@ -54,7 +54,7 @@ TEST_CASE("the oracle hides what is strictly behind a closed face", "[lines][ora
   CHECK(wire(scene, 18) == "0 visible 1/2 hidden 1");
 }
 
-TEST_CASE("the oracle answers the definition for single points", "[lines][oracle][self]") {
+TEST_CASE("the oracle answers the definition for single points", "[lines][oracle][self][H1]") {
   auto scene = square_over({});
   const Mesh mesh = scene.mesh();
   const auto hidden = [&](const Point3& p) {

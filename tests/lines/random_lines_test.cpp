@@ -38,10 +38,12 @@ void agrees_on(const std::string& name, std::uint64_t first_seed, int count) {
   CHECK(failures == 0);
 }
 
-TEST_CASE("both methods agree with the oracle on soups of integer triangles", "[lines][oracle]") {
+TEST_CASE("both methods agree with the oracle on soups of integer triangles", "[lines][oracle][H1]") {
   agrees_on("triangles", 0, 900);
 }
-TEST_CASE("both methods agree with the oracle on polygons of every shape", "[lines][oracle]") { agrees_on("polygons", 0, 400); }
+TEST_CASE("both methods agree with the oracle on polygons of every shape", "[lines][oracle][H7]") {
+  agrees_on("polygons", 0, 400);
+}
 TEST_CASE("both methods agree with the oracle on faces seen edge-on", "[lines][oracle]") { agrees_on("edge_on", 0, 700); }
 TEST_CASE("both methods agree with the oracle on aligned boxes", "[lines][oracle]") { agrees_on("boxes", 0, 150); }
 TEST_CASE("both methods agree with the oracle on stacks one subnormal apart", "[lines][oracle]") {
@@ -59,7 +61,7 @@ TEST_CASE("both methods agree with the oracle on scenes scaled by powers of two"
   agrees_on("scaled", 0, 400);
 }
 
-TEST_CASE("both methods agree with the oracle on numbers from the whole range of doubles", "[lines][oracle]") {
+TEST_CASE("both methods agree with the oracle on numbers from the whole range of doubles", "[lines][oracle][E1]") {
   agrees_on("magnitudes", 0, 400);
 }
 

@@ -48,7 +48,7 @@ TestScene slats(int n) {
   return scene;
 }
 
-TEST_CASE("slats that overlap in a circle are cut once", "[painter][hard]") {
+TEST_CASE("slats that overlap in a circle are cut once", "[painter][hard][P8]") {
   for (const int n : {5, 12}) {
     const DepthSort result = sorted(slats(n));
     CHECK(result.counts.cyclic_components == 1);
@@ -79,7 +79,7 @@ TEST_CASE("three triangles, each over the next, are cut once", "[painter][hard]"
   CHECK(result.order.pieces.size() == 4);
 }
 
-TEST_CASE("faces in no cycle stay whole", "[painter][hard]") {
+TEST_CASE("faces in no cycle stay whole", "[painter][hard][P5]") {
   TestScene scene = from_above();
   for (int k = 0; k < 20; ++k)
     scene.add_face({{0.0 + k, 0, 0.5 * k}, {3.0 + k, 0, 0.5 * k}, {3.0 + k, 3, 0.5 * k}, {0.0 + k, 3, 0.5 * k}});
@@ -89,7 +89,7 @@ TEST_CASE("faces in no cycle stay whole", "[painter][hard]") {
   CHECK(result.counts.cuts_in_cycles == 0);
 }
 
-TEST_CASE("touching and abutting faces are in no cycle", "[painter][hard]") {
+TEST_CASE("touching and abutting faces are in no cycle", "[painter][hard][P6]") {
   TestScene scene = from_above();
   scene.add_face({{0, 0, 0}, {2, 0, 1}, {2, 2, 1}, {0, 2, 0}});
   scene.add_face({{2, 0, 1}, {4, 0, 0}, {4, 2, 0}, {2, 2, 1}});  // shares a side
@@ -100,7 +100,7 @@ TEST_CASE("touching and abutting faces are in no cycle", "[painter][hard]") {
   CHECK(result.order.pieces.size() == 4);
 }
 
-TEST_CASE("of coplanar faces the higher is painted first", "[painter][hard]") {
+TEST_CASE("of coplanar faces the higher is painted first", "[painter][hard][P2]") {
   TestScene scene = from_above();
   scene.add_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
   scene.add_face({{1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}});
@@ -112,7 +112,7 @@ TEST_CASE("of coplanar faces the higher is painted first", "[painter][hard]") {
   CHECK(result.order.pieces[2].facet == TriangleId(0));
 }
 
-TEST_CASE("squares that pierce each other are cut once", "[painter][hard]") {
+TEST_CASE("squares that pierce each other are cut once", "[painter][hard][P7][P8]") {
   TestScene scene = from_above();
   scene.add_face({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}});
   scene.add_face({{-1, -1, -1}, {-1, 1, -1}, {1, 1, 1}, {1, -1, 1}});
@@ -125,7 +125,7 @@ TEST_CASE("squares that pierce each other are cut once", "[painter][hard]") {
   CHECK(split == 2);  // the cut, on both of its sides, is no line
 }
 
-TEST_CASE("a split piece keeps its lines", "[painter][hard]") {
+TEST_CASE("a split piece keeps its lines", "[painter][hard][P5][P7]") {
   TestScene scene = from_above();
   scene.add_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}});  // not convex: three triangles
   const DepthSort result = sorted(scene);
@@ -350,7 +350,7 @@ TEST_CASE("any number of threads and one tree give the same orders", "[painter][
   CHECK(same(one.second, two.second));
 }
 
-TEST_CASE("the middle of a face is a bad key", "[painter][hard]") {
+TEST_CASE("the middle of a face is a bad key", "[painter][hard][P12]") {
   TestScene scene = from_above();
   scene.add_face({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   scene.add_face(
@@ -361,7 +361,7 @@ TEST_CASE("the middle of a face is a bad key", "[painter][hard]") {
   sorted(scene);
 }
 
-TEST_CASE("transparent faces are composited layer by layer", "[painter][hard]") {
+TEST_CASE("transparent faces are composited layer by layer", "[painter][hard][P3]") {
   TestScene scene = from_above();
   scene.add_face({{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}});  // in front, and first in the file
   scene.add_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});

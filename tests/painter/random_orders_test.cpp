@@ -82,7 +82,7 @@ std::string wrong_colours(const scenes::TestScene& scene, const PaintersOrder& o
   return "";
 }
 
-TEST_CASE("transparent faces have the colours of all layers along each line of sight", "[painter][oracle]") {
+TEST_CASE("transparent faces have the colours of all layers along each line of sight", "[painter][oracle][P3]") {
   int naive = 0;  // scenes where the order of most software has other colours, or the test would say nothing
   for (const scenes::Family& family : scenes::families())
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -109,7 +109,7 @@ void agrees_on(const scenes::Family& family, std::uint64_t first, int count) {
   CHECK(failures == 0);
 }
 
-TEST_CASE("every pair of pieces is in order, by each method, on every family of scenes", "[painter][oracle]") {
+TEST_CASE("every pair of pieces is in order, by each method, on every family of scenes", "[painter][oracle][P1][P4]") {
   for (const scenes::Family& family : scenes::families()) {
     DYNAMIC_SECTION(family.name) { agrees_on(family, 0, 60); }
   }
@@ -121,7 +121,7 @@ TEST_CASE("every pair of pieces is in order on every scene of the corpus", "[pai
   }
 }
 
-TEST_CASE("every pair of pieces is in order at every size", "[painter][oracle][stiff]") {
+TEST_CASE("every pair of pieces is in order at every size", "[painter][oracle][stiff][E1]") {
   for (const double by : {0x1p900, 0x1p-900, 1e150, 1e-150, 1e300, 1e-300})
     for (const char* family : {"triangles", "polygons", "slopes", "around_the_eye"})
       for (std::uint64_t seed = 800'000; seed < 800'004; ++seed) {

@@ -28,7 +28,7 @@ PaintedPolygon square(double x, double y, double size, double z, std::optional<s
 
 const View from_above = scenes::from_direction({0, 0, 1});
 
-TEST_CASE("two squares, in order and not", "[painter][verify]") {
+TEST_CASE("two squares, in order and not", "[painter][verify][P13]") {
   const Verdict right = verify({square(0, 0, 2, 0), square(1, 1, 2, 1)}, from_above);
   CHECK(right.is_correct());
   CHECK(right.overlapping == 1);
@@ -44,18 +44,18 @@ TEST_CASE("two squares, in order and not", "[painter][verify]") {
   CHECK(v.witness.of_later == std::array<Rational, 3>{1.5, 1.5, 0.0});
 }
 
-TEST_CASE("an ulp decides", "[painter][verify]") {
+TEST_CASE("an ulp decides", "[painter][verify][E2]") {
   const double above = std::nextafter(1.0, 2.0);
   CHECK(verify({square(0, 0, 1, 1), square(0, 0, 1, above)}, from_above).is_correct());
   CHECK_FALSE(verify({square(0, 0, 1, above), square(0, 0, 1, 1)}, from_above).is_correct());
   CHECK_FALSE(verify({square(0, 0, 1, 5e-324), square(0, 0, 1, 0)}, from_above).is_correct());
 }
 
-TEST_CASE("touching and abutting are no overlap", "[painter][verify]") {
+TEST_CASE("touching and abutting are no overlap", "[painter][verify][P6]") {
   CHECK(verify({square(0, 0, 1, 9), square(1, 0, 1, 0), square(0, 1, 1, 5), square(1, 1, 1, 7)}, from_above).overlapping == 0);
 }
 
-TEST_CASE("of coplanar pieces the higher face comes first", "[painter][verify]") {
+TEST_CASE("of coplanar pieces the higher face comes first", "[painter][verify][P2][P14]") {
   CHECK(verify({square(0, 0, 2, 0, 7), square(1, 1, 2, 0, 3)}, from_above).is_correct());
   const Verdict wrong = verify({square(0, 0, 2, 0, 3), square(1, 1, 2, 0, 7)}, from_above);
   CHECK(wrong.wrong == 1);
@@ -63,7 +63,7 @@ TEST_CASE("of coplanar pieces the higher face comes first", "[painter][verify]")
   CHECK(verify({square(0, 0, 2, 0), square(1, 1, 2, 0)}, from_above).is_correct());  // nothing says which
 }
 
-TEST_CASE("two pieces of one face cover a place once", "[painter][verify]") {
+TEST_CASE("two pieces of one face cover a place once", "[painter][verify][P14]") {
   const Verdict twice = verify({square(0, 0, 2, 0, 3), square(1, 1, 2, 0, 3)}, from_above);
   CHECK_FALSE(twice.is_correct());
   CHECK(twice.covered_twice == 1);
@@ -74,7 +74,7 @@ TEST_CASE("two pieces of one face cover a place once", "[painter][verify]") {
   CHECK(verify({square(0, 0, 2, 0, 3), square(2, 0, 2, 0, 3)}, from_above).is_correct());
 }
 
-TEST_CASE("what pierces has no order", "[painter][verify]") {
+TEST_CASE("what pierces has no order", "[painter][verify][P16][P17]") {
   const Verdict v = verify({square(-2, -2, 4, 0), polygon({{-1, -1, -1}, {-1, 1, -1}, {1, 1, 1}, {1, -1, 1}})}, from_above);
   CHECK(v.piercing == 1);
   CHECK_FALSE(v.order_exists);
@@ -96,7 +96,7 @@ std::vector<PaintedPolygon> slats(int n) {
   return all;
 }
 
-TEST_CASE("a circle of slats has no order, and the circle is named", "[painter][verify]") {
+TEST_CASE("a circle of slats has no order, and the circle is named", "[painter][verify][P16]") {
   for (const int n : {5, 100}) {
     const Verdict v = verify(slats(n), from_above);
     CHECK_FALSE(v.order_exists);
@@ -130,7 +130,7 @@ std::vector<PaintedPolygon> three_bars() {
           polygon({{3, 5, 1}, {-3, -1, -1}, {-3, 0, -1}, {3, 6, 1}})};
 }
 
-TEST_CASE("three bars in a cycle have no order, in parallel and in perspective", "[painter][verify]") {
+TEST_CASE("three bars in a cycle have no order, in parallel and in perspective", "[painter][verify][P17]") {
   for (const View& view : {from_above, scenes::from_eye({0, 0, 50}, {0, 0, 0}, 0.001)}) {
     const Verdict v = verify(three_bars(), view);
     CHECK(v.overlapping == 3);
@@ -221,7 +221,7 @@ TEST_CASE("what is before the near plane, or edge-on, is passed over", "[painter
   CHECK(edge_on.is_correct());
 }
 
-TEST_CASE("polygons that are not planar are judged by their triangles", "[painter][verify]") {
+TEST_CASE("polygons that are not planar are judged by their triangles", "[painter][verify][P15]") {
   const PaintedPolygon bent = polygon({{0, 0, 0}, {2, 0, 1}, {2, 2, 0}, {0, 2, 1}});
   const Verdict v = verify({square(0, 0, 2, -1), bent, square(0, 0, 2, 2)}, from_above);
   CHECK(v.triangulated == 1);

@@ -74,7 +74,7 @@ std::string cast_text(const scenes::TestScene& scene, const SampleGrid& grid = f
   return text_of(found);
 }
 
-TEST_CASE("a square has the samples on its left and upper edges, and not those on the right and lower", "[image][caster]") {
+TEST_CASE("a square has the samples on its left and upper edges, and not those on the right and lower", "[image][caster][G3]") {
   scenes::TestScene scene;
   scene.view = from_above;
   scene.add_face(std::vector<Point3>{{1, 1, 0}, {3, 1, 0}, {3, 3, 0}});
@@ -87,7 +87,7 @@ TEST_CASE("a square has the samples on its left and upper edges, and not those o
         "....\n");
 }
 
-TEST_CASE("of faces in one plane the lowest index is seen, else the nearest", "[image][caster]") {
+TEST_CASE("of faces in one plane the lowest index is seen, else the nearest", "[image][caster][G5]") {
   scenes::TestScene scene;
   scene.view = from_above;
   scene.add_face(std::vector<Point3>{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}});
@@ -97,7 +97,7 @@ TEST_CASE("of faces in one plane the lowest index is seen, else the nearest", "[
   CHECK(cast_text(scene) == "0022\n0022\n0022\n....\n");
 }
 
-TEST_CASE("where faces cross exactly at samples, what is nearer on the right is seen", "[image][caster]") {
+TEST_CASE("where faces cross exactly at samples, what is nearer on the right is seen", "[image][caster][G5]") {
   scenes::TestScene scene;
   scene.view = from_above;
   // 0 is flat; 1 rises to the right and passes through it at x = 2.
@@ -106,7 +106,7 @@ TEST_CASE("where faces cross exactly at samples, what is nearer on the right is 
   CHECK(cast_text(scene) == "0011\n0011\n0011\n0011\n");
 }
 
-TEST_CASE("faces seen edge-on are not seen, nor what is before the near plane", "[image][caster]") {
+TEST_CASE("faces seen edge-on are not seen, nor what is before the near plane", "[image][caster][G6]") {
   scenes::TestScene scene;
   scene.view = from_above;
   scene.add_face(std::vector<Point3>{{0, 1, 0}, {3, 1, 0}, {0, 1, 5}});

@@ -86,7 +86,7 @@ Mesh random_sheet(int n, std::uint64_t seed, bool is_flat) {
 }
 
 TEST_CASE("triangles of a sheet cover each sample once, those on edges and vertices included",
-          "[image][rasterizer][property]") {
+          "[image][rasterizer][property][G4]") {
   const int n = 6;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Mesh mesh = random_sheet(n, seed, seed % 2 == 1);

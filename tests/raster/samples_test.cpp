@@ -18,7 +18,7 @@ using oracle::Vec;
 
 Vec exact_at(const SampleGrid& g, int i, int j) { return Vec(g.origin) + Q(i) * Vec(g.right) + Q(j) * Vec(g.down); }
 
-TEST_CASE("every sample is exactly a double", "[image][samples][property]") {
+TEST_CASE("every sample is exactly a double", "[image][samples][property][G2]") {
   for (const scenes::Family& family : scenes::families()) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const scenes::TestScene scene = family.make(seed);
@@ -29,7 +29,7 @@ TEST_CASE("every sample is exactly a double", "[image][samples][property]") {
   }
 }
 
-TEST_CASE("samples are in the middle of pixels, rows from the top", "[image][samples]") {
+TEST_CASE("samples are in the middle of pixels, rows from the top", "[image][samples][G1]") {
   const View view = parallel_view({0, 0, 1}, {0, 1, 0});
   const SampleGrid g = sample_grid(view, PaperRectangle{0, 8, 0, 4}, 8, 4);
   CHECK(g.origin == Point3{0.5, 3.5, 0});
@@ -40,7 +40,7 @@ TEST_CASE("samples are in the middle of pixels, rows from the top", "[image][sam
   CHECK(sample_grid(view, FrameSize{4, 2}, 8, 4).origin == Point3{-3.5, 1.5, 0});
 }
 
-TEST_CASE("samples are within a 16th of a pixel of the frame", "[image][samples][property]") {
+TEST_CASE("samples are within a 16th of a pixel of the frame", "[image][samples][property][G2]") {
   const View view = perspective_view({3, -7, 2.5}, {0.1, 0.2, 0.3}, {0, 0, 1});
   for (const int width : {1, 7, 1000, 4096}) {
     const int height = width / 2 + 1;
@@ -56,7 +56,7 @@ TEST_CASE("samples are within a 16th of a pixel of the frame", "[image][samples]
   }
 }
 
-TEST_CASE("pixels are never so small that samples are no doubles", "[image][samples]") {
+TEST_CASE("pixels are never so small that samples are no doubles", "[image][samples][G2]") {
   const View view = parallel_view({0, 0, 1}, {0, 1, 0}, {0x1p40, 0, 0});
   const SampleGrid g = sample_grid(view, PaperRectangle{0, 0x1p-30, 0, 0x1p-30}, 16, 16);
   CHECK(g.right.x == 0x1p-5);  // 16 units of 2^-9, 2^-50 of the samples

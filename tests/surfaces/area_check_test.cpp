@@ -79,7 +79,7 @@ TEST_CASE("visible areas are the exact ones, and wrong areas those of a finer pi
   CHECK(compared > 50);
 }
 
-TEST_CASE("error against time has a line for each size and number, and the exact method at error zero", "[check][area]") {
+TEST_CASE("error against time has a line for each size and number, and the exact method at error zero", "[check][area][K2]") {
   const scenes::TestScene scene = scenes::family("boxes").make(3);
   const Mesh mesh = scene.mesh();
   const VisibleFragments fragments = visible_fragments(mesh, scene.view);

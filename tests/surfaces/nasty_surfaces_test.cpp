@@ -74,7 +74,7 @@ TEST_CASE("what lies over the line in which two faces pierce each other counts o
   }
 }
 
-TEST_CASE("of faces in one plane the lower index is seen", "[surfaces][nasty]") {
+TEST_CASE("of faces in one plane the lower index is seen", "[surfaces][nasty][S3]") {
   scenes::TestScene scene = from_above();
   scene.add_face({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
   scene.add_face({{1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}});  // the other way round
@@ -83,7 +83,7 @@ TEST_CASE("of faces in one plane the lower index is seen", "[surfaces][nasty]") 
   CHECK(areas(scene) == "4 3 -");
 }
 
-TEST_CASE("one subnormal nearer hides all", "[surfaces][nasty]") {
+TEST_CASE("one subnormal nearer hides all", "[surfaces][nasty][E2]") {
   scenes::TestScene scene = from_above();
   scene.add_face({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   scene.add_face({{0, 0, 5e-324}, {1, 0, 5e-324}, {0, 1, 5e-324}});
@@ -91,7 +91,7 @@ TEST_CASE("one subnormal nearer hides all", "[surfaces][nasty]") {
   CHECK(areas(scene) == "- 1/2");
 }
 
-TEST_CASE("a face seen edge-on has no fragment and cuts none", "[surfaces][nasty]") {
+TEST_CASE("a face seen edge-on has no fragment and cuts none", "[surfaces][nasty][S4]") {
   scenes::TestScene scene = from_above();
   scene.add_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
   scene.add_face({{1, 2, 1}, {3, 2, 1}, {2, 2, 5}});
@@ -100,7 +100,7 @@ TEST_CASE("a face seen edge-on has no fragment and cuts none", "[surfaces][nasty
   CHECK(areas(scene) == "16 -");
 }
 
-TEST_CASE("a window shows what is behind it, and the frame around it has a hole", "[surfaces][nasty]") {
+TEST_CASE("a window shows what is behind it, and the frame around it has a hole", "[surfaces][nasty][S1]") {
   scenes::TestScene scene = from_above();
   scene.add_face({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}});
   scene.add_face({{2, 2, 1}, {4, 2, 1}, {4, 4, 1}, {2, 4, 1}});
@@ -112,7 +112,7 @@ TEST_CASE("a window shows what is behind it, and the frame around it has a hole"
   CHECK(areas(scene) == "32 4");
 }
 
-TEST_CASE("holes that touch the border and one another leave the parts that are connected", "[surfaces][nasty]") {
+TEST_CASE("holes that touch the border and one another leave the parts that are connected", "[surfaces][nasty][S1][S2]") {
   scenes::TestScene scene = from_above();
   scene.add_face({{0, 0, 0}, {8, 0, 0}, {8, 4, 0}, {0, 4, 0}});
   // Two diamonds that touch each other, and the upper and the lower side.
@@ -138,7 +138,7 @@ TEST_CASE("strips over strips show each piece of the lower ones", "[surfaces][na
   CHECK(canonical(mesh, scene.view, found) == canonical(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
 }
 
-TEST_CASE("a face is cut by the near plane before it hides", "[surfaces][nasty]") {
+TEST_CASE("a face is cut by the near plane before it hides", "[surfaces][nasty][V8][S6]") {
   scenes::TestScene scene;
   scene.view = scenes::from_eye({0, 0, 10}, {0, 0, 0}, 0.5);
   scene.add_face({{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}});

@@ -29,7 +29,7 @@ void agrees_on(const std::string& name, std::uint64_t first_seed, int count) {
   CHECK(failures == 0);
 }
 
-TEST_CASE("fragments by both methods agree with the oracle on every family of scenes", "[surfaces][oracle]") {
+TEST_CASE("fragments by both methods agree with the oracle on every family of scenes", "[surfaces][oracle][S2][S7]") {
   for (const scenes::Family& family : scenes::families()) {
     // "triangles" are soups of small integers, in which everything is degenerate.
     const bool is_soup = std::string(family.name) == "triangles";

@@ -49,7 +49,7 @@ ZBufferCheck& operator+=(ZBufferCheck& a, const ZBufferCheck& b) {
   return a;
 }
 
-TEST_CASE("every difference of the z-buffer to the caster is explained", "[check][z_buffer][property]") {
+TEST_CASE("every difference of the z-buffer to the caster is explained", "[check][z_buffer][property][K1]") {
   ZBufferCheck single, twice;
   for (const scenes::Family& family : scenes::families())
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -70,7 +70,7 @@ TEST_CASE("every difference of the z-buffer to the caster is explained", "[check
   CHECK(twice.wrong < single.wrong);
 }
 
-TEST_CASE("what no rounding explains is called a mistake", "[check][z_buffer]") {
+TEST_CASE("what no rounding explains is called a mistake", "[check][z_buffer][K1]") {
   std::mt19937_64 engine(7);
   int planted = 0;
   for (const char* name : {"triangles", "boxes", "polygons"})

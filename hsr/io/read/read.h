@@ -14,7 +14,8 @@ namespace hsr {
 ///   count that the file's size has not confirmed.
 Model read_model(const std::string& path);
 
-/// The same for bytes in memory; `name` is used as their path would be: for its ending, in messages, and for files beside it.
+/// The model in the bytes of a file in memory; `name` is used like a path: for its ending, in messages, and to find the files
+/// that the model names.
 Model read_model(const std::string& name, std::string_view bytes);
 
 }  // namespace hsr

@@ -22,7 +22,7 @@ struct Bytes {
 /// @throws InputError in one line that begins with the path
 Bytes read_file(const std::string& path);
 
-/// The same for a file that another file names: nothing if it is missing, unreadable or anything but a regular file.
+/// All bytes of a file that another file names; nothing if it is missing, unreadable or not a regular file.
 std::optional<Bytes> read_named_file(const std::string& path);
 
 /// What a reader is given.

@@ -89,7 +89,7 @@ void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
   std::vector<std::uint8_t> eye_is_before(nodes.size(), 0);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     if (!nodes[k].is_leaf()) eye_is_before[k] = side_of(nodes[k].plane, nodes[k].filter) == Sign::positive ? 1 : 0;
-  // What comes later: the pieces of a node on the way down, then what is before its plane.
+  // What is painted later: the pieces of a node on the way down, then what is in front of its plane.
   struct Step {
     std::uint32_t first_piece, end_piece, near;
   };

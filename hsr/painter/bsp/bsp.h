@@ -19,9 +19,9 @@ struct BspOptions {
 
 /// A tree of planes that orders the faces of a scene from any viewpoint: built once, walked for each.
 ///
-/// Each node's plane divides the pieces below it: some in the plane, the others before and behind it. Large nodes are cut
-/// square to an axis at a vertex near the middle, small ones by the plane of one of their faces; of a few the one that cuts
-/// least and divides best. Pieces are bounded by planes of the scene, never by rounded points.
+/// Each node's plane divides the pieces below it: some lie in the plane, the others in front of it or behind it. Large nodes
+/// are cut square to an axis at a vertex near the middle, small ones by the plane of one of their faces; of a few the one that
+/// cuts least and divides best. Pieces are bounded by planes of the scene, never by rounded points.
 ///
 ///   (1) order(view) is a painter's order (docs/conventions.md): along every line of sight the farther piece comes first
 ///   (2) the pieces of a face cover it exactly once

@@ -70,14 +70,14 @@ class BspBuilder {
 
  private:
   using Divider = BspParts::Divider;
-  /// What is left to divide: the last parts of those that wait.
+  /// A node that is still to be divided: it has the parts from `first` to the end of the stack of waiting parts.
   struct Task {
     std::size_t first;
     std::uint32_t parent;
     bool is_before;
     std::uint32_t depth;
   };
-  /// The same for a builder of its own.
+  /// A task that another builder will do, with its parts.
   struct Subtree {
     std::vector<std::uint32_t> parts;
     Task task;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffU;
 
-/// What overlaps a piece: `before` is painted before it, unless they pierce each other.
+/// A piece whose image overlaps that of another one. `before`: it is painted earlier, unless the two pierce each other.
 struct Neighbour {
   std::uint32_t piece;
   bool before, piercing;
@@ -78,7 +78,7 @@ class Sorter {
   DepthSort result_;
 };
 
-/// The same items, those of one cluster together, these ascending.
+/// The items sorted by cluster, in ascending order within each.
 template <class F>
 std::vector<std::uint32_t> by_cluster(const std::vector<std::uint32_t>& items, std::size_t clusters, const F& cluster_of) {
   if (clusters == 1) return items;
@@ -178,7 +178,8 @@ bool Sorter::may_overlap(std::uint32_t p, std::uint32_t q) {
   return boxes_[p].overlaps(boxes_[q]);
 }
 
-/// What lies before or behind the whole lies so with its parts, where it overlaps them.
+/// A piece in front of the whole is in front of each of its parts that it overlaps, and a piece behind the whole is behind
+/// them.
 void Sorter::relate(std::uint32_t part, const Neighbour& of_whole) {
   const std::uint32_t other = of_whole.piece;
   if (!may_overlap(part, other)) return;
@@ -301,7 +302,7 @@ void Sorter::resolve(std::vector<std::uint32_t> nodes) {
   }
 }
 
-/// Cuts a piece of the cycle so that what comes before it and what comes after it overlap different parts.
+/// Cuts a piece of the cycle so that its predecessor and its successor overlap different parts of it.
 bool Sorter::cut_cycle(const std::vector<std::uint32_t>& cycle, std::vector<std::uint32_t>& nodes) {
   for (std::size_t k = 0; k < cycle.size(); ++k) {
     const std::uint32_t piece = cycle[k], before = cycle[(k + cycle.size() - 1) % cycle.size()],

@@ -11,19 +11,18 @@
 
 namespace hsr {
 
-/// Faces each of which hides a part of the one before it, and the first a part of the last: no order of whole faces is right.
+/// Faces each of which hides a part of its predecessor, and the first a part of the last: no order of whole faces is right.
 struct PaintersCycle {
   std::vector<TriangleId> facets;
-  std::vector<std::vector<MapPoint>>
-      common;  ///< by face, the corners of a convex part of the image where the next is before it
+  /// By face, the corners of a convex part of the image in which the next face is in front of it.
+  std::vector<std::vector<MapPoint>> common;
 };
 
-/// A point on each face of the cycle where the next is before it, exactly.
+/// A point on each face of the cycle at which the next face is in front of it, exactly.
 std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& view, const PaintersCycle& cycle);
 
 struct DepthSortCounts {
-  std::uint64_t clusters = 0;    ///< groups that planes part: only within them pieces
-                                 ///< are compared
+  std::uint64_t clusters = 0;    ///< groups that planes part: pieces are compared only within a group
   std::uint64_t candidates = 0;  ///< pairs of pieces that are compared
   std::uint64_t apart = 0, by_depth = 0, by_plane = 0, coplanar = 0, by_overlap = 0;  ///< of them, by the test that decided
   std::uint64_t overlapping = 0, piercing = 0;
@@ -47,11 +46,13 @@ struct DepthSortOptions {
 ///
 /// The relation of every two faces whose images overlap is found by the tests of Newell, Newell & Sancha. Faces that pierce
 /// each other are cut along their intersection; then, where the relations have cycles, only faces in these are cut: at a side
-/// of a neighbour that parts what comes before from what comes after, and where that leads nowhere at planes.
+/// of a neighbour that parts what is painted earlier from what is painted later, and where that leads nowhere at planes.
 ///
 ///   (1) along every line of sight through the interiors of two pieces the farther comes first; of coplanar ones the higher
-///   face (2) the pieces of a face cover it exactly once, beyond the near plane; faces seen edge-on have none (3) a face that
-///   is in no cycle and pierces none is one piece, if it is convex (4) the same for any number of threads
+///       face
+///   (2) the pieces of a face cover it exactly once, beyond the near plane; faces seen edge-on have none
+///   (3) a face that is in no cycle and pierces none is one piece, if it is convex
+///   (4) the result does not depend on the number of threads
 ///
 /// @throws InputError beyond the most pieces
 /// Exact: yes. Cost: O(n log n + k) for k pairs whose boxes overlap in the image, and the cuts.

@@ -28,7 +28,7 @@ struct ImageTriangles {
 /// Cost: O(n), parallel.
 ImageTriangles image_triangles(const ProjectedMesh& projected, const FacePieces& pieces);
 
-/// Whether a side of one triangle has nothing of the inside of another before it.
+/// Whether some side of one triangle has all of the inside of another on its outer side, so that they do not overlap.
 enum class Separation : std::uint8_t { yes, no, open };
 
 /// The sides of a triangle, prepared for the corners of many others: place k is the line from corner k to the next.

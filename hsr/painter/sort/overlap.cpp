@@ -43,7 +43,7 @@ ErrorBounded Overlaps::side(const PieceOfFacet& piece, std::size_t k, const Near
   return map_.mirrored() ? -turn : turn;
 }
 
-/// The value of a facet's plane at a corner, with the sign of beyond: positive, the facet is before it.
+/// The value of a facet's plane at a corner; positive if the facet is in front of the corner.
 ErrorBounded Overlaps::beyond(TriangleId facet, const NearCorner& p) const {
   const PlaneFilter filter = projected_.filter(projected_.face_plane(facet));
   ErrorBounded x = filter(p.on_facet.p);

@@ -38,7 +38,7 @@ void WholeOverlaps::turn_to(std::uint32_t piece) {
   if (first_.image != nullptr) prepared_ = PreparedTriangle(*first_.image, images_.error);
 }
 
-/// Whether a side of a has nothing of the inside of b before it, as far as doubles tell.
+/// Whether some side of a has all of the inside of b on its outer side in the image, as far as doubles tell.
 Separation WholeOverlaps::separation(Whole& a, const Whole& b) const {
   make_lines(projected_, a.ring, a.lines);
   bool is_open = false;
@@ -81,7 +81,7 @@ bool WholeOverlaps::are_apart(Whole& a, Whole& b, PreparedTriangle::Both by) {
   return (by.own == Separation::open && separates(a, b)) || (by.other == Separation::open && separates(b, a));
 }
 
-/// Whether corners lie behind the plane, so that it is the nearer one; whether some lie before it.
+/// Whether some corners are behind the plane, and whether some are in front of it.
 Sides WholeOverlaps::sides(const Whole& plane, const Whole& corners) {
   Sides found;
   // As Overlaps has it, corners of the plane's triangle are in it, and others are looked at.

@@ -6,7 +6,7 @@
 
 namespace hsr {
 
-/// That one polygon has to be painted before another.
+/// Two polygons the first of which has to be painted earlier than the second.
 struct Precedence {
   std::uint32_t first, second;
 };

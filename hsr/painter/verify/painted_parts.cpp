@@ -48,7 +48,8 @@ RationalVector newell_normal(const std::vector<RationalVector>& ring) {
   return n;
 }
 
-/// The same question in space, for polygons that reach before the near plane or have many corners: O(n).
+/// Whether a polygon is planar and convex, decided in space: for those that the near plane cuts, or that have many corners.
+/// O(n).
 bool is_planar_and_convex(const std::vector<RationalVector>& ring) {
   const std::size_t n = ring.size();
   const RationalVector normal = newell_normal(ring);
@@ -84,7 +85,7 @@ std::vector<std::uint32_t> as_ring(std::span<const std::uint32_t> corners) {
   return ring;
 }
 
-/// How much of a ring lies before the near plane.
+/// How much of a ring the near plane cuts away.
 enum class Before { nothing, some, all };
 
 Before before_near(PaintedSides& sides, const ImageRows& rows, std::span<const std::uint32_t> ring) {

@@ -49,9 +49,9 @@ struct Verdict {
   std::uint64_t covered_twice = 0;  ///< pairs of pieces of one face that overlap in its plane; they are not `wrong`
   std::vector<Violation> first;     ///< ascending, up to the limit
 
-  /// Some order of these polygons is right (but for what is covered twice). If not, a shortest cycle: cycle[k] is behind, or
-  /// must come before, the next one, and the last behind the first, each at cycle_witnesses[k]. Two that pierce each other are
-  /// one.
+  /// Some order of these polygons is right (but for what is covered twice). If not, `cycle` is a shortest cycle: at
+  /// cycle_witnesses[k] polygon cycle[k] is behind the next one, and the last behind the first, so each would have to be
+  /// painted earlier than the next. Two polygons that pierce each other are such a cycle.
   bool order_exists = true;
   std::vector<std::uint32_t> cycle;
   std::vector<Witness> cycle_witnesses;
@@ -75,7 +75,7 @@ struct VerifyOptions {
 /// not planar, or not convex, is judged by its triangles (docs/conventions.md, "Faces as used").
 ///
 ///   (1) the first of coplanar polygons that overlap has the higher face; polygons without a face have no order that is wrong
-///   (2) what is before the near plane is cut off first; a polygon that is seen edge-on is passed over
+///   (2) what the near plane cuts off is removed first; a polygon that is seen edge-on is passed over
 ///   (3) the same verdict for any number of threads
 ///
 /// @throws InputError for a polygon that has to be cut into triangles and has corners that are no doubles

@@ -31,7 +31,7 @@ Rational exact(const std::string& mantissa, int exponent) {
 
 }  // namespace
 
-TEST_CASE("A decimal number is rounded to the nearest double, halves to even", "[read][decimal]") {
+TEST_CASE("A decimal number is rounded to the nearest double, halves to even", "[read][decimal][R1]") {
   CHECK(value("0.1") == 0.1);
   CHECK(value("+1.5") == 1.5);
   CHECK(value(".5") == 0.5);
@@ -49,7 +49,7 @@ TEST_CASE("A decimal number is rounded to the nearest double, halves to even", "
   CHECK(value("0." + std::string(400, '0') + "1e401") == 1);
 }
 
-TEST_CASE("What underflows is rounded, what overflows is refused", "[read][decimal]") {
+TEST_CASE("What underflows is rounded, what overflows is refused", "[read][decimal][R3]") {
   const double least = std::numeric_limits<double>::denorm_min();
   CHECK(value("4.9e-324") == least);
   CHECK(value("2.4703282292062328e-324") == least);  // above half of the least double

@@ -60,7 +60,7 @@ TEST_CASE("glTF: triangles, strips, fans, lines and loops", "[read][gltf]") {
   CHECK(refusal("a.glb", scene(node, primitive(0))) == "a.glb: found no points, faces or lines, expected a model");
 }
 
-TEST_CASE("glTF: nodes place their meshes, parents before children, and give the names", "[read][gltf]") {
+TEST_CASE("glTF: nodes place their meshes, parents before children, and give the names", "[read][gltf][R6]") {
   const Model m = read_model("a.glb", scene(R"({"name": "base", "children": [1, 2], "scale": [2, 2, 2]},
 {"name": "left", "mesh": 0, "translation": [1, 0, 0]},
 {"name": "right", "mesh": 0, "matrix": [0,1,0,0, -1,0,0,0, 0,0,1,0, 5,6,7,1]})",
@@ -116,7 +116,7 @@ TEST_CASE("glTF: what does not fit is refused in one line", "[read][gltf]") {
   CHECK(refusal("a.glb", nan) == "a.glb: mesh 0, primitive 0, vertex 0: found NaN, expected a finite coordinate");
 }
 
-TEST_CASE("A moved point is the exact one, rounded once", "[read][gltf][property]") {
+TEST_CASE("A moved point is the exact one, rounded once", "[read][gltf][property][R6]") {
   const auto seed = 7U;
   CAPTURE(seed);
   std::mt19937_64 random(seed);

@@ -16,7 +16,7 @@ std::string facet(const std::string& a, const std::string& b, const std::string&
 
 }  // namespace
 
-TEST_CASE("STL: indices are by first occurrence, and -0 is 0", "[read][stl]") {
+TEST_CASE("STL: indices are by first occurrence, and -0 is 0", "[read][stl][R5]") {
   const Model m = read_model("a.stl", binary_stl({5, 0, 0, 1, 0, 0, 1, 1, 0, 1, 1, -0.0F, 5, -0.0F, 0, 2, 2, 2}));
   REQUIRE(m.points.size() == 4);
   CHECK(m.points[0] == Point3{5, 0, 0});
@@ -25,7 +25,7 @@ TEST_CASE("STL: indices are by first occurrence, and -0 is 0", "[read][stl]") {
   CHECK(m.format == "STL binary");
 }
 
-TEST_CASE("STL: single precision widens exactly, decimals do not go through it", "[read][stl]") {
+TEST_CASE("STL: single precision widens exactly, decimals do not go through it", "[read][stl][R2]") {
   CHECK(read_model("a.stl", binary_stl({0.1F, 0, 0, 1, 0, 0, 1, 1, 0})).points[0].x == static_cast<double>(0.1F));
   CHECK(read_model("a.stl", "solid\n" + facet("0.1 0 0", "1 0 0", "0 1 0") + "endsolid\n").points[0].x == 0.1);
 }

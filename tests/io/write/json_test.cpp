@@ -36,7 +36,7 @@ struct Example {
 
 }  // namespace
 
-TEST_CASE("Lines are written with their class, faces and intervals", "[write][json]") {
+TEST_CASE("Lines are written with their class, faces and intervals", "[write][json][R4][J2]") {
   const Example e;
   CHECK(lines_json(e.mesh, e.view, e.lines) ==
         R"({"format": "hsr-lines/1", "view": {"eye": [0, 0, 1, 0], "target": [0, 0, 0], "up": [0, 1, 0], )"
@@ -53,7 +53,7 @@ TEST_CASE("Lines are written with their class, faces and intervals", "[write][js
         "\n]}\n");
 }
 
-TEST_CASE("Exact numbers are strings", "[write][json]") {
+TEST_CASE("Exact numbers are strings", "[write][json][J1]") {
   const Example e;
   const std::string text = lines_json(e.mesh, e.view, e.lines, {.numbers = Numbers::exact, .why = true});
   CHECK(text.find(R"("eye": ["0", "0", "1", "0"], "target": ["0", "0", "0"])") != std::string::npos);
@@ -63,7 +63,7 @@ TEST_CASE("Exact numbers are strings", "[write][json]") {
   CHECK(nlohmann::json::accept(text));
 }
 
-TEST_CASE("A perspective view has its near plane", "[write][json]") {
+TEST_CASE("A perspective view has its near plane", "[write][json][V7][J5]") {
   const View view = perspective_view({0, -10, 0}, {0, 0, 0}, {0, 0, 1}, 2.5);
   const auto json = nlohmann::json::parse(view_json(view));
   CHECK(json["eye"] == nlohmann::json({0, -10, 0, 1}));
@@ -71,7 +71,7 @@ TEST_CASE("A perspective view has its near plane", "[write][json]") {
   CHECK(nlohmann::json::parse(view_json(view, Numbers::exact))["near"] == "1/4");
 }
 
-TEST_CASE("Lines that are not seen at all are written all the same", "[write][json]") {
+TEST_CASE("Lines that are not seen at all are written all the same", "[write][json][H9][J2]") {
   Example e;
   e.view = parallel_view({1, 0, 0}, {0, 0, 1});
   e.lines = visible_lines(e.mesh, e.view, {.method = LineMethod::roberts});
@@ -122,7 +122,8 @@ TEST_CASE("The text is the same for any number of threads", "[write][json]") {
   CHECK(nlohmann::json::parse(one)["lines"].size() == 8999);
 }
 
-TEST_CASE("The faces as used are written with the diagonals that cut them and those that were dropped", "[write][json]") {
+TEST_CASE("The faces as used are written with the diagonals that cut them and those that were dropped",
+          "[write][json][R4][J5]") {
   const std::vector<Point3> points = {{0, 0, 0},    {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                       {1, 0, -0.0}, {1, 1, 1}, {2, 0, 0}, {0.5, 0, 0}};
   Polygons polygons;

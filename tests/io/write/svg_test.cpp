@@ -57,7 +57,7 @@ Drawing example() {
 
 }  // namespace
 
-TEST_CASE("An SVG has the page in millimetres and a layer for each visibility and class, hidden first", "[write][svg]") {
+TEST_CASE("An SVG has the page in millimetres and a layer for each visibility and class, hidden first", "[write][svg][D7]") {
   const std::string text = svg(example(), {.title = "three lines", .description = "front"});
   CHECK(is_well_formed(text));
   CHECK(contains(text, R"(width="100mm" height="100mm" viewBox="0 0 100 100")"));
@@ -67,6 +67,13 @@ TEST_CASE("An SVG has the page in millimetres and a layer for each visibility an
   CHECK(contains(text, R"(stroke-width="0.25" stroke-dasharray="3 0.75")"));
   CHECK(contains(text, R"(<path d="M40 50 60 50" data-edge="0-1" data-face=""/>)"));
   CHECK(contains(text, R"(<path d="M40 45 60 44.75" data-edge="2-3" data-face=""/>)"));
+  const auto pen = [&](const std::string& layer) {
+    const std::string width = "stroke-width=\"";
+    const std::size_t at = text.find(width, text.find("id=\"" + layer)) + width.size();
+    return text.substr(at, text.find('"', at) - at);
+  };
+  CHECK(pen("visible-outline") == "0.5");
+  CHECK(pen("visible-smooth") == "0.25");
   CHECK(text.find("hidden-sharp") < text.find("visible-outline"));
   CHECK(text.find("visible-outline") < text.find("visible-smooth"));
 }
