@@ -3,7 +3,7 @@
 #include "geometry/constructed_point.h"
 #include "geometry/error.h"
 #include "geometry/rational_vector.h"
-#include "hsr/scene/cut_plane.h"
+#include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
 

@@ -9,7 +9,7 @@
 #include "geometry/error.h"
 #include "hsr/raster/compositing.h"
 #include "hsr/raster/rasterizer.h"
-#include "hsr/scene/cut_plane.h"
+#include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
 

@@ -9,17 +9,17 @@
 #include "geometry/parallel.h"
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/methods.h"
-#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/closed_bodies.h"
-#include "hsr/scene/cut_plane.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/intersections.h"
 #include "hsr/scene/occluders.h"
+#include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/occlusion_pyramid.h"
 #include "hsr/scene/segment_filter.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/line_envelope.h"
+#include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
 

@@ -6,8 +6,8 @@
 
 #include "geometry/error.h"
 #include "geometry/parallel.h"
-#include "hsr/scene/cut_plane.h"
 #include "hsr/scene/projected_mesh.h"
+#include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
 
