@@ -7,6 +7,7 @@
 
 #include "geometry/parallel.h"
 #include "hsr/lines/edge_class.h"
+#include "hsr/symbols/constructions.h"
 
 namespace hsr {
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "hsr/drawing/cut_parameter.h"
+#include "hsr/symbols/constructions.h"
 
 namespace hsr {
 

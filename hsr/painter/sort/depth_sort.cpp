@@ -11,7 +11,7 @@
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/painter/sort/near_box.h"
 #include "hsr/painter/sort/overlap_graph.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/symbols/constructions.h"
 
 namespace hsr {
 
