@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "geometry/parallel.h"
+#include "hsr/drawing/placement.h"
 #include "hsr/lines/edge_class.h"
 #include "hsr/symbols/constructions.h"
 
