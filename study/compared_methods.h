@@ -7,7 +7,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/check/picture_check.h"
-#include "hsr/raster/image.h"
+#include "hsr/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 

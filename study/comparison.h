@@ -7,8 +7,8 @@
 
 #include "geometry/mesh.h"
 #include "hsr/check/picture_check.h"
+#include "hsr/image.h"
 #include "hsr/lines/plan.h"
-#include "hsr/raster/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 #include "study/colour_comparison.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hsr/raster/image.h"
+#include "hsr/image.h"
 #include "study/depth_remedies.h"
 #include "study/stability_scenes.h"
 

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "geometry/bit_range.h"
+#include "hsr/image.h"
 #include "hsr/raster/caster.h"
-#include "hsr/raster/image.h"
 #include "hsr/raster/projection.h"
 
 namespace hsr {

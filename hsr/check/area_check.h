@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/mesh.h"
-#include "hsr/raster/image.h"
+#include "hsr/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/scene/scene.h"
 #include "hsr/surfaces/fragments.h"

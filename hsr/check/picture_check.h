@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "hsr/image.h"
 #include "hsr/raster/depth_format.h"
-#include "hsr/raster/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 

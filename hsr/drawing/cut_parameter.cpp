@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/polynomials.h"
+#include "hsr/symbols/constructions.h"
 
 namespace hsr {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hsr/surfaces/fragments.h"
+#include "hsr/symbols/constructions.h"
 
 namespace hsr {
 

@@ -21,6 +21,11 @@ struct PaperPoint {
   friend constexpr auto operator<=>(const PaperPoint&, const PaperPoint&) = default;
 };
 
+/// Millimetres of the page; lines are cut there.
+struct PaperFrame {
+  double left, top, right, bottom;
+};
+
 /// A0 ... A6, letter, WIDTHxHEIGHTmm, or fit. @throws InputError for anything else
 Page parse_page(const std::string& text);
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "hsr/drawing/drawing.h"
-#include "hsr/drawing/placement.h"
 #include "hsr/model.h"
 #include "hsr/painter/painters_order.h"
 #include "hsr/scene/scene.h"

@@ -5,11 +5,6 @@
 
 namespace hsr {
 
-/// Millimetres of the page; lines are cut there.
-struct PaperFrame {
-  double left, top, right, bottom;
-};
-
 /// The sheet of a drawing, with the projection placed on it.
 struct Placement {
   Projection projection;

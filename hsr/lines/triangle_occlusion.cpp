@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "geometry/constructed_point.h"
-#include "hsr/scene/cut_plane.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/line_filter.h"
+#include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
 

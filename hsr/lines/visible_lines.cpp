@@ -3,29 +3,9 @@
 #include "geometry/constructed_point.h"
 #include "geometry/error.h"
 #include "geometry/rational_vector.h"
-#include "hsr/scene/cut_plane.h"
+#include "hsr/symbols/constructions.h"
 
 namespace hsr {
-
-namespace {
-
-/// The points as given, unscaled.
-struct Given {
-  const Mesh& mesh;
-  const View& view;
-
-  const Point3& point(VertexId v) const { return mesh.points[v]; }
-  const Viewpoint& eye() const { return view.viewpoint; }
-  Plane sight_plane(VertexId c, VertexId d) const { return Plane::of_sight(view.viewpoint, point(c), point(d)); }
-  Plane face_plane(TriangleId t) const {
-    const auto& corners = mesh.triangles[t];
-    return Plane::of_face(point(corners[0]), point(corners[1]), point(corners[2]));
-  }
-  Plane near_plane() const { return view.near_plane(); }
-  Plane near_line(const Plane& line) const { return Plane::near_line(view.viewpoint.at, view.target, view.near, line); }
-};
-
-}  // namespace
 
 VisibleLines lines_of_classes(const VisibleLines& lines, const std::array<bool, 6>& classes) {
   VisibleLines some = lines;
@@ -34,8 +14,6 @@ VisibleLines lines_of_classes(const VisibleLines& lines, const std::array<bool, 
   return some;
 }
 
-Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut) { return cut_plane(Given{mesh, view}, cut); }
-
 SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, const Line& line) {
   if (line.is_intersection()) return {{}, {}, lines.intersections[line.intersection]};
   const Edge& edge = mesh.edges[line.edge];
@@ -43,8 +21,8 @@ SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, c
 }
 
 std::array<Plane, 2> planes_of(const Mesh& mesh, const View& view, const SupportingLine& support) {
-  const Given given{mesh, view};
-  return {given.face_plane(support.meet.s), given.face_plane(support.meet.t)};
+  return {plane_of(mesh, view, {Cut::Kind::face, 0, support.meet.s.value, 0}),
+          plane_of(mesh, view, {Cut::Kind::face, 0, support.meet.t.value, 0})};
 }
 
 std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut) {

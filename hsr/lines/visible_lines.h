@@ -84,9 +84,6 @@ struct SupportingLine {
 };
 SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, const Line& line);
 
-/// The plane that makes a cut. @pre neither start nor end
-Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut);
-
 /// The parameter t of a cut, exactly: 0 at the first end of the carrier, 1 at the second.
 Rational parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
 

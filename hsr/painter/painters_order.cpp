@@ -2,7 +2,7 @@
 
 #include "geometry/constructed_point.h"
 #include "geometry/rational_vector.h"
-#include "hsr/lines/visible_lines.h"
+#include "hsr/symbols/constructions.h"
 
 namespace hsr {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "hsr/image.h"
 #include "hsr/model.h"
-#include "hsr/raster/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 

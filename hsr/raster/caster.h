@@ -2,7 +2,7 @@
 
 #include "geometry/mesh.h"
 #include "geometry/predicates.h"
-#include "hsr/raster/image.h"
+#include "hsr/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/scene/scene.h"
 #include "hsr/view/view.h"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "hsr/image.h"
 #include "hsr/raster/depth_format.h"
-#include "hsr/raster/image.h"
 
 namespace hsr {
 

@@ -9,8 +9,8 @@
 #include "geometry/error.h"
 #include "hsr/raster/compositing.h"
 #include "hsr/raster/rasterizer.h"
-#include "hsr/scene/cut_plane.h"
 #include "hsr/scene/scene_parts.h"
+#include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
 

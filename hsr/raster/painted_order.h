@@ -1,8 +1,8 @@
 #pragma once
 
+#include "hsr/image.h"
 #include "hsr/model.h"
 #include "hsr/painter/painters_order.h"
-#include "hsr/raster/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/scene/scene.h"
 #include "hsr/view/view.h"

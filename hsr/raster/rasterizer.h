@@ -6,7 +6,7 @@
 
 #include "geometry/index.h"
 #include "geometry/view_plane.h"
-#include "hsr/raster/image.h"
+#include "hsr/image.h"
 #include "hsr/raster/sample_signs.h"
 
 namespace hsr {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hsr/raster/image.h"
+#include "hsr/image.h"
 
 namespace hsr {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "geometry/mesh.h"
+#include "hsr/image.h"
 #include "hsr/painter/painters_order.h"
-#include "hsr/raster/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 

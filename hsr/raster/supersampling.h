@@ -1,8 +1,8 @@
 #pragma once
 
 #include "geometry/error.h"
+#include "hsr/image.h"
 #include "hsr/model.h"
-#include "hsr/raster/image.h"
 #include "hsr/raster/samples.h"
 
 namespace hsr {

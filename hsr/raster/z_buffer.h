@@ -4,7 +4,7 @@
 #include <span>
 
 #include "geometry/mesh.h"
-#include "hsr/raster/image.h"
+#include "hsr/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 

@@ -14,10 +14,10 @@
 #include "geometry/constructed_point.h"
 #include "geometry/parallel.h"
 #include "geometry/plane_intersection.h"
-#include "hsr/scene/cut_plane.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/half_space.h"
 #include "hsr/scene/occlusion_pyramid.h"
+#include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
 

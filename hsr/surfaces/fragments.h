@@ -40,9 +40,6 @@ struct FragmentOptions {
   std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel
 };
 
-/// A point of a fragment in space, exactly: the point of the facet's plane that is seen there.
-std::array<Rational, 3> point_of(const Mesh& mesh, const View& view, TriangleId facet, const MapPoint& p);
-
 /// The area of each fragment's image, in coordinates of the frame (View::frame: right by up, which are unit lengths but for
 /// rounding), exactly. Perspective: in the plane of the frame.
 /// Cost: some exact rationals for each corner, parallel.

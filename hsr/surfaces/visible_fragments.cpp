@@ -10,13 +10,13 @@
 #include "hsr/lines/appel.h"
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/roberts.h"
-#include "hsr/scene/cut_plane.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/scene_parts.h"
 #include "hsr/scene/segment_filter.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/line_envelope.h"
+#include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
 

@@ -10,12 +10,12 @@
 
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/painting.h"
+#include "hsr/image.h"
 #include "hsr/io/write/painting_svg.h"
 #include "hsr/io/write/png.h"
 #include "hsr/io/write/svg.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
-#include "hsr/raster/image.h"
 #include "hsr/surfaces/regions.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "tests/io/read/temporary_directory.h"

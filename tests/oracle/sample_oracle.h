@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "hsr/raster/image.h"
+#include "hsr/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "hsr/symbols/constructions.h"
+
 namespace hsr::oracle {
 
 namespace {

@@ -8,6 +8,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
+#include "hsr/symbols/constructions.h"
 #include "tests/oracle/surfaces_oracle.h"
 
 namespace hsr {

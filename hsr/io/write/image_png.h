@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "hsr/image.h"
 #include "hsr/model.h"
-#include "hsr/raster/image.h"
 
 namespace hsr {
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "hsr/drawing/cut_parameter.h"
+#include "hsr/io/write/json_text.h"
+#include "hsr/symbols/constructions.h"
 
 namespace hsr {
 

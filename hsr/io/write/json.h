@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "hsr/io/write/json_text.h"
+#include "hsr/io/write/numbers.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/fragments.h"
 

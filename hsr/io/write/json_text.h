@@ -6,11 +6,9 @@
 
 #include "geometry/number.h"
 #include "geometry/point.h"
+#include "hsr/io/write/numbers.h"
 
 namespace hsr {
-
-/// How numbers are written: the shortest text that reads back as the same double, or exactly as a string "p/q".
-enum class Numbers { rounded, exact };
 
 /// JSON text, appended to a string.
 void append_integer(std::string& out, std::uint64_t x);

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <vector>
 
+#include "hsr/io/write/json_text.h"
+
 namespace hsr {
 
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "geometry/mesh.h"
-#include "hsr/io/write/json_text.h"
+#include "hsr/io/write/numbers.h"
 
 namespace hsr {
 

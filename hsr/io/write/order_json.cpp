@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hsr/io/write/json.h"
+#include "hsr/io/write/json_text.h"
 
 namespace hsr {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "hsr/io/write/json_text.h"
+#include "hsr/io/write/numbers.h"
 #include "hsr/painter/painters_order.h"
 
 namespace hsr {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hsr/io/write/json_text.h"
 #include "hsr/io/write/svg_text.h"
 
 namespace hsr {

@@ -3,41 +3,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/error.h"
 #include "geometry/parallel.h"
-#include "hsr/scene/cut_plane.h"
+#include "hsr/painter/bsp/bsp_nodes.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/scene_parts.h"
+#include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
 
-void BspTree::prepare_planes() {
-  bit_range_ = hsr::bit_range(mesh_->points);
+void BspNodes::prepare_planes() {
+  bit_range = hsr::bit_range(mesh->points);
   std::vector<std::uint32_t> filtered;
-  for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
-    if (nodes_[k].is_leaf() || nodes_[k].plane.kind != Cut::Kind::face) continue;
-    nodes_[k].filter = static_cast<std::uint32_t>(filtered.size());
+  for (std::uint32_t k = 0; k < nodes.size(); ++k) {
+    if (nodes[k].is_leaf() || nodes[k].plane.kind != Cut::Kind::face) continue;
+    nodes[k].filter = static_cast<std::uint32_t>(filtered.size());
     filtered.push_back(k);
   }
-  filters_.resize(filtered.size());
+  filters.resize(filtered.size());
   parallel_for_each(filtered.size(), [&](std::size_t i) {
-    const auto& c = mesh_->triangles[TriangleId(nodes_[filtered[i]].plane.u)];
-    const Plane plane = Plane::of_face(mesh_->points[c[0]], mesh_->points[c[1]], mesh_->points[c[2]]);
-    filters_[i] = PlaneFilter(plane, Arithmetic::staged);
+    const auto& c = mesh->triangles[TriangleId(nodes[filtered[i]].plane.u)];
+    const Plane plane = Plane::of_face(mesh->points[c[0]], mesh->points[c[1]], mesh->points[c[2]]);
+    filters[i] = PlaneFilter(plane, Arithmetic::staged);
   });
 }
 
-PieceCorner BspTree::corner(const BspBounds::Corner& c) const {
+PieceCorner BspNodes::corner(const BspBounds::Corner& c) const {
   PieceCorner out;
   if (c.is_vertex()) {
     out.vertex = VertexId(c.a);
   } else {
-    out.a = cut_of(c.a, bounds_.sides, bounds_.acrosses);
-    out.b = cut_of(c.b, bounds_.sides, bounds_.acrosses);
+    out.a = cut_of(c.a, bounds.sides, bounds.acrosses);
+    out.b = cut_of(c.b, bounds.sides, bounds.acrosses);
   }
-  out.side = cut_of(c.side, bounds_.sides, bounds_.acrosses);
-  out.original = BspBounds::is_side(c.side) && bounds_.sides[BspBounds::place(c.side)].original;
+  out.side = cut_of(c.side, bounds.sides, bounds.acrosses);
+  out.original = BspBounds::is_side(c.side) && bounds.sides[BspBounds::place(c.side)].original;
   return out;
 }
 
@@ -119,9 +121,11 @@ void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
 
 void BspTree::walk(const View& view, std::vector<std::uint32_t>& far_to_near) const {
   far_to_near.clear();
-  if (nodes_.empty()) return;
-  far_to_near.reserve(pieces_.size());
-  walk_far_to_near(nodes_, EyeSide(*mesh_, view, bit_range_, filters_), [&](std::uint32_t first, std::uint32_t end) {
+  const BspNodes& tree = *nodes_;
+  if (tree.nodes.empty()) return;
+  far_to_near.reserve(tree.pieces.size());
+  const EyeSide side_of(*tree.mesh, view, tree.bit_range, tree.filters);
+  walk_far_to_near(tree.nodes, side_of, [&](std::uint32_t first, std::uint32_t end) {
     // Of coplanar pieces the higher facet comes first.
     for (std::uint32_t k = end; k-- > first;) far_to_near.push_back(k);
   });
@@ -203,17 +207,33 @@ class PieceWriter {
 
 }  // namespace
 
+BspTree::BspTree(const Mesh& mesh, const BspOptions& options) {
+  BspNodes tree = build_nodes(mesh, options);
+  tree.prepare_planes();
+  nodes_ = std::make_shared<const BspNodes>(std::move(tree));
+}
+
+std::size_t BspTree::nodes() const { return nodes_->nodes.size(); }
+std::size_t BspTree::depth() const { return nodes_->depth; }
+std::size_t BspTree::pieces() const { return nodes_->pieces.size(); }
+std::uint64_t BspTree::splits() const { return nodes_->splits; }
+const DecisionCounts& BspTree::decisions() const { return nodes_->decisions; }
+
+PaintersOrder BspTree::order(const View& view) const { return order(SceneView(*nodes_->mesh, view)); }
+
 PaintersOrder BspTree::order(const SceneView& scene) const {
   PaintersOrder order;
-  if (nodes_.empty()) return order;
+  const BspNodes& tree = *nodes_;
+  if (tree.nodes.empty()) return order;
   const ProjectedMesh& projected = scene.parts().projected();
   PieceWriter writer(projected, order);
   std::vector<PieceCorner> ring;
-  walk_far_to_near(nodes_, EyeSide(*mesh_, scene.view(), bit_range_, filters_), [&](std::uint32_t first, std::uint32_t end) {
+  const EyeSide side_of(*tree.mesh, scene.view(), tree.bit_range, tree.filters);
+  walk_far_to_near(tree.nodes, side_of, [&](std::uint32_t first, std::uint32_t end) {
     for (std::uint32_t k = end; k-- > first;) {
-      const OrderedPiece& p = pieces_[k];
+      const OrderedPiece& p = tree.pieces[k];
       ring.clear();
-      for (std::uint32_t c = p.first_corner; c < p.end_corner; ++c) ring.push_back(corner(corners_[c]));
+      for (std::uint32_t c = p.first_corner; c < p.end_corner; ++c) ring.push_back(tree.corner(tree.corners[c]));
       writer.append(p.facet, ring);
     }
   });

@@ -1,16 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <vector>
 
-#include "geometry/bit_range.h"
-#include "geometry/plane_filter.h"
-#include "hsr/painter/bsp/bsp_bounds.h"
 #include "hsr/painter/painters_order.h"
 #include "hsr/scene/scene.h"
 
 namespace hsr {
+
+struct BspNodes;
 
 struct BspOptions {
   std::uint64_t seed = 1;       ///< of the planes that are tried; the same seed gives the same tree
@@ -35,43 +34,20 @@ class BspTree {
   explicit BspTree(const Mesh& mesh, const BspOptions& options = {});
 
   /// The pieces beyond the near plane, far to near; none of faces seen edge-on.
-  PaintersOrder order(const View& view) const { return order(SceneView(*mesh_, view)); }
+  PaintersOrder order(const View& view) const;
   /// @pre the scene is of the mesh that the tree was built of
   PaintersOrder order(const SceneView& scene) const;
   /// The numbers of the pieces far to near, those of faces seen edge-on included: the walk alone. Cost: some ns a piece.
   void walk(const View& view, std::vector<std::uint32_t>& far_to_near) const;
 
-  std::size_t nodes() const { return nodes_.size(); }
-  std::size_t depth() const { return depth_; }
-  std::size_t pieces() const { return pieces_.size(); }
-  std::uint64_t splits() const { return splits_; }
-  const DecisionCounts& decisions() const { return decisions_; }
+  std::size_t nodes() const;
+  std::size_t depth() const;
+  std::size_t pieces() const;
+  std::uint64_t splits() const;
+  const DecisionCounts& decisions() const;
 
  private:
-  friend class BspBuilder;
-  BspTree() = default;
-  struct Node {
-    Cut plane;
-    std::uint32_t behind = 0, before = 0;          ///< children on the negative and the positive side; 0: nothing
-    std::uint32_t first_piece = 0, end_piece = 0;  ///< in the plane, ascending by facet
-    std::uint32_t filter = 0;                      ///< of a facet's plane that has something on a side
-
-    bool is_leaf() const { return behind == 0 && before == 0; }
-  };
-
-  void prepare_planes();
-  PieceCorner corner(const BspBounds::Corner& c) const;
-
-  const Mesh* mesh_ = nullptr;
-  BitRange bit_range_;                // of the points
-  std::vector<PlaneFilter> filters_;  // of planes of nodes, for eyes
-  std::vector<Node> nodes_;           // the root first
-  std::vector<OrderedPiece> pieces_;  // in the order of the nodes; corners as the face runs
-  std::vector<BspBounds::Corner> corners_;
-  BspBounds bounds_;
-  std::size_t depth_ = 0;
-  std::uint64_t splits_ = 0;
-  DecisionCounts decisions_;
+  std::shared_ptr<const BspNodes> nodes_;  // never changed, and so shared by copies
 };
 
 }  // namespace hsr

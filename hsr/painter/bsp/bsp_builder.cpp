@@ -10,6 +10,7 @@
 
 #include "geometry/error.h"
 #include "hsr/painter/bsp/bsp.h"
+#include "hsr/painter/bsp/bsp_nodes.h"
 #include "hsr/painter/bsp/bsp_parts.h"
 #include "hsr/painter/bsp/side_bits.h"
 #include "hsr/scene/facet.h"
@@ -55,12 +56,12 @@ class BspBuilder {
     std::atomic<std::size_t> pieces = 0;
   };
 
-  BspBuilder(BspTree& tree, Shared& shared, std::uint64_t seed)
+  BspBuilder(BspNodes& tree, Shared& shared, std::uint64_t seed)
       : tree_(tree),
         mesh_(shared.projected.mesh()),
         shared_(shared),
         projected_(shared.projected),
-        parts_(projected_, shared.sides, tree.bounds_.acrosses),
+        parts_(projected_, shared.sides, tree.bounds.acrosses),
         seed_(seed) {}
 
   /// All facets, their count first.
@@ -86,7 +87,7 @@ class BspBuilder {
   void add_facet(TriangleId facet);
   void add_part(TriangleId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original);
   void build_subtrees(const std::vector<Subtree>& subtrees);
-  void take_subtree(const BspTree& part, const Task& task, std::size_t acrosses);
+  void take_subtree(const BspNodes& part, const Task& task, std::size_t acrosses);
   void take_sample(std::span<const std::uint32_t> parts);
   Divider choose(std::span<const std::uint32_t> parts);
   std::size_t score_across(std::size_t axis, float at) const;
@@ -114,7 +115,7 @@ class BspBuilder {
     std::vector<std::uint32_t> parts;
   };
 
-  BspTree& tree_;
+  BspNodes& tree_;
   const Mesh& mesh_;
   Shared& shared_;
   const ProjectedMesh& projected_;
@@ -149,7 +150,7 @@ void BspBuilder::add_part(TriangleId facet, std::span<const VertexId> ring, int 
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const VertexId u = ring[k], v = ring[(k + 1) % ring.size()];
     corners.push_back({u.value, BspBounds::none,
-                       tree_.bounds_.add({std::min(u, v), std::max(u, v), static_cast<std::uint8_t>(axis), original[k] != 0})});
+                       tree_.bounds.add({std::min(u, v), std::max(u, v), static_cast<std::uint8_t>(axis), original[k] != 0})});
   }
   parts_.find_box(parts_.add(facet, corners));
 }
@@ -174,7 +175,7 @@ void BspBuilder::add_facet(TriangleId facet) {
 void BspBuilder::add_facets() {
   const std::size_t n = mesh_.triangles.size();
   parts_.reserve(n, 3 * n);
-  tree_.bounds_.sides.reserve(3 * n);
+  tree_.bounds.sides.reserve(3 * n);
   for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
     if (facet_of(mesh_, TriangleId(i)) == TriangleId(i)) add_facet(TriangleId(i));
 }
@@ -301,12 +302,12 @@ BspBuilder::Divider BspBuilder::choose(std::span<const std::uint32_t> parts) {
   }
   if (is_face) return face;
   Divider across = parts_.divider(best.vertex, best.axis);
-  across.id = BspBounds::across(tree_.bounds_.acrosses.size());
+  across.id = BspBounds::across(tree_.bounds.acrosses.size());
   return across;
 }
 
 std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t part, const Divider& d) {
-  ++tree_.splits_;
+  ++tree_.splits;
   if (++shared_.pieces > shared_.most)
     throw InputError("bsp: this scene takes more than " + std::to_string(shared_.most) +
                      " pieces, expected fewer: --method depth-sort cuts less");
@@ -342,20 +343,20 @@ bool BspBuilder::sort_parts(const Divider& d, std::span<const std::uint32_t> par
 
 /// A node with the parts that lie in its plane.
 std::uint32_t BspBuilder::add_node(const Cut& plane, const Task& task, std::span<std::uint32_t> inside) {
-  const auto node = static_cast<std::uint32_t>(tree_.nodes_.size());
-  const auto first = static_cast<std::uint32_t>(tree_.pieces_.size());
-  tree_.depth_ = std::max<std::size_t>(tree_.depth_, task.depth);
-  if (node > 0) (task.is_before ? tree_.nodes_[task.parent].before : tree_.nodes_[task.parent].behind) = node;
+  const auto node = static_cast<std::uint32_t>(tree_.nodes.size());
+  const auto first = static_cast<std::uint32_t>(tree_.pieces.size());
+  tree_.depth = std::max<std::size_t>(tree_.depth, task.depth);
+  if (node > 0) (task.is_before ? tree_.nodes[task.parent].before : tree_.nodes[task.parent].behind) = node;
   if (inside.size() > 1)
     std::stable_sort(inside.begin(), inside.end(),
                      [&](std::uint32_t x, std::uint32_t y) { return parts_[x].facet < parts_[y].facet; });
   for (const std::uint32_t index : inside) {
     const BspParts::Part& part = parts_[index];
-    const auto corner = static_cast<std::uint32_t>(tree_.corners_.size());
-    for (const BspParts::Corner& c : parts_.corners(part)) tree_.corners_.push_back(c.bounds);
-    tree_.pieces_.push_back({part.facet, corner, static_cast<std::uint32_t>(tree_.corners_.size())});
+    const auto corner = static_cast<std::uint32_t>(tree_.corners.size());
+    for (const BspParts::Corner& c : parts_.corners(part)) tree_.corners.push_back(c.bounds);
+    tree_.pieces.push_back({part.facet, corner, static_cast<std::uint32_t>(tree_.corners.size())});
   }
-  tree_.nodes_.push_back({plane, 0, 0, first, static_cast<std::uint32_t>(tree_.pieces_.size())});
+  tree_.nodes.push_back({plane, 0, 0, first, static_cast<std::uint32_t>(tree_.pieces.size())});
   return node;
 }
 
@@ -369,7 +370,7 @@ void BspBuilder::divide(const Task& task) {
     d = parts_.divider(parts_[now_.front()].facet);
     sort_parts(d, now_);
   }
-  if (d.is_across()) tree_.bounds_.add_across(d.cut);
+  if (d.is_across()) tree_.bounds.add_across(d.cut);
   const std::uint32_t node = add_node(d.cut, task, inside_);
   for (const bool is_before : {true, false}) {
     const std::vector<std::uint32_t>& side = is_before ? before_ : behind_;
@@ -481,76 +482,78 @@ void BspBuilder::build() {
     }
   }
   build_subtrees(subtrees);
-  tree_.decisions_ += parts_.exact().counts();
+  tree_.decisions += parts_.exact().counts();
 }
 
 void BspBuilder::build_subtrees(const std::vector<Subtree>& subtrees) {
-  std::vector<BspTree> built(subtrees.size(), BspTree());
+  std::vector<BspNodes> built(subtrees.size(), BspNodes());
   const std::uint64_t seed = seed_;
-  const std::vector<Cut> acrosses = tree_.bounds_.acrosses;
+  const std::vector<Cut> acrosses = tree_.bounds.acrosses;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, subtrees.size(), 1), [&](const auto& range) {
     for (std::size_t k = range.begin(); k != range.end(); ++k) {
-      built[k].bounds_.acrosses = acrosses;
+      built[k].bounds.acrosses = acrosses;
       BspBuilder builder(built[k], shared_, seed + k);
       for (const std::uint32_t part : subtrees[k].parts) builder.parts_.add(parts_, parts_[part]);
       builder.build();
     }
   });
-  std::size_t nodes = tree_.nodes_.size(), pieces = tree_.pieces_.size(), corners = tree_.corners_.size();
-  for (const BspTree& part : built) {
-    nodes += part.nodes_.size();
-    pieces += part.pieces_.size();
-    corners += part.corners_.size();
+  std::size_t nodes = tree_.nodes.size(), pieces = tree_.pieces.size(), corners = tree_.corners.size();
+  for (const BspNodes& part : built) {
+    nodes += part.nodes.size();
+    pieces += part.pieces.size();
+    corners += part.corners.size();
   }
   check_countable(corners, "corners of a BSP");
-  tree_.nodes_.reserve(nodes);
-  tree_.pieces_.reserve(pieces);
-  tree_.corners_.reserve(corners);
+  tree_.nodes.reserve(nodes);
+  tree_.pieces.reserve(pieces);
+  tree_.corners.reserve(corners);
   for (std::size_t k = 0; k < subtrees.size(); ++k) {
     take_subtree(built[k], subtrees[k].task, acrosses.size());
-    built[k] = BspTree();
+    built[k] = BspNodes();
   }
 }
 
 /// @param acrosses how many of its planes across an axis are those of the top of the tree
-void BspBuilder::take_subtree(const BspTree& part, const Task& task, std::size_t acrosses) {
-  const auto node = static_cast<std::uint32_t>(tree_.nodes_.size()), piece = static_cast<std::uint32_t>(tree_.pieces_.size()),
-             corner = static_cast<std::uint32_t>(tree_.corners_.size());
-  (task.is_before ? tree_.nodes_[task.parent].before : tree_.nodes_[task.parent].behind) = node;
-  for (BspTree::Node n : part.nodes_) {
+void BspBuilder::take_subtree(const BspNodes& part, const Task& task, std::size_t acrosses) {
+  const auto node = static_cast<std::uint32_t>(tree_.nodes.size()), piece = static_cast<std::uint32_t>(tree_.pieces.size()),
+             corner = static_cast<std::uint32_t>(tree_.corners.size());
+  (task.is_before ? tree_.nodes[task.parent].before : tree_.nodes[task.parent].behind) = node;
+  for (BspNodes::Node n : part.nodes) {
     if (n.before != 0) n.before += node;
     if (n.behind != 0) n.behind += node;
     n.first_piece += piece;
     n.end_piece += piece;
-    tree_.nodes_.push_back(n);
+    tree_.nodes.push_back(n);
   }
-  for (OrderedPiece p : part.pieces_) {
+  for (OrderedPiece p : part.pieces) {
     p.first_corner += corner;
     p.end_corner += corner;
-    tree_.pieces_.push_back(p);
+    tree_.pieces.push_back(p);
   }
-  const auto shift = static_cast<std::uint32_t>(tree_.bounds_.acrosses.size() - acrosses);
+  const auto shift = static_cast<std::uint32_t>(tree_.bounds.acrosses.size() - acrosses);
   const auto shifted = [&](BspBounds::Id id) {
     return id != BspBounds::none && BspBounds::is_across(id) && BspBounds::place(id) >= acrosses ? id + shift : id;
   };
-  for (const BspBounds::Corner& c : part.corners_)
-    tree_.corners_.push_back({c.is_vertex() ? c.a : shifted(c.a), shifted(c.b), shifted(c.side)});
-  for (std::size_t k = acrosses; k < part.bounds_.acrosses.size(); ++k) tree_.bounds_.add_across(part.bounds_.acrosses[k]);
-  tree_.depth_ = std::max(tree_.depth_, part.depth_ + task.depth - 1);
-  tree_.splits_ += part.splits_;
-  tree_.decisions_ += part.decisions_;
+  for (const BspBounds::Corner& c : part.corners)
+    tree_.corners.push_back({c.is_vertex() ? c.a : shifted(c.a), shifted(c.b), shifted(c.side)});
+  for (std::size_t k = acrosses; k < part.bounds.acrosses.size(); ++k) tree_.bounds.add_across(part.bounds.acrosses[k]);
+  tree_.depth = std::max(tree_.depth, part.depth + task.depth - 1);
+  tree_.splits += part.splits;
+  tree_.decisions += part.decisions;
 }
 
-BspTree::BspTree(const Mesh& mesh, const BspOptions& options) : mesh_(&mesh) {
-  if (mesh.triangles.empty()) return;
+BspNodes build_nodes(const Mesh& mesh, const BspOptions& options) {
+  BspNodes tree;
+  tree.mesh = &mesh;
+  if (mesh.triangles.empty()) return tree;
   const ProjectedMesh projected(mesh, any_view(), Arithmetic::staged);
-  BspBuilder::Shared shared{projected, bounds_.sides};
-  BspBuilder builder(*this, shared, options.seed);
+  BspBuilder::Shared shared{projected, tree.bounds.sides};
+  BspBuilder builder(tree, shared, options.seed);
   builder.add_facets();
   shared.pieces = builder.parts();
   shared.most = options.most_pieces > 0 ? options.most_pieces : std::max<std::size_t>(1'000'000, builder.parts() * 64);
   builder.build();
-  prepare_planes();
+  return tree;
 }
 
 }  // namespace hsr

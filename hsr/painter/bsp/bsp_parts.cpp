@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/constructed_point.h"
-#include "hsr/scene/cut_plane.h"
+#include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
 

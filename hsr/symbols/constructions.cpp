@@ -1,0 +1,48 @@
+#include "hsr/symbols/constructions.h"
+
+#include "geometry/rational_vector.h"
+#include "geometry/view_plane.h"
+#include "hsr/symbols/cut_plane.h"
+
+namespace hsr {
+
+namespace {
+
+/// The points as given, unscaled.
+struct Given {
+  const Mesh& mesh;
+  const View& view;
+
+  const Point3& point(VertexId v) const { return mesh.points[v]; }
+  const Viewpoint& eye() const { return view.viewpoint; }
+  Plane sight_plane(VertexId c, VertexId d) const { return Plane::of_sight(view.viewpoint, point(c), point(d)); }
+  Plane face_plane(TriangleId t) const {
+    const auto& corners = mesh.triangles[t];
+    return Plane::of_face(point(corners[0]), point(corners[1]), point(corners[2]));
+  }
+  Plane near_plane() const { return view.near_plane(); }
+  Plane near_line(const Plane& line) const { return Plane::near_line(view.viewpoint.at, view.target, view.near, line); }
+};
+
+}  // namespace
+
+Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut) { return cut_plane(Given{mesh, view}, cut); }
+
+std::array<Rational, 3> point_of(const Mesh& mesh, const View& view, TriangleId facet, const MapPoint& p) {
+  const Given given{mesh, view};
+  const auto view_plane = [&](const MapLine& line) {
+    if (line.kind == MapLine::Kind::edge) return ViewPlane::of(given.sight_plane(VertexId(line.u), VertexId(line.v)));
+    if (line.kind == MapLine::Kind::meet)
+      return ViewPlane::of_meet(given.face_plane(TriangleId(line.u)), given.face_plane(TriangleId(line.v)));
+    return ViewPlane::of(given.near_line(given.face_plane(TriangleId(line.u))));
+  };
+  if (p.is_vertex) {
+    const auto& own = mesh.triangles[facet];
+    if (p.vertex == own[0] || p.vertex == own[1] || p.vertex == own[2]) return rational(mesh.points[p.vertex]);
+  }
+  const Camera camera{view.viewpoint, view.target};
+  if (!p.is_vertex) return exact_point(camera, view_plane(p.l), view_plane(p.m), given.face_plane(facet));
+  return exact_point(camera, mesh.points[p.vertex], given.face_plane(facet));
+}
+
+}  // namespace hsr
