@@ -260,9 +260,10 @@ void DrawCommand::find_lines() {
     }
     LineOptions every = request_.lines;
     every.classes.fill(true);
+    every.diagonals = true;
     every.frame = {};
     every_line_ = visible_lines(*prepared_, every);
-    lines_ = lines_of_classes(*every_line_, request_.lines.classes);
+    lines_ = lines_of_classes(scene_.mesh, *every_line_, request_.lines.classes);
   });
   describe(context_.report, scene_.model, scene_.mesh, lines_);
   decisions_ = lines_.decisions;

@@ -28,6 +28,9 @@ ClassifiedEdges::ClassifiedEdges(const ProjectedMesh& projected, const LineOptio
   const auto is_requested = [&](const std::optional<EdgeClass>& c) {
     return c && options.classes[static_cast<std::size_t>(*c)];
   };
+  const auto with_diagonals = [&](EdgeId e, std::optional<EdgeClass> c) {
+    return !c && options.diagonals && mesh.edges[e].diagonal ? EdgeClass::smooth : c;
+  };
   tbb::parallel_for(Range(0, counts.size(), 1), [&](const Range& range) {
     for (std::size_t block = range.begin(); block < range.end(); ++block) {
       TriangleOcclusion occlusion(projected);
@@ -37,9 +40,10 @@ ClassifiedEdges::ClassifiedEdges(const ProjectedMesh& projected, const LineOptio
         if (outside != nullptr && outside->contains(mesh.edges[id])) continue;
         std::optional<EdgeClass> found;
         if (has_contact.empty() || has_contact[e] == 0) {
-          found = edge_class(projected, occlusion.exact(), id, crease);
+          found = with_diagonals(id, edge_class(projected, occlusion.exact(), id, crease));
         } else {
-          const auto of_edge = edge_parts(projected, occlusion, id, crease, *occluders);
+          auto of_edge = edge_parts(projected, occlusion, id, crease, *occluders);
+          for (EdgePart& p : of_edge) p.edge_class = with_diagonals(id, p.edge_class);
           if (of_edge.size() > 1) {
             for (const EdgePart& p : of_edge)
               if (is_requested(p.edge_class)) parts[block].push_back({id, p});

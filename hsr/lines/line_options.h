@@ -22,6 +22,9 @@ struct LineOptions {
 
   /// Which classes to compute; by default all but smooth.
   std::array<bool, 6> classes = {true, true, true, true, true, false};
+  /// Also every diagonal of a face that is cut into triangles, as a smooth line where it is no outline: no drawing has them, but
+  /// fragments are bounded by them.
+  bool diagonals = false;
   double crease = 30;                         ///< degrees; edges that deviate more from flat are sharp
   bool why = false;                           ///< name the faces that hide each hidden interval; roberts only
   std::function<void(double done)> progress;  ///< called now and then with the share done, 0 ... 1; may throw to cancel

@@ -7,9 +7,13 @@
 
 namespace hsr {
 
-VisibleLines lines_of_classes(const VisibleLines& lines, const std::array<bool, 6>& classes) {
+VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const std::array<bool, 6>& classes) {
+  const auto is_only_diagonal = [&](EdgeId e) { return mesh.edges[e].diagonal && !mesh.edges[e].of_face; };
   VisibleLines some = lines;
-  std::erase_if(some.lines, [&](const Line& line) { return !classes[static_cast<std::size_t>(line.edge_class)]; });
+  std::erase_if(some.lines, [&](const Line& line) {
+    if (!classes[static_cast<std::size_t>(line.edge_class)]) return true;
+    return line.edge_class == EdgeClass::smooth && !line.is_intersection() && is_only_diagonal(line.edge);
+  });
   if (!classes[static_cast<std::size_t>(EdgeClass::intersection)]) some.intersections.clear();
   return some;
 }

@@ -72,8 +72,8 @@ inline VisibleLines visible_lines(const Mesh& mesh, const View& view, const Line
   return visible_lines(SceneView(mesh, view), options);
 }
 
-/// Those of the lines that are of one of these classes, by EdgeClass.
-VisibleLines lines_of_classes(const VisibleLines& lines, const std::array<bool, 6>& classes);
+/// Those of the lines that are of one of these classes, by EdgeClass, and no diagonals that only LineOptions::diagonals brought.
+VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const std::array<bool, 6>& classes);
 
 /// What a line runs along: from the vertex a to b, or, where they are not valid, along an intersection.
 struct SupportingLine {

@@ -34,7 +34,8 @@ struct VisibleFragments {
 };
 
 struct FragmentOptions {
-  /// The visible lines of all edges of all classes of this very view, where the caller has them: they need not be found again.
+  /// The visible lines of all edges of all classes, with LineOptions::diagonals, of this very view, where the caller has them:
+  /// they need not be found again.
   /// For visible_fragments() only; changes no ring.
   const VisibleLines* lines = nullptr;
   std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel

@@ -86,7 +86,7 @@ TEST_CASE("error against time has a line for each size and number, and the exact
   const auto grid = [&](int n) { return sample_grid(scene.view, paper_rectangle(mesh, scene.view), n, n); };
   ErrorAgainstTimeOptions options;
   options.sizes = {16, 64};
-  const auto rows = error_against_time(mesh, scene.view, fragments, grid, options);
+  const auto rows = error_against_time(SceneView(mesh, scene.view), fragments, grid, options);
   REQUIRE(rows.size() == 5);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     CHECK(rows[k].area.wrong > 0);
@@ -100,7 +100,7 @@ TEST_CASE("error against time has a line for each size and number, and the exact
   CHECK(rows[4].seconds.size() == 3);
   VisibleFragments wrong = fragments;
   wrong.fragments.pop_back();
-  CHECK_FALSE(error_against_time(mesh, scene.view, wrong, grid, options).back().samples.is_explained());
+  CHECK_FALSE(error_against_time(SceneView(mesh, scene.view), wrong, grid, options).back().samples.is_explained());
   const std::string csv = error_csv(rows);
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 6);
   CHECK(csv.substr(0, 15) == "method,numbers,");

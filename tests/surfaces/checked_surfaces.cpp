@@ -53,6 +53,7 @@ std::string wrong_fragments(const scenes::TestScene& scene) {
       // From lines that were found for a drawing, and where hidden lines are not wanted.
       LineOptions every_class;
       every_class.classes.fill(true);
+      every_class.diagonals = true;
       of_scene.hidden_lines = false;
       for (const SceneView& drawn : {view, SceneView(mesh, scene.view, of_scene)})
         for (const LineMethod method : {LineMethod::roberts, LineMethod::appel}) {
