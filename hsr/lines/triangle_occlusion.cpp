@@ -34,9 +34,7 @@ TriangleOcclusion::Value TriangleOcclusion::known(const ErrorBounded& x, Sign s)
 
 TriangleOcclusion::Value TriangleOcclusion::at(const PlaneFilter& filter, const Plane& plane, const End& end, bool on_plane) {
   if (on_plane) return {{0, 0}, Sign::zero};
-  ErrorBounded x = filter(end.p);
-  if (end.error > 0)
-    x.error += (std::fabs(filter.nx) + std::fabs(filter.ny) + std::fabs(filter.nz) + 3 * filter.slope) * end.error * 1.01;
+  const ErrorBounded x = filter(BoundedPoint3{end.p, end.error});
   if (x.is_certain()) {
     ++exact_.counts().filter;
     return {x, sign_of(x.value)};

@@ -87,9 +87,7 @@ bool SampleSigns::is_in_front(const std::array<Rational, 3>& p) const {
 
 Sign SampleSigns::certain_front(const Point3& p, double error) const {
   if (!projected_->is_perspective()) return Sign::positive;
-  const PlaneFilter& f = row_.next;
-  ErrorBounded x = f(p);
-  x.error += (std::fabs(f.nx) + std::fabs(f.ny) + std::fabs(f.nz) + 3 * f.slope) * error * 1.01;
+  const ErrorBounded x = row_.next(BoundedPoint3{p, error});
   return x.is_certain() ? -(sign_of(x.value) * turn_) : Sign::zero;
 }
 

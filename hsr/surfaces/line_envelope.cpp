@@ -127,13 +127,7 @@ ErrorBounded LineEnvelope::at(const Linear& f, const Place& place) const {
 }
 
 LineEnvelope::Linear LineEnvelope::along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const {
-  const auto value = [&](const BoundedPoint3& p) {
-    ErrorBounded x = filter(p.p);
-    if (p.error > 0)
-      x.error += (std::fabs(filter.nx) + std::fabs(filter.ny) + std::fabs(filter.nz) + 3 * filter.slope) * p.error * 1.01;
-    return x;
-  };
-  return {zero_at_a ? ErrorBounded{} : value(stretch_->a), zero_at_b ? ErrorBounded{} : value(stretch_->b)};
+  return {zero_at_a ? ErrorBounded{} : filter(stretch_->a), zero_at_b ? ErrorBounded{} : filter(stretch_->b)};
 }
 
 /// -t(p) / t(E): how far toward the viewer from the stretch the plane is; see bound().

@@ -231,9 +231,9 @@ std::size_t BspBuilder::score_face(const Divider& d) {
   const double* const error = s.error.data();
   const double *const x = s.x.data(), *const y = s.y.data(), *const z = s.z.data();
   const PlaneFilter f = d.filter;
-  const double spread = d.spread;
+  const double spread = f.spread();
   for (std::size_t i = 0; i < corners; ++i) {
-    const ErrorBounded value = f({x[i], y[i], z[i]});
+    const ErrorBounded value = f(Point3{x[i], y[i], z[i]});
     const double bound = value.error + spread * error[i];
     sides[i] = (value.value > bound ? 1.0 : 0.0) - (value.value < -bound ? 1.0 : 0.0);
   }

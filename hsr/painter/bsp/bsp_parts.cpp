@@ -48,7 +48,6 @@ BspParts::Divider BspParts::divider(TriangleId facet) const {
   d.id = BspBounds::facet(facet);
   d.filter = projected_.filter(projected_.face_plane(facet));
   d.vertices = projected_.mesh().triangles[facet];
-  d.spread = (std::fabs(d.filter.nx) + std::fabs(d.filter.ny) + std::fabs(d.filter.nz) + 3 * d.filter.slope) * 1.01;
   return d;
 }
 
@@ -64,9 +63,7 @@ Plane BspParts::plane(BspBounds::Id id) const { return cut_plane(projected_, cut
 /// The bound of the filter holds for a place that is not exact, as long as its size and error are bounded (crossing()).
 ErrorBounded BspParts::value(const Divider& d, const Corner& corner) const {
   if (d.is_across()) return ErrorBounded{corner.p[d.cut.axis], corner.error} - ErrorBounded{d.at, 0};
-  ErrorBounded x = d.filter(corner.p);
-  if (corner.error != 0) x.error += d.spread * corner.error;
-  return x;
+  return d.filter(BoundedPoint3{corner.p, corner.error});
 }
 
 Sign BspParts::side_beyond_filter(const Divider& d, const Corner& corner, TriangleId facet) {

@@ -34,7 +34,6 @@ class BspParts {
     BspBounds::Id id = BspBounds::none;  // across: once it divides
     PlaneFilter filter;
     std::array<VertexId, 3> vertices;  // of a facet
-    double spread = 0;                 // of the filter's value by the error of a coordinate
     double at = 0;                     // across: the coordinate
 
     bool is_across() const { return cut.kind == Cut::Kind::across; }

@@ -45,9 +45,7 @@ ErrorBounded Overlaps::side(const PieceOfFacet& piece, std::size_t k, const Near
 
 /// The value of a facet's plane at a corner, with the sign of beyond: positive, the facet is before it.
 ErrorBounded Overlaps::beyond(TriangleId facet, const NearCorner& p) const {
-  const PlaneFilter filter = projected_.filter(projected_.face_plane(facet));
-  ErrorBounded x = filter(p.on_facet.p);
-  x.error += (std::fabs(filter.nx) + std::fabs(filter.ny) + std::fabs(filter.nz) + 3 * filter.slope) * p.on_facet.error * 1.01;
+  ErrorBounded x = projected_.filter(projected_.face_plane(facet))(p.on_facet);
   // Only images with a bound come with a filter that is proven.
   if (!(p.x.error < HUGE_VAL)) x.error = HUGE_VAL;
   return projected_.facing(facet) == Sign::positive ? x : -x;
