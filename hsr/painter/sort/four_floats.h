@@ -29,6 +29,8 @@ struct FourFloats {
   FourFloats magnitude() const { return {_mm_andnot_ps(_mm_set1_ps(-0.0F), v)}; }
   /// The places 1, 2, 0 and 3.
   FourFloats turned() const { return {_mm_shuffle_ps(v, v, _MM_SHUFFLE(3, 0, 2, 1))}; }
+  /// @pre aligned to 16 bytes
+  void store(std::array<float, 4>& x) const { _mm_store_ps(x.data(), v); }
   /// Bit k: place k is a mask of all bits.
   unsigned bits() const { return static_cast<unsigned>(_mm_movemask_ps(v)); }
 #else
@@ -67,6 +69,7 @@ struct FourFloats {
     return each([&](std::size_t k) { return std::fabs(v[k]); });
   }
   FourFloats turned() const { return {{v[1], v[2], v[0], v[3]}}; }
+  void store(std::array<float, 4>& x) const { x = v; }
   unsigned bits() const {
     return unsigned{v[0] != 0} | unsigned{v[1] != 0} << 1U | unsigned{v[2] != 0} << 2U | unsigned{v[3] != 0} << 3U;
   }
