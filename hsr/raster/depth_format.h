@@ -43,7 +43,6 @@ struct DepthRange {
   double depth(double nearness) const { return (near - nearness) / (near - far); }
   /// Perspective: distance over that of the plane of the samples. @pre a perspective range
   double near_distance() const { return 1 / (near + 1); }
-  double far_distance() const { return 1 / (far + 1); }
 };
 
 /// The range that holds all of the mesh beyond the view's near plane, and a 1024th more on each side. Nothing there: any range.

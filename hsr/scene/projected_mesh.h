@@ -59,8 +59,6 @@ class ProjectedMesh {
   /// The image of another point, which is within `error` of p in the sum of its coordinates; p is already scaled. An infinite
   /// error where doubles do not tell.
   NearImage image(const Point3& p, double error) const;
-  /// 1 or -1: the x of the images is that of the boxes, times this, and moved.
-  double image_mirror() const { return image_mirror_; }
 
   /// The sign of O(t0, t1, t2): zero, the triangle is seen edge-on. The eye lies on the side -facing of its plane.
   Sign facing(TriangleId t) const { return facing_[t]; }
@@ -115,7 +113,8 @@ class ProjectedMesh {
   PlaneFilter near_filter_;
   IndexedVector<VertexId, ImagePoint> image_;
   IndexedVector<VertexId, ImageBox> vertex_boxes_;  // of nothing: before the near plane, or not used
-  double image_error_ = 0, image_mirror_ = 1;
+  double image_error_ = 0;
+  double image_mirror_ = 1;  // 1 or -1: the x of the images is that of the boxes, times this, and moved
   // The image: rows of a fixed map; parallel, u = p[i] - ratio p[k]; perspective, u = row . (p - eye) / (depth . (p - eye)).
   std::array<Point3, 2> row_;
   Point3 depth_;

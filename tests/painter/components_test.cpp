@@ -23,9 +23,10 @@ TEST_CASE("an order of a graph, its cycles, and the shortest of them", "[painter
   const Graph two = graph({{1}, {2}, {0, 3}, {4}, {5}, {3}, {0}});
   CHECK(cyclic_components(two) == std::vector<Nodes>{{3, 4, 5}, {0, 1, 2}});
   CHECK(topological_order(two) == Nodes{6});
-  CHECK(shortest_cycle(two, 0) == Nodes{0, 1, 2});
-  CHECK(shortest_cycle(two, 6).empty());
-  CHECK(shortest_cycle(graph({{1}, {2, 3}, {3}, {0}}), 0) == Nodes{0, 1, 3});
+  CHECK(disjoint_cycles(two, {0}) == std::vector<Nodes>{{0, 1, 2}});
+  CHECK(disjoint_cycles(two, {6}).empty());
+  CHECK(disjoint_cycles(graph({{1}, {2, 3}, {3}, {0}}), {0}) == std::vector<Nodes>{{0, 1, 3}});
+  CHECK(disjoint_cycles(two, {3, 4, 6, 1}) == std::vector<Nodes>{{3, 4, 5}, {1, 2, 0}});
 }
 
 TEST_CASE("a chain of a million nodes is no depth to recurse to", "[painter][components]") {

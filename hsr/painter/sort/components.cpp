@@ -114,8 +114,6 @@ class CycleSearch {
 
 }  // namespace
 
-std::vector<std::uint32_t> shortest_cycle(const Graph& graph, std::uint32_t node) { return CycleSearch(graph).through(node); }
-
 std::vector<std::vector<std::uint32_t>> disjoint_cycles(const Graph& graph, const std::vector<std::uint32_t>& nodes) {
   const std::size_t enough = 4 * graph.targets.size();
   CycleSearch search(graph);

@@ -37,9 +37,6 @@ std::vector<std::uint32_t> topological_order(const Graph& graph);
 /// Source: Tarjan 1972.
 std::vector<std::vector<std::uint32_t>> cyclic_components(const Graph& graph);
 
-/// A cycle through the node, as short as there is one; empty: none. Cost: O(nodes + edges).
-std::vector<std::uint32_t> shortest_cycle(const Graph& graph, std::uint32_t node);
-
 /// Cycles that share no node: through each of the nodes in turn, if none has it yet, one as short as the others leave. The
 /// first node has one if there is any; the search for others ends after a few times as many edges as there are. Cost: O(nodes +
 /// edges).
