@@ -19,10 +19,7 @@ std::array<Rational, 3> point_of(const Mesh& mesh, const View& view, TriangleId 
       return ViewPlane::of_meet(face_plane(TriangleId(line.u)), face_plane(TriangleId(line.v)));
     return ViewPlane::of(Plane::near_line(view.viewpoint.at, view.target, view.near, face_plane(TriangleId(line.u))));
   };
-  if (p.is_vertex) {
-    const auto& own = mesh.triangles[facet];
-    if (p.vertex == own[0] || p.vertex == own[1] || p.vertex == own[2]) return rational(mesh.points[p.vertex]);
-  }
+  if (p.is_vertex && mesh.has_corner(facet, p.vertex)) return rational(mesh.points[p.vertex]);
   const Camera camera{view.viewpoint, view.target};
   if (!p.is_vertex) return exact_point(camera, view_plane(p.l), view_plane(p.m), face_plane(facet));
   return exact_point(camera, mesh.points[p.vertex], face_plane(facet));

@@ -19,10 +19,8 @@ OverlapCounts& OverlapCounts::operator+=(const OverlapCounts& o) {
 std::vector<NearCorner> Overlaps::near_corners(const PieceOfFacet& piece) const {
   const TriangleId end = facet_end(map_.mesh(), piece.facet);
   const auto is_own = [&](VertexId v) {
-    for (TriangleId t = piece.facet; t < end; t = TriangleId(t.value + 1U)) {
-      const auto& c = map_.mesh().triangles[t];
-      if (v == c[0] || v == c[1] || v == c[2]) return true;
-    }
+    for (TriangleId t = piece.facet; t < end; t = TriangleId(t.value + 1U))
+      if (map_.mesh().has_corner(t, v)) return true;
     return false;
   };
   std::vector<NearCorner> near;
@@ -89,8 +87,7 @@ Sign Overlaps::nearer(const PieceOfFacet& a, const PieceOfFacet& b, std::size_t 
     return map_.nearer(a.facet, b.facet, p);
   }
   // The eye lies on the side -facing of a plane.
-  const auto& c = map_.mesh().triangles[plane];
-  if (p.vertex == c[0] || p.vertex == c[1] || p.vertex == c[2]) return Sign::zero;
+  if (map_.mesh().has_corner(plane, p.vertex)) return Sign::zero;
   const Sign behind = projected_.side(projected_.face_plane(plane), p.vertex, map_.exact()) * projected_.facing(plane);
   return is_of_a ? -behind : behind;
 }
