@@ -43,6 +43,8 @@ struct PlaneFilter {
     if (p.error > 0) x.error += spread() * p.error;
     return x;
   }
+  /// How the value changes along d: the share of p - o in the proof, with a difference that is exact.
+  ErrorBounded change(const Point3& d) const { return {dot({nx, ny, nz}, d), slope * norm_one(d) + least}; }
   /// What an error of 1 in each coordinate of a point adds to the bound of the value there.
   double spread() const { return (std::fabs(nx) + std::fabs(ny) + std::fabs(nz) + 3 * slope) * 1.01; }
 };

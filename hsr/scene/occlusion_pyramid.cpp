@@ -358,10 +358,10 @@ bool OcclusionPyramid::hides(const Edge& e) const {
 }
 
 bool OcclusionPyramid::hides(const BoundedPoint3& a, const BoundedPoint3& b) const {
-  const NearImage p = projected_.image(a.p, 3 * a.error), q = projected_.image(b.p, 3 * b.error);
+  const BoundedPoint2 p = projected_.image(a.p, 3 * a.error), q = projected_.image(b.p, 3 * b.error);
   const double error = std::max(p.error, q.error);
   return error < HUGE_VAL &&
-         hides(p.at, projected_.box(a.p, 3 * a.error).nearest, q.at, projected_.box(b.p, 3 * b.error).nearest, error);
+         hides(p.p, projected_.box(a.p, 3 * a.error).nearest, q.p, projected_.box(b.p, 3 * b.error).nearest, error);
 }
 
 /// @param error of each coordinate @param nearness_of_p at most, as boxes have it

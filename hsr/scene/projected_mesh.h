@@ -10,15 +10,7 @@
 namespace hsr {
 
 /// A point in the image that ProjectedMesh computes in: not the paper's, but constant along lines of sight like it.
-struct ImagePoint {
-  double x, y;
-};
-
-/// The image of a point that is known nearly.
-struct NearImage {
-  ImagePoint at;
-  double error;  ///< of each coordinate
-};
+using ImagePoint = Point2;
 
 /// A mesh as one view sees it: what every method needs first.
 ///
@@ -58,7 +50,7 @@ class ProjectedMesh {
   double image_error() const { return image_error_; }
   /// The image of another point, which is within `error` of p in the sum of its coordinates; p is already scaled. An infinite
   /// error where doubles do not tell.
-  NearImage image(const Point3& p, double error) const;
+  BoundedPoint2 image(const Point3& p, double error) const;
 
   /// The sign of O(t0, t1, t2): zero, the triangle is seen edge-on. The eye lies on the side -facing of its plane.
   Sign facing(TriangleId t) const { return facing_[t]; }

@@ -471,10 +471,10 @@ TEST_CASE("the bounds of images and depths are above the errors, and not far abo
             most = std::fmax(most, share(projected.depth(p, error), view->depth(at)));
             continue;
           }
-          const auto image = projected.image(p, error);
+          const BoundedPoint2 image = projected.image(p, error);
           if (!(image.error < HUGE_VAL)) continue;
           const Exact2 seen = view->image(at);
-          most = std::fmax(most, std::fmax(share(image.at.x, image.error, seen.x), share(image.at.y, image.error, seen.y)));
+          most = std::fmax(most, std::fmax(share(image.p.x, image.error, seen.x), share(image.p.y, image.error, seen.y)));
           if (!(projected.image_error() < HUGE_VAL)) continue;
           const ImagePoint& own = projected.image(VertexId(v));
           const Exact2 vertex = view->image(exact(p));

@@ -193,10 +193,10 @@ void BspBuilder::take_sample(std::span<const std::uint32_t> parts) {
       s.high[axis][k] = part.high[axis];
     }
     for (const BspParts::Corner& corner : parts_.corners(part)) {
-      s.x.push_back(corner.p.x);
-      s.y.push_back(corner.p.y);
-      s.z.push_back(corner.p.z);
-      s.error.push_back(corner.error);
+      s.x.push_back(corner.at.p.x);
+      s.y.push_back(corner.at.p.y);
+      s.z.push_back(corner.at.p.z);
+      s.error.push_back(corner.at.error);
     }
     s.end.push_back(static_cast<std::uint32_t>(s.x.size()));
     s.parts.push_back(index);
