@@ -364,8 +364,8 @@ TEST_CASE("the bound of a triangle's sides in floats is above the error, and not
         const double reach = std::fabs(p[3].x - p[k].x) + std::fabs(p[3].y - p[k].y);
         const float rest = share_of_reach(static_cast<float>(error), static_cast<float>(reach * (1 + 0x1p-20)));
         alignas(16) std::array<float, 4> value, bound;
-        sides.value(corner).store(value);
-        (sides.bound + FourFloats::all(rest)).store(bound);
+        sides.value(corner).store(value.data());
+        (sides.bound + FourFloats::all(rest)).store(bound.data());
         const Exact2 &a = seen[k], &b = seen[(k + 1) % 3];
         most = std::fmax(most, share(value[k], bound[k], det(minus(b, a), minus(seen[3], a))));
       }

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/simd.h"
 #include "hsr/painter/sort/face_pieces.h"
-#include "hsr/painter/sort/four_floats.h"
 
 namespace hsr {
 
@@ -55,8 +55,8 @@ inline float share_of_reach(float error, float reach) { return 2.2F * error * re
 struct ImageSides {
   ImageSides() = default;
   ImageSides(const ImageTriangle& t, float error) {
-    const FourFloats x = FourFloats::of(t.x), y = FourFloats::of(t.y);
-    from = FourIndices::of(t.vertex);
+    const FourFloats x = FourFloats::load(t.x.data()), y = FourFloats::load(t.y.data());
+    from = FourIndices::load(t.vertex.data());
     to = from.turned();
     dx = x.turned() - x;
     dy = y.turned() - y;
@@ -79,12 +79,12 @@ template <class Corner>
 Separation separation(const ImageSides& a, const Corner& corner, float rest) {
   constexpr unsigned sides = 7;
   const FourFloats bound = a.bound + FourFloats::all(rest);
-  FourFloats before = FourFloats::no(), behind = a.from == a.from;  // of a side: certainly one corner; certainly all
+  FourFloats before = FourFloats::zero(), behind = a.from == a.from;  // of a side: certainly one corner; certainly all
   for (std::size_t k = 0; k < 3; ++k) {
     const ImageCorner p = corner(k);
     const FourFloats f = a.value(p), on = (a.from == p.vertex) | (a.to == p.vertex);
     before = before | (f > bound).without(on);
-    behind = behind & ((FourFloats::no() - bound > f) | on);
+    behind = behind & ((FourFloats::zero() - bound > f) | on);
   }
   if ((behind.bits() & sides) != 0) return Separation::yes;
   return (before.bits() & sides) == sides ? Separation::no : Separation::open;
