@@ -10,8 +10,8 @@ using Nodes = std::vector<std::uint32_t>;
 Graph graph(const std::vector<Nodes>& targets) {
   Graph g;
   for (const Nodes& t : targets) {
-    g.targets.insert(g.targets.end(), t.begin(), t.end());
-    g.first.push_back(static_cast<std::uint32_t>(g.targets.size()));
+    for (const std::uint32_t node : t) g.push_back(node);
+    g.end_row();
   }
   return g;
 }
@@ -33,8 +33,8 @@ TEST_CASE("a chain of a million nodes is no depth to recurse to", "[painter][com
   Graph chain;
   constexpr std::uint32_t n = 1'000'000;
   for (std::uint32_t k = 0; k < n; ++k) {
-    chain.targets.push_back((k + 1) % n);
-    chain.first.push_back(k + 1);
+    chain.push_back((k + 1) % n);
+    chain.end_row();
   }
   const auto found = cyclic_components(chain);
   REQUIRE(found.size() == 1);
