@@ -13,8 +13,8 @@
 #include "bench/scenes.h"
 #include "bench/seconds.h"
 #include "bench/views.h"
-#include "hsr/raster/projection.h"
 #include "hsr/raster/row_z_buffer.h"
+#include "hsr/raster/sample_projection.h"
 #include "hsr/raster/tiled_z_buffer.h"
 
 // Seconds of each z-buffer, beside the simplest loop in floats that one would write by hand.

@@ -39,7 +39,6 @@ class IndexedVector : public std::vector<T> {
   using std::vector<T>::vector;
   T& operator[](Id id) { return std::vector<T>::operator[](id.value); }
   const T& operator[](Id id) const { return std::vector<T>::operator[](id.value); }
-  Id next_id() const { return Id(this->size()); }
 };
 
 }  // namespace hsr

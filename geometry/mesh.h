@@ -38,6 +38,11 @@ struct Edge {
   bool wire = false;      ///< a segment of its own
 };
 
+/// Whether v is one of the corners of a triangle.
+inline bool is_one_of(VertexId v, const std::array<VertexId, 3>& corners) {
+  return v == corners[0] || v == corners[1] || v == corners[2];
+}
+
 /// The faces as used (docs/conventions.md), and who meets whom: any soup, non-manifold, open, flipped or duplicate.
 ///
 ///   (1) points are as given, but -0 is 0; no index but the lowest of bit-identical points is used anywhere
@@ -60,6 +65,7 @@ struct Mesh {
   }
   /// The edge between two vertices; invalid if there is none. Cost: O(log n).
   EdgeId find_edge(VertexId a, VertexId b) const;
+  bool has_corner(TriangleId t, VertexId v) const { return is_one_of(v, triangles[t]); }
   /// The corner of `t` that is not on the edge.
   VertexId apex(TriangleId t, const Edge& e) const {
     for (const VertexId v : triangles[t])

@@ -111,16 +111,6 @@ Sign Predicates::cross(const Plane& x, const Plane& y, const Point3& p, const Po
                 x.kind == Plane::Kind::span && y.kind == Plane::Kind::span, 6);
 }
 
-Sign Predicates::order_along_edge(const Plane& x, const Plane& y, const Point3& p, const Point3& q) {
-  // The cut x is at t = x(p) / (x(p) - x(q)); with r and s the signs of the two denominators, t_x < t_y iff
-  // r s (x(p) y(q) - x(q) y(p)) > 0.
-  const auto fall = [&](const Plane& plane) {
-    const Sign at_p = side(plane, p);
-    return at_p != Sign::zero ? at_p : -side(plane, q);
-  };
-  return -(fall(x) * fall(y) * cross(x, y, p, q));
-}
-
 namespace {
 
 bool is_span(const Plane& x) { return x.kind == Plane::Kind::span; }

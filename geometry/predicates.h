@@ -53,10 +53,6 @@ class Predicates {
   /// The sign of x(p) y(q) - x(q) y(p). Degree 6 for spans.
   Sign cross(const Plane& x, const Plane& y, const Point3& p, const Point3& q);
 
-  /// Which of the cuts x and y comes first on the way from p to q: negative, x; positive, y; zero, they coincide.
-  /// @pre each plane separates p from q or contains exactly one of them
-  Sign order_along_edge(const Plane& x, const Plane& y, const Point3& p, const Point3& q);
-
   /// How the value of c changes along the line where a and b meet, which runs along the cross product of their gradients; zero:
   /// they meet in no single point. Degree 6 for spans.
   Sign turn(const Plane& a, const Plane& b, const Plane& c);

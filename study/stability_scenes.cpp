@@ -11,7 +11,7 @@
 #include "geometry/bit_range.h"
 #include "hsr/image.h"
 #include "hsr/raster/caster.h"
-#include "hsr/raster/projection.h"
+#include "hsr/raster/sample_projection.h"
 
 namespace hsr {
 

@@ -12,7 +12,7 @@
 
 namespace hsr {
 
-/// Where the nearest face and the next are closest, as nearnesses (Seen::nearness, hsr/raster/projection.h).
+/// Where the nearest face and the next are closest, as nearnesses (Seen::nearness, hsr/raster/sample_projection.h).
 struct ClosestDepths {
   double nearest = 0, farthest = 0;  ///< between these lie the two over the whole picture
   double difference = 0;

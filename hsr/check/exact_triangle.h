@@ -5,7 +5,7 @@
 
 #include "geometry/error_bounded.h"
 #include "geometry/number.h"
-#include "hsr/raster/projection.h"
+#include "hsr/raster/sample_projection.h"
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 

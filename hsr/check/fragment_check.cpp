@@ -79,8 +79,7 @@ bool all_in_front(const SampleSigns& signs, const VisibleFragments& all) {
   // What the near plane cuts off has corners of its own.
   const MapPredicates map(projected);
   const auto is_in_front = [&](const MapPoint& p, TriangleId facet) {
-    const BoundedPoint3 near = map.point(p, facet);
-    const Sign certain = signs.certain_front(near.p, near.error);
+    const Sign certain = signs.certain_front(map.point(p, facet));
     if (certain != Sign::zero) return certain == Sign::positive;
     return signs.is_in_front(exact_point(projected.camera(), map.plane(p.l), map.plane(p.m), projected.face_plane(facet)));
   };

@@ -3,22 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/vector3.h"
+
 namespace hsr {
-
-namespace {
-
-Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point3 unit(const Point3& a) {
-  const double most = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
-  if (!(most > 0)) return {0, 0, 0};
-  const Point3 b = {a.x / most, a.y / most, a.z / most};
-  const double length = std::sqrt(dot(b, b));
-  return {b.x / length, b.y / length, b.z / length};
-}
-
-}  // namespace
 
 std::vector<Colour> face_colours(const Model& model, const Mesh& mesh, const View& view) {
   const Point3& e = view.viewpoint.at;

@@ -9,6 +9,7 @@
 #include "geometry/plane_filter.h"
 #include "geometry/polynomials.h"
 #include "geometry/rational_arithmetic.h"
+#include "geometry/vector3.h"
 #include "hsr/scene/half_space.h"
 
 namespace hsr {
@@ -23,19 +24,15 @@ struct HalfPlane {
   bool passes = false;  // of a face with the edge inside
 };
 
-Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double largest(const Point3& a) { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
 /// Brought near length 1, so that no product underflows.
-Point3 scaled(const Point3& a) { return {a.x / largest(a), a.y / largest(a), a.z / largest(a)}; }
+Point3 scaled(const Point3& a) { return over(a, norm_max(a)); }
 
 /// The normal of the plane of a, b and c, good to nine digits; where doubles have cancelled, by rationals.
 Point3 normal(const Point3& a, const Point3& b, const Point3& c) {
   const Plane plane = Plane::of_face(a, b, c);
   const PlaneFilter filter(plane, Arithmetic::staged);
   const Point3 n = {filter.nx, filter.ny, filter.nz};
-  if (largest(n) > filter.slope * 0x1p30 && largest(n) > filter.least && largest(n) < 0x1p900) return scaled(n);
+  if (norm_max(n) > filter.slope * 0x1p30 && norm_max(n) > filter.least && norm_max(n) < 0x1p900) return scaled(n);
   const auto exact = polynomials::normal(RationalArithmetic{}, plane);
   Rational most;
   for (const Rational& x : {exact.x, exact.y, exact.z}) most = std::max(most, x.sign() == Sign::negative ? -x : x);
@@ -160,7 +157,7 @@ std::optional<EdgeClass> class_at_a_glance(const ProjectedMesh& projected, EdgeI
     const Point3 out = minus(projected.point(projected.mesh().apex(t, edge)), a);
     n[k] = cross(along, out);
     // The normal errs by some roundings of these products.
-    if (!(largest(n[k]) > largest(along) * largest(out) * 0x1p-20)) return std::nullopt;
+    if (!(norm_max(n[k]) > norm_max(along) * norm_max(out) * 0x1p-20)) return std::nullopt;
   }
   if (side[0] * side[1] != Sign::negative) return std::nullopt;
   const double square = dot(n[0], n[0]) * dot(n[1], n[1]);

@@ -34,15 +34,13 @@ TriangleOcclusion::Value TriangleOcclusion::known(const ErrorBounded& x, Sign s)
 
 TriangleOcclusion::Value TriangleOcclusion::at(const PlaneFilter& filter, const Plane& plane, const End& end, bool on_plane) {
   if (on_plane) return {{0, 0}, Sign::zero};
-  ErrorBounded x = filter(end.p);
-  if (end.error > 0)
-    x.error += (std::fabs(filter.nx) + std::fabs(filter.ny) + std::fabs(filter.nz) + 3 * filter.slope) * end.error * 1.01;
+  const ErrorBounded x = filter(end.at);
   if (x.is_certain()) {
     ++exact_.counts().filter;
     return {x, sign_of(x.value)};
   }
   if (!is_edge()) return known(x, exact_.side(plane, s_plane_, t_plane_, end.cut));
-  return known(x, exact_.side_beyond_filter(plane, end.p));
+  return known(x, exact_.side_beyond_filter(plane, end.at.p));
 }
 
 Breakpoint TriangleOcclusion::bound(const Cut& cut, const Value& at_a, const Value& at_b) const {
@@ -74,13 +72,13 @@ Sign TriangleOcclusion::order(const Breakpoint& x, const Breakpoint& y) {
   const Plane x_plane = cut_plane(projected_, x.cut), y_plane = cut_plane(projected_, y.cut);
   // Where y is, the value of x still has the sign that it falls from, if y comes first.
   if (!is_edge()) return x.fall * exact_.side(x_plane, s_plane_, t_plane_, y_plane);
-  return -(x.fall * y.fall * exact_.cross(x_plane, y_plane, a_.p, b_.p));
+  return -(x.fall * y.fall * exact_.cross(x_plane, y_plane, a_.at.p, b_.at.p));
 }
 
 bool TriangleOcclusion::start(EdgeId id) {
   const Edge& edge = projected_.mesh().edges[id];
-  a_ = {edge.a, projected_.point(edge.a), 0, {}};
-  b_ = {edge.b, projected_.point(edge.b), 0, {}};
+  a_ = {edge.a, {projected_.point(edge.a), 0}, {}};
+  b_ = {edge.b, {projected_.point(edge.b), 0}, {}};
   edge_sight_.reset();
   if (projected_.image_error() < HUGE_VAL)
     image_ = {projected_.image(edge.a), projected_.image(edge.b), projected_.image_error()};
@@ -92,7 +90,7 @@ bool TriangleOcclusion::start(EdgeId id) {
     const Plane near = projected_.near_plane();
     const PlaneFilter filter = projected_.filter(near);
     (near_a == Sign::negative ? first_ : last_) =
-        bound(cut_of(Cut::Kind::near), known(filter(a_.p), near_a), known(filter(b_.p), near_b));
+        bound(cut_of(Cut::Kind::near), known(filter(a_.at.p), near_a), known(filter(b_.at.p), near_b));
   }
   return !LineFilter(projected_, edge.a, edge.b).is_point(exact_);
 }
@@ -112,11 +110,10 @@ bool TriangleOcclusion::start(const Intersection& meet) {
   const auto end = [&](const Cut& cut) {
     End e;
     e.cut = cut_plane(projected_, cut);
-    const auto p = near_meet(s_plane_, t_plane_, e.cut);
-    e.p = {p[0].value, p[1].value, p[2].value};
-    e.error = std::max({p[0].error, p[1].error, p[2].error, 0x1p-1000});
+    e.at = bounded_point(near_meet(s_plane_, t_plane_, e.cut));
+    e.at.error = std::max(e.at.error, 0x1p-1000);
     // Beyond this a coordinate would break the bound of a filter.
-    if (!exact_.filter_is_proven() || !(std::fabs(e.p.x) + std::fabs(e.p.y) + std::fabs(e.p.z) < 0x1p100)) e.error = HUGE_VAL;
+    if (!exact_.filter_is_proven() || !(norm_one(e.at.p) < 0x1p100)) e.at.error = HUGE_VAL;
     return e;
   };
   a_ = end(meet.from);
@@ -193,7 +190,7 @@ void TriangleOcclusion::cast(const TriangleFilter& face, std::vector<HiddenInter
     return;
   }
   if (face.is_beside(image_)) return;
-  const ErrorBounded at_a = face.plane(a_.p), at_b = face.plane(b_.p);
+  const ErrorBounded at_a = face.plane(a_.at.p), at_b = face.plane(b_.at.p);
   const bool before_a = face.facing * at_a.value < -at_a.error, before_b = face.facing * at_b.value < -at_b.error;
   if (before_a && before_b) return;
   const TriangleFilter::Overlap overlap = face.overlap(image_);
@@ -205,7 +202,7 @@ void TriangleOcclusion::cast(const TriangleFilter& face, std::vector<HiddenInter
 void TriangleOcclusion::cast(TriangleId triangle, const Prefilter& prefilter, std::vector<HiddenInterval>& occlusion) {
   const auto& c = projected_.mesh().triangles[triangle];
   const Sign facing = projected_.facing(triangle);
-  const bool a_on = is_corner(a_.vertex, c), b_on = is_corner(b_.vertex, c);
+  const bool a_on = is_one_of(a_.vertex, c), b_on = is_one_of(b_.vertex, c);
   // Nothing hides in its own plane, unless seen edge-on.
   if (facing != Sign::zero && (a_on && b_on)) return;
   if (facing != Sign::zero && !is_edge() && is_one(facet_of(projected_.mesh(), triangle))) return;
@@ -229,7 +226,7 @@ void TriangleOcclusion::cast(TriangleId triangle, const Prefilter& prefilter, st
         if (u > v) x = -x;
         if (facing == Sign::negative) x = -x;
         if (!x.is_certain())
-          return known(x, exact_.side_beyond_filter(projected_.sight_plane(std::min(u, v), std::max(u, v)), end.p));
+          return known(x, exact_.side_beyond_filter(projected_.sight_plane(std::min(u, v), std::max(u, v)), end.at.p));
         ++exact_.counts().filter;
         return {x, sign_of(x.value)};
       };
@@ -258,8 +255,8 @@ void TriangleOcclusion::edge_on(TriangleId triangle, std::vector<HiddenInterval>
   const auto& c = projected_.mesh().triangles[triangle];
   const Plane plane = projected_.face_plane(triangle);
   const PlaneFilter filter = projected_.filter(plane);
-  if (at(filter, plane, a_, is_corner(a_.vertex, c)).sign != Sign::zero) return;
-  if (at(filter, plane, b_, is_corner(b_.vertex, c)).sign != Sign::zero) return;
+  if (at(filter, plane, a_, is_one_of(a_.vertex, c)).sign != Sign::zero) return;
+  if (at(filter, plane, b_, is_one_of(b_.vertex, c)).sign != Sign::zero) return;
 
   int axis = 0;
   Sign inner = Sign::zero;  // the side of the line c0 c1 on which c2 lies

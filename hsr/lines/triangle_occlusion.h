@@ -76,11 +76,10 @@ class TriangleOcclusion {
     const TriangleFilter::Overlap* image = nullptr;  ///< with the edge
   };
   void cast(TriangleId triangle, const Prefilter& prefilter, std::vector<HiddenInterval>& occlusion);
-  /// An end of the line: a vertex, or where a plane cuts the line of two others, and then known within `error`.
+  /// An end of the line: a vertex, or where a plane cuts the line of two others, and then known within an error.
   struct End {
     VertexId vertex;
-    Point3 p;
-    double error = 0;
+    BoundedPoint3 at;
     Plane cut;
   };
   static Value known(const ErrorBounded& x, Sign s);
@@ -88,7 +87,6 @@ class TriangleOcclusion {
   bool is_edge() const { return a_.vertex.is_valid(); }
   bool is_one(TriangleId facet) const { return facet == s_ || facet == t_; }
   bool is_end(VertexId v) const { return v == a_.vertex || v == b_.vertex; }
-  bool is_corner(VertexId v, const std::array<VertexId, 3>& c) const { return v == c[0] || v == c[1] || v == c[2]; }
   bool misses(const std::array<VertexId, 3>& corners);
 
   void begin() { from_ = first_, to_ = last_; }

@@ -25,10 +25,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The line of sight of p meets the plane L at p + s D with s = -L(p) / n.D, seen in a direction D; seen from an eye e, at
 /// e + s (p - e) with 1 / s = 1 - L(p) / L(e), of which -L(p) / L(e) is kept.
 SampleFunction nearness(const PlaneFilter& face, const ProjectedMesh& projected, const SampleGrid& grid) {
-  const ErrorBounded b =
-      projected.is_perspective() ? face(projected.eye().at) : SampleFunction::change(face, projected.eye().at);
-  return {quotient(-face(grid.origin), b), quotient(-SampleFunction::change(face, grid.right), b),
-          quotient(-SampleFunction::change(face, grid.down), b), grid};
+  const ErrorBounded b = projected.is_perspective() ? face(projected.eye().at) : face.change(projected.eye().at);
+  return {quotient(-face(grid.origin), b), quotient(-face.change(grid.right), b), quotient(-face.change(grid.down), b), grid};
 }
 
 /// The samples of one tile, and what is nearest there so far.
@@ -161,7 +159,7 @@ class Tile {
       for (int i = left_; i < right_; ++i) farthest = std::min(farthest, low_[place(i, j)]);
     const double of_samples = samples_farthest_;
     const Point3& d = projected_.eye().at;
-    const double along = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)}) * farthest;
+    const double along = norm_max(d) * farthest;
     const double bound = projected_.is_perspective() ? of_samples / (1 + farthest) : of_samples + along;
     const double margin =
         0x1p-20 * (std::fabs(bound) + std::fabs(of_samples) + (projected_.is_perspective() ? 0 : std::fabs(along)));

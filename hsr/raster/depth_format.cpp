@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "geometry/error.h"
-#include "hsr/raster/projection.h"
+#include "hsr/raster/sample_projection.h"
 
 namespace hsr {
 

@@ -31,7 +31,7 @@ std::string_view name(DepthFormat format);
 /// 0: floating point
 int fixed_bits(DepthFormat format);
 
-/// The near and far planes of a depth buffer. `near` and `far` are nearnesses (Seen::nearness, projection.h), near > far.
+/// The near and far planes of a depth buffer. `near` and `far` are nearnesses (Seen::nearness, sample_projection.h), near > far.
 ///
 /// The depth of a point is d = (near - nearness) / (near - far), which in perspective is the classical
 /// f (z - n) / (z (f - n)): linear over the picture, and so it can be interpolated, but most of its range lies close to the
@@ -43,7 +43,6 @@ struct DepthRange {
   double depth(double nearness) const { return (near - nearness) / (near - far); }
   /// Perspective: distance over that of the plane of the samples. @pre a perspective range
   double near_distance() const { return 1 / (near + 1); }
-  double far_distance() const { return 1 / (far + 1); }
 };
 
 /// The range that holds all of the mesh beyond the view's near plane, and a 1024th more on each side. Nothing there: any range.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/parallel.h"
-#include "hsr/raster/projection.h"
+#include "hsr/raster/sample_projection.h"
 #include "hsr/raster/scanned_triangle.h"
 
 namespace hsr {

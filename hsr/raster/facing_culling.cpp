@@ -1,7 +1,7 @@
 #include "hsr/raster/facing_culling.h"
 
 #include "geometry/error_bounded.h"
-#include "hsr/raster/projection.h"
+#include "hsr/raster/sample_projection.h"
 
 namespace hsr {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "geometry/error_bounded.h"
-#include "hsr/raster/projection.h"
+#include "hsr/raster/sample_projection.h"
 
 namespace hsr {
 

@@ -28,9 +28,7 @@ class PieceSpans {
     return std::all_of(corners.begin(), corners.end(), [&](const PieceCorner& c) {
       if (c.vertex.is_valid()) return signs_.is_in_front(c.vertex, rasterizer_.exact());
       const Plane face = projected_.face_plane(piece.facet), a = cut_plane(projected_, c.a), b = cut_plane(projected_, c.b);
-      const auto near = near_meet(face, a, b);
-      const Sign certain = signs_.certain_front({near[0].value, near[1].value, near[2].value},
-                                                std::max({near[0].error, near[1].error, near[2].error}));
+      const Sign certain = signs_.certain_front(bounded_point(near_meet(face, a, b)));
       if (certain != Sign::zero) return certain == Sign::positive;
       return signs_.is_in_front(ConstructedPoint::meet(face, a, b).exact());
     });

@@ -29,7 +29,7 @@ SampleCoordinate coordinate(const ProjectedMesh& projected, const Point3& origin
     plane.u = along;
     plane.v = projected.eye().at;
     c.first = projected.filter(plane);
-    const ErrorBounded change = SampleFunction::change(c.first, step);
+    const ErrorBounded change = c.first.change(step);
     c.next.offset = -change.value;
     c.next.least = change.error;
   }
@@ -60,9 +60,9 @@ SampleFunction SampleSigns::function(const ViewPlane& plane) const {
   // y(E) x(p) - x(E) y(p)
   const PlaneFilter y = projected_->filter(plane.y);
   const Point3& e = projected_->eye().at;
-  const auto at_eye = [&](const PlaneFilter& f) { return projected_->is_perspective() ? f(e) : SampleFunction::change(f, e); };
+  const auto at_eye = [&](const PlaneFilter& f) { return projected_->is_perspective() ? f(e) : f.change(e); };
   const ErrorBounded xe = at_eye(x), ye = at_eye(y);
-  const auto change = [&](const Point3& d) { return ye * SampleFunction::change(x, d) - xe * SampleFunction::change(y, d); };
+  const auto change = [&](const Point3& d) { return ye * x.change(d) - xe * y.change(d); };
   return {ye * x(grid_.origin) - xe * y(grid_.origin), change(grid_.right), change(grid_.down), grid_};
 }
 
@@ -85,11 +85,9 @@ bool SampleSigns::is_in_front(const std::array<Rational, 3>& p) const {
   return dot(n, minus(p, rational(projected_->eye().at))).sign() == -turn_;
 }
 
-Sign SampleSigns::certain_front(const Point3& p, double error) const {
+Sign SampleSigns::certain_front(const BoundedPoint3& p) const {
   if (!projected_->is_perspective()) return Sign::positive;
-  const PlaneFilter& f = row_.next;
-  ErrorBounded x = f(p);
-  x.error += (std::fabs(f.nx) + std::fabs(f.ny) + std::fabs(f.nz) + 3 * f.slope) * error * 1.01;
+  const ErrorBounded x = row_.next(p);
   return x.is_certain() ? -(sign_of(x.value) * turn_) : Sign::zero;
 }
 

@@ -29,13 +29,7 @@ struct SampleFunction {
     error = (o.error + grid.width * r.error + grid.height * d.error + 4.2 * ErrorBounded::u * m) * ErrorBounded::grow;
   }
   SampleFunction(const PlaneFilter& plane, const SampleGrid& grid)
-      : SampleFunction(plane(grid.origin), change(plane, grid.right), change(plane, grid.down), grid) {}
-
-  /// How the value changes along d: the share of p - o in PlaneFilter's proof, with an exact difference.
-  static ErrorBounded change(const PlaneFilter& plane, const Point3& d) {
-    return {plane.nx * d.x + plane.ny * d.y + plane.nz * d.z,
-            plane.slope * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)) + plane.least};
-  }
+      : SampleFunction(plane(grid.origin), plane.change(grid.right), plane.change(grid.down), grid) {}
 
   double on_row(int j) const { return at_origin + j * down; }
   double value(double row, int i) const { return row + i * right; }
@@ -108,8 +102,8 @@ class SampleSigns {
   bool is_in_front(VertexId v, Predicates& exact) const;
   /// Whether any other point is in front of the eye as the samples are. @pre a perspective view
   bool is_in_front(const std::array<Rational, 3>& p) const;
-  /// What doubles tell of a point within `error` of p in each coordinate: positive, it is in front; zero, nothing.
-  Sign certain_front(const Point3& p, double error) const;
+  /// What doubles tell of a point that is known within an error: positive, it is in front; zero, nothing.
+  Sign certain_front(const BoundedPoint3& p) const;
   /// The plane of the viewpoint and row j; positive below it.
   Plane row_plane(int j) const;
   /// How many rows are above what is seen at a vertex: a side from a to b crosses the rows rows_above(a) ... rows_above(b) - 1,

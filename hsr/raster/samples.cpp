@@ -5,14 +5,11 @@
 #include <string>
 
 #include "geometry/error.h"
+#include "geometry/vector3.h"
 
 namespace hsr {
 
 namespace {
-
-Point3 sum(const Point3& a, double s, const Point3& b) { return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z}; }
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double largest(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
 
 /// The multiple of 2^power next to x. @pre |x| < 2^(power + 52)
 double snapped(double x, int power) { return std::ldexp(std::round(std::ldexp(x, -power)), power) + 0.0; }
@@ -43,7 +40,7 @@ SampleGrid sample_grid(const View& view, const PaperRectangle& part, int width, 
   if (pixel == 0) pixel = 1;
   const Point3 middle =
       sum(sum(frame.origin, part.left / 2 + part.right / 2, frame.right), part.bottom / 2 + part.top / 2, frame.up);
-  const double most = largest(middle) + (width + height) * pixel;
+  const double most = norm_max(middle) + (width + height) * pixel;
   if (!(pixel > 0 && most < 0x1p1020))
     throw InputError("samples: found a part of the paper that is not finite, expected a picture of one that is");
   // A step that is off by half a unit puts the farthest sample off by half the picture's units: a 16th of a pixel at most.
@@ -55,7 +52,7 @@ SampleGrid sample_grid(const View& view, const PaperRectangle& part, int width, 
     pixel = std::max(pixel, std::ldexp(16.0, power));
     const Point3 right = snapped(sum({}, pixel, frame.right), power), down = snapped(sum({}, -pixel, frame.up), power);
     const Point3 corner = sum(sum(middle, -(width - 1) / 2.0 * pixel, frame.right), (height - 1) / 2.0 * pixel, frame.up);
-    if (!(largest(corner) + width * largest(right) + height * largest(down) < std::ldexp(1.0, power + 50))) continue;
+    if (!(norm_max(corner) + width * norm_max(right) + height * norm_max(down) < std::ldexp(1.0, power + 50))) continue;
     return {snapped(corner, power), right, down, width, height};
   }
 }

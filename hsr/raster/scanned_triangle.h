@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "hsr/raster/bounded.h"
-#include "hsr/raster/projection.h"
+#include "hsr/raster/sample_projection.h"
 
 namespace hsr {
 

@@ -10,7 +10,7 @@
 
 namespace hsr {
 
-/// What a z-buffer holds at a sample. Larger is nearer: Seen::nearness (projection.h).
+/// What a z-buffer holds at a sample. Larger is nearer: Seen::nearness (sample_projection.h).
 template <class Real>
 struct DepthPixel {
   Real nearness = -std::numeric_limits<Real>::infinity();

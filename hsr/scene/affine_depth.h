@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +21,21 @@ struct AffineDepth {
   /// An upper bound of the exact nearness where the function above has a value of at most `high`.
   double at_most(double high) const { return high + error < nearest ? high + error : nearest; }
 };
+
+/// What is known of a triangle's corners: where each is seen, within `image_error` in each coordinate, and between which values
+/// its nearness lies.
+struct DepthCorners {
+  std::array<ImagePoint, 3> image;
+  double image_error = 0;
+  std::array<double, 3> low, high;
+};
+
+/// The AffineDepth of a triangle whose corners are known so. At a corner it is off by what it is off by at the corner's image
+/// as given, from the middle of low and high; by half of their distance; and by dx and dy times the error of the image. The
+/// roundings of at(p) are at most 16 u (|dx| reach_x + |dy| reach_y + |value|) where every |x| and |y| that take part, and
+/// |x - p.x| and |y - p.y|, are below the reach. Constants are larger by a half or more, which pays for the roundings of the
+/// bound itself. Where a corner or the bound is not finite, the error is infinite.
+AffineDepth affine_depth(const DepthCorners& corners, double reach_x, double reach_y);
 
 /// The nearness that a tile keeps while nothing covers it: no point is less near, so nothing is hidden there. Searches for a
 /// least nearness start from the opposite, +infinity.

@@ -8,9 +8,7 @@
 #include <utility>
 #include <vector>
 
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
+#include "geometry/simd.h"
 
 namespace hsr {
 
@@ -137,31 +135,15 @@ class BoxTree {
 
 template <BoxTree::Depth depth>
 unsigned BoxTree::overlaps(const Node& node, const ImageBox& query) {
-#if defined(__SSE__)
   const auto four = [&](std::size_t k) {
-    __m128 all = _mm_cmple_ps(_mm_load_ps(&node.low[0][k]), _mm_set1_ps(query.high[0]));
-    all = _mm_and_ps(all, _mm_cmpge_ps(_mm_load_ps(&node.high[0][k]), _mm_set1_ps(query.low[0])));
-    all = _mm_and_ps(all, _mm_cmple_ps(_mm_load_ps(&node.low[1][k]), _mm_set1_ps(query.high[1])));
-    all = _mm_and_ps(all, _mm_cmpge_ps(_mm_load_ps(&node.high[1][k]), _mm_set1_ps(query.low[1])));
-    if constexpr (depth != Depth::any)
-      all = _mm_and_ps(all, _mm_cmpge_ps(_mm_load_ps(&node.nearest[k]), _mm_set1_ps(query.farthest)));
-    if constexpr (depth == Depth::touching)
-      all = _mm_and_ps(all, _mm_cmple_ps(_mm_load_ps(&node.farthest[k]), _mm_set1_ps(query.nearest)));
-    return static_cast<unsigned>(_mm_movemask_ps(all));
+    const auto at = [&](const std::array<float, width>& x) { return FourFloats::load(&x[k]); };
+    FourFloats all = (at(node.low[0]) <= FourFloats::all(query.high[0])) & (at(node.high[0]) >= FourFloats::all(query.low[0])) &
+                     (at(node.low[1]) <= FourFloats::all(query.high[1])) & (at(node.high[1]) >= FourFloats::all(query.low[1]));
+    if constexpr (depth != Depth::any) all = all & (at(node.nearest) >= FourFloats::all(query.farthest));
+    if constexpr (depth == Depth::touching) all = all & (at(node.farthest) <= FourFloats::all(query.nearest));
+    return all.bits();
   };
   return four(0) | four(4) << 4U;
-#else
-  unsigned hit = 0;
-  for (unsigned k = 0; k < width; ++k) {
-    // Without branches: every comparison is made, and all must hold.
-    unsigned all = unsigned{node.low[0][k] <= query.high[0]} & unsigned{node.high[0][k] >= query.low[0]} &
-                   unsigned{node.low[1][k] <= query.high[1]} & unsigned{node.high[1][k] >= query.low[1]};
-    if constexpr (depth != Depth::any) all &= unsigned{node.nearest[k] >= query.farthest};
-    if constexpr (depth == Depth::touching) all &= unsigned{node.farthest[k] <= query.nearest};
-    hit |= all << k;
-  }
-  return hit;
-#endif
 }
 
 template <BoxTree::Depth depth, class F>

@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "geometry/parallel.h"
+#include "geometry/vector3.h"
 #include "geometry/weighted_disjoint_sets.h"
 
 namespace hsr {
@@ -14,8 +15,6 @@ namespace hsr {
 namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
-
-Point3 plus(const Point3& a, const Point3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
 /// What is known of a component of faces.
 struct Component {

@@ -69,11 +69,11 @@ PlaneFilter Finder::filter(std::uint32_t i) const {
 
 /// On which sides of the plane of s the corners of t are.
 std::array<Sign, 3> Finder::sides(const PlaneFilter& filter, TriangleId s, TriangleId t) {
-  const auto &c = mesh_.triangles[s], &d = mesh_.triangles[t];
+  const auto& d = mesh_.triangles[t];
   std::array<Sign, 3> at;
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId v = d[k];
-    if (v == c[0] || v == c[1] || v == c[2]) {
+    if (mesh_.has_corner(s, v)) {
       at[k] = Sign::zero;
       continue;
     }
@@ -104,11 +104,10 @@ void Finder::look_around(std::uint32_t leaf, std::vector<Intersection>& found) {
 
 /// Most pairs that touch are neighbours: two triangles with a common side, certainly not in one plane, have no more in common.
 bool Finder::meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId t) const {
-  const auto &c = mesh_.triangles[s], &d = mesh_.triangles[t];
   std::size_t common = 0;
   VertexId apex;
-  for (const VertexId v : d) {
-    if (v == c[0] || v == c[1] || v == c[2])
+  for (const VertexId v : mesh_.triangles[t]) {
+    if (mesh_.has_corner(s, v))
       ++common;
     else
       apex = v;
@@ -136,12 +135,11 @@ void Finder::look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std
 
 /// Marks the sides of t that lie in the plane of `flat` and may overlap it.
 void Finder::mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at) {
-  const auto &c = mesh_.triangles[t], &d = mesh_.triangles[flat];
-  const auto is_corner = [&](VertexId v) { return v == d[0] || v == d[1] || v == d[2]; };
+  const auto& c = mesh_.triangles[t];
   for (std::size_t k = 0; k < 3; ++k) {
     if (at[k] != Sign::zero || at[(k + 1) % 3] != Sign::zero) continue;
     const VertexId u = c[k], v = c[(k + 1) % 3];
-    if (is_corner(u) && is_corner(v) && is_single(flat)) continue;
+    if (mesh_.has_corner(flat, u) && mesh_.has_corner(flat, v) && is_single(flat)) continue;
     if (!may_lie_in(u, v, flat)) continue;
     // A diagonal inside a planar face is no edge of the mesh; an edge of `flat` is no contact with it.
     const EdgeId e = mesh_.find_edge(u, v);

@@ -61,13 +61,11 @@ class LineFilter {
   bool certainly_after_end(VertexId p) const { return along(p, image_.q) == Sign::positive; }
 
  private:
-  /// The sign of (p - o) . (b - a) in the image, or zero where doubles cannot tell: twice the bound for O.
+  /// The sign of (p - o) . (b - a) in the image, or zero where doubles cannot tell.
   Sign along(VertexId p, const ImagePoint& o) const {
     if (!is_known()) return Sign::zero;
-    const ImagePoint& c = projected_.image(p);
-    const double rx = c.x - o.x, ry = c.y - o.y, dot = image_.dx * rx + image_.dy * ry;
-    const double bound = 2 * (image_.least + image_.slope * (std::fabs(rx) + std::fabs(ry)));
-    return dot > bound ? Sign::positive : dot < -bound ? Sign::negative : Sign::zero;
+    const ErrorBounded along = image_.along(projected_.image(p), o);
+    return along.value > along.error ? Sign::positive : along.value < -along.error ? Sign::negative : Sign::zero;
   }
   bool is_known() const { return projected_.image_error() < HUGE_VAL; }
 

@@ -162,13 +162,9 @@ void OccludingEdges::find_stars() {
         if (!is_plain(v)) part.push_back({v, TriangleId(i)});
     }
   });
-  // A counting sort by the vertex: the triangles of each stay in order.
-  star_first_.assign(mesh.points.size() + 1, 0);
-  for (const Place& p : places) ++star_first_[p.vertex.value + 1U];
-  for (std::size_t v = 1; v < star_first_.size(); ++v) star_first_[v] += star_first_[v - 1];
-  star_triangles_.resize(places.size());
-  std::vector<std::uint32_t> next(star_first_.begin(), star_first_.end() - 1);
-  for (const Place& p : places) star_triangles_[next[p.vertex.value]++] = p.triangle;
+  stars_.assign(mesh.points.size(), [&](const auto& add) {
+    for (const Place& p : places) add(p.vertex.value, p.triangle);
+  });
 }
 
 }  // namespace hsr

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/ragged.h"
 #include "hsr/scene/box_tree.h"
 #include "hsr/scene/projected_mesh.h"
 
@@ -44,9 +45,7 @@ class OccludingEdges {
   /// is seen as a line is between two of them: no triangle at v hides a part of an edge at v near v.
   bool is_plain(VertexId v) const { return is_plain_[v.value] != 0; }
   /// The counted triangles at a vertex that is not plain.
-  std::span<const TriangleId> star(VertexId v) const {
-    return {star_triangles_.data() + star_first_[v.value], star_triangles_.data() + star_first_[v.value + 1U]};
-  }
+  std::span<const TriangleId> star(VertexId v) const { return stars_[v.value]; }
 
  private:
   bool is_left_out(TriangleId t) const { return !left_out_.empty() && left_out_[t.value] != 0; }
@@ -63,9 +62,8 @@ class OccludingEdges {
   BoxTree tree_;
   std::vector<TriangleId> cast_;
   BoxTree cast_tree_;
-  std::vector<std::uint8_t> is_plain_;     // by VertexId
-  std::vector<std::uint32_t> star_first_;  // by VertexId, one more
-  std::vector<TriangleId> star_triangles_;
+  std::vector<std::uint8_t> is_plain_;  // by VertexId
+  Ragged<TriangleId> stars_;            // by VertexId
 };
 
 }  // namespace hsr

@@ -87,45 +87,26 @@ double OcclusionPyramid::affine(float nearness) const {
 
 AffineDepth OcclusionPyramid::plane_nearness(TriangleId t, const Rectangle& around) const {
   const auto& c = projected_.mesh().triangles[t];
-  std::array<double, 3> low, high, middle, x, y;
+  DepthCorners corners;
+  corners.image_error = projected_.image_error();
   for (std::size_t k = 0; k < 3; ++k) {
     const ImageBox& box = projected_.box(c[k]);
-    low[k] = affine(box.farthest);
-    high[k] = affine(box.nearest);
+    corners.image[k] = projected_.image(c[k]);
+    corners.low[k] = affine(box.farthest);
+    corners.high[k] = affine(box.nearest);
     if (projected_.is_perspective()) {  // reciprocals, which are positive
-      low[k] *= 1 - 4 * u;
-      high[k] *= 1 + 4 * u;
+      corners.low[k] *= 1 - 4 * u;
+      corners.high[k] *= 1 + 4 * u;
     }
-    middle[k] = (low[k] + high[k]) / 2;
-    x[k] = projected_.image(c[k]).x - projected_.image(c[0]).x;
-    y[k] = projected_.image(c[k]).y - projected_.image(c[0]).y;
   }
-  AffineDepth n;
-  n.p = projected_.image(c[0]);
-  n.value = middle[0];
-  n.farthest = std::min({low[0], low[1], low[2]});
-  n.nearest = std::max({high[0], high[1], high[2]});
-  const double det = x[1] * y[2] - x[2] * y[1], b = middle[1] - middle[0], d = middle[2] - middle[0];
-  n.dx = (b * y[2] - d * y[1]) / det;
-  n.dy = (x[1] * d - x[2] * b) / det;
-  double most = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    most = std::max(most, std::fabs(middle[k] - (n.value + n.dx * x[k] + n.dy * y[k])) + (high[k] - low[k]));
-  // Images are off by their error, and tiles that reach beyond the triangle's by less than a tile.
+  // Tiles reach beyond the triangle by less than a tile.
   const double width = around.high[0] - around.low[0] + axes_[0].width,
                height = around.high[1] - around.low[1] + axes_[1].width;
   const auto reach = [&](std::size_t k, double size) {
     return size + std::fabs(around.low[k]) + std::fabs(around.high[k]) + std::fabs(axes_[k].first) +
            axes_[k].tiles * axes_[k].width;
   };
-  const double reach_x = reach(0, width), reach_y = reach(1, height);
-  const double error = 2 * projected_.image_error();
-  n.error = (most + std::fabs(n.dx) * (error + 16 * u * reach_x) + std::fabs(n.dy) * (error + 16 * u * reach_y) +
-             16 * u * std::fabs(n.value)) *
-                1.01 +
-            0x1p-120;
-  if (!(n.error < HUGE_VAL)) n = {n.p, 0, 0, 0, HUGE_VAL, n.farthest, n.nearest};
-  return n;
+  return affine_depth(corners, reach(0, width), reach(1, height));
 }
 
 /// At most 24 tiles to a triangle, over the middle of the image: in perspective a few triangles may lie far out.
@@ -377,10 +358,10 @@ bool OcclusionPyramid::hides(const Edge& e) const {
 }
 
 bool OcclusionPyramid::hides(const BoundedPoint3& a, const BoundedPoint3& b) const {
-  const NearImage p = projected_.image(a.p, 3 * a.error), q = projected_.image(b.p, 3 * b.error);
+  const BoundedPoint2 p = projected_.image(a.p, 3 * a.error), q = projected_.image(b.p, 3 * b.error);
   const double error = std::max(p.error, q.error);
   return error < HUGE_VAL &&
-         hides(p.at, projected_.box(a.p, 3 * a.error).nearest, q.at, projected_.box(b.p, 3 * b.error).nearest, error);
+         hides(p.p, projected_.box(a.p, 3 * a.error).nearest, q.p, projected_.box(b.p, 3 * b.error).nearest, error);
 }
 
 /// @param error of each coordinate @param nearness_of_p at most, as boxes have it

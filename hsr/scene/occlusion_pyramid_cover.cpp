@@ -19,7 +19,7 @@ std::optional<Edge> common_side(const std::array<VertexId, 3>& t, const std::arr
   std::array<VertexId, 2> common;
   std::size_t count = 0;
   for (const VertexId v : t)
-    if (v == s[0] || v == s[1] || v == s[2]) {
+    if (is_one_of(v, s)) {
       if (count == 2) return std::nullopt;
       common[count++] = v;
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/vector3.h"
 #include "hsr/scene/line_filter.h"
 
 namespace hsr {
@@ -25,10 +26,6 @@ Point3 scaled(const Point3& p, int power) {
 }
 
 BitRange scaled(const BitRange& c, int power) { return c.is_zero() ? c : BitRange{c.lowest + power, c.highest + power}; }
-
-Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double size(const Point3& a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }
 
 }  // namespace
 
@@ -120,13 +117,10 @@ void ProjectedMesh::choose_rows(const View& view) {
   // Any map that is constant along lines of sight serves, so rounded rows are as good as others.
   if (is_perspective()) {
     depth_ = minus(target_, eye_.at);
-    const double length = std::max({std::fabs(depth_.x), std::fabs(depth_.y), std::fabs(depth_.z)});
-    depth_ = {depth_.x / length, depth_.y / length, depth_.z / length};
+    depth_ = over(depth_, norm_max(depth_));
     for (std::size_t r = 0; r < 2; ++r) {
       const Point3& row = r == 0 ? view.frame.right : view.frame.up;
-      const double most =
-          std::max({std::fabs(row.x), std::fabs(row.y), std::fabs(row.z), 1.0});  // the bounds below want entries <= 1
-      row_[r] = {row.x / most, row.y / most, row.z / most};
+      row_[r] = over(row, std::max(norm_max(row), 1.0));  // the bounds below want entries <= 1
     }
   } else {
     const Point3& d = eye_.at;
@@ -187,7 +181,7 @@ double ProjectedMesh::compute_image(VertexId v) {
   const Point3& p = points_[v];
   if (is_perspective()) {
     const Point3 q = minus(p, eye_.at);
-    const double e = 6 * u * size(q) + 0x1p-1000, m = dot(depth_, q);
+    const double e = 6 * u * norm_one(q) + 0x1p-1000, m = dot(depth_, q);
     if (!(m > 2 * e)) return HUGE_VAL;
     const double x = dot(row_[0], q) / m, y = dot(row_[1], q) / m;
     image_[v] = {image_mirror_ * x, y};
@@ -210,15 +204,15 @@ double ProjectedMesh::compute_image(VertexId v) {
 }
 
 /// The bounds of compute_image, and of add_to for what the point itself is off by.
-NearImage ProjectedMesh::image(const Point3& p, double error) const {
+BoundedPoint2 ProjectedMesh::image(const Point3& p, double error) const {
   if (is_perspective()) {
     const Point3 q = minus(p, eye_.at);
-    const double e = 6 * u * size(q) + error * 1.01 + 0x1p-1000, m = dot(depth_, q);
+    const double e = 6 * u * norm_one(q) + error * 1.01 + 0x1p-1000, m = dot(depth_, q);
     if (!(m > 2 * e)) return {{0, 0}, HUGE_VAL};
     const double x = dot(row_[0], q) / m, y = dot(row_[1], q) / m, most = std::max(std::fabs(x), std::fabs(y));
     return {{image_mirror_ * x, y}, (e + most * e) / (m - e) * 1.01 + 4 * u * most};
   }
-  return {{image_mirror_ * dot(row_[0], p), dot(row_[1], p)}, (5 * u * size(p) + error) * 1.01 + 0x1p-1000};
+  return {{image_mirror_ * dot(row_[0], p), dot(row_[1], p)}, (5 * u * norm_one(p) + error) * 1.01 + 0x1p-1000};
 }
 
 Sign ProjectedMesh::side(const Plane& plane, VertexId p, Predicates& exact) const {
@@ -253,12 +247,12 @@ void ProjectedMesh::add_to(ImageBox& box, const Point3& p, double error) const {
   if (!is_perspective()) {
     const std::array<double, 3> value = {dot(row_[0], p) - middle_[0], dot(row_[1], p) - middle_[1],
                                          dot(depth_, p) - middle_[2]};
-    const auto bound = [&](std::size_t k) { return 5 * u * (size(p) + std::fabs(middle_[k])) + error + 0x1p-1000; };
+    const auto bound = [&](std::size_t k) { return 5 * u * (norm_one(p) + std::fabs(middle_[k])) + error + 0x1p-1000; };
     box.add(value, {bound(0), bound(1), bound(2)});
     return;
   }
   const Point3 v = minus(p, eye_.at);
-  const double e = 6 * u * size(v) + error * 1.01 + 0x1p-1000;
+  const double e = 6 * u * norm_one(v) + error * 1.01 + 0x1p-1000;
   const double m = dot(depth_, v);
   if (!(m > 2 * e)) {
     box = ImageBox::everything();
@@ -272,9 +266,9 @@ void ProjectedMesh::add_to(ImageBox& box, const Point3& p, double error) const {
 /// The bounds of add_to().
 ErrorBounded ProjectedMesh::depth(const Point3& p, double error) const {
   if (!is_perspective())
-    return {dot(depth_, p) - middle_[2], (5 * u * (size(p) + std::fabs(middle_[2])) + error) * 1.01 + 0x1p-1000};
+    return {dot(depth_, p) - middle_[2], (5 * u * (norm_one(p) + std::fabs(middle_[2])) + error) * 1.01 + 0x1p-1000};
   const Point3 v = minus(p, eye_.at);
-  return {dot(depth_, v), 6 * u * size(v) + error * 1.01 + 0x1p-1000};
+  return {dot(depth_, v), 6 * u * norm_one(v) + error * 1.01 + 0x1p-1000};
 }
 
 /// Adds the point where ab crosses the near plane: a + t (b - a), t = near(a) / (near(a) - near(b)).
@@ -289,7 +283,7 @@ void ProjectedMesh::add_near_cut_to(ImageBox& box, VertexId a, VertexId b) const
   const double t = at_p.value / fall;
   const double t_error = 2 * (at_p.error + std::fabs(t) * loss) / std::fabs(fall) + 4 * u;
   const Point3 d = minus(q, p);
-  add_to(box, {p.x + t * d.x, p.y + t * d.y, p.z + t * d.z}, size(d) * (t_error + 4 * u) + 4 * u * (size(p) + size(q)));
+  add_to(box, sum(p, t, d), norm_one(d) * (t_error + 4 * u) + 4 * u * (norm_one(p) + norm_one(q)));
 }
 
 ImageBox ProjectedMesh::box(VertexId a, VertexId b) const {

@@ -10,15 +10,7 @@
 namespace hsr {
 
 /// A point in the image that ProjectedMesh computes in: not the paper's, but constant along lines of sight like it.
-struct ImagePoint {
-  double x, y;
-};
-
-/// The image of a point that is known nearly.
-struct NearImage {
-  ImagePoint at;
-  double error;  ///< of each coordinate
-};
+using ImagePoint = Point2;
 
 /// A mesh as one view sees it: what every method needs first.
 ///
@@ -61,9 +53,7 @@ class ProjectedMesh {
   double image_error() const { return image_error_; }
   /// The image of another point, which is within `error` of p in the sum of its coordinates; p is already scaled. An infinite
   /// error where doubles do not tell.
-  NearImage image(const Point3& p, double error) const;
-  /// 1 or -1: the x of the images is that of the boxes, times this, and moved.
-  double image_mirror() const { return image_mirror_; }
+  BoundedPoint2 image(const Point3& p, double error) const;
 
   /// The sign of O(t0, t1, t2): zero, the triangle is seen edge-on. The eye lies on the side -facing of its plane.
   Sign facing(TriangleId t) const { return facing_[t]; }
@@ -118,7 +108,8 @@ class ProjectedMesh {
   PlaneFilter near_filter_;
   IndexedVector<VertexId, ImagePoint> image_;
   IndexedVector<VertexId, ImageBox> vertex_boxes_;  // of nothing: before the near plane, or not used
-  double image_error_ = 0, image_mirror_ = 1;
+  double image_error_ = 0;
+  double image_mirror_ = 1;  // 1 or -1: the x of the images is that of the boxes, times this, and moved
   // The image: rows of a fixed map; parallel, u = p[i] - ratio p[k]; perspective, u = row . (p - eye) / (depth . (p - eye)).
   std::array<Point3, 2> row_;
   Point3 depth_;

@@ -33,6 +33,12 @@ struct SegmentFilter {
     const double rx = point.x - p.x, ry = point.y - p.y;
     return {dx * ry - dy * rx, least + slope * (std::fabs(rx) + std::fabs(ry))};
   }
+  /// The scalar product of d and point - o, positive where the point lies beyond o as the segment runs. Its two products and
+  /// their sum err as those of the determinant; the bound is twice that one. @param o p or q
+  ErrorBounded along(const ImagePoint& point, const ImagePoint& o) const {
+    const double rx = point.x - o.x, ry = point.y - o.y;
+    return {dx * rx + dy * ry, 2 * (least + slope * (std::fabs(rx) + std::fabs(ry)))};
+  }
 };
 
 }  // namespace hsr

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/plane_filter.h"
-#include "geometry/two_doubles.h"
+#include "geometry/simd.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/segment_filter.h"
 
@@ -33,16 +33,10 @@ struct TriangleFilter {
       y[k] = p.y;
     }
     const Point3& e = projected.eye().at;
-    // The bound of a PlaneFilter at o + D is that of n . D.
-    const ErrorBounded at_eye =
-        projected.is_perspective()
-            ? plane(e)
-            : ErrorBounded{plane.nx * e.x + plane.ny * e.y + plane.nz * e.z,
-                           plane.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + plane.least};
-    per_eye = quotient({-1, 0}, at_eye);
+    per_eye = quotient({-1, 0}, projected.is_perspective() ? plane(e) : plane.change(e));
   }
 
-  bool has(VertexId v) const { return v == corners[0] || v == corners[1] || v == corners[2]; }
+  bool has(VertexId v) const { return is_one_of(v, corners); }
 
   /// Whether the triangle certainly lies on one side of the line of the segment.
   bool is_beside(const SegmentFilter& s) const {
@@ -66,20 +60,24 @@ struct TriangleFilter {
   };
   Overlap overlap(const SegmentFilter& s) const {
     Overlap overlap;
-    const TwoDoubles sx = {s.p.x, s.q.x}, sy = {s.p.y, s.q.y};
+    alignas(16) const std::array<double, 2> ends_x = {s.p.x, s.q.x}, ends_y = {s.p.y, s.q.y};
+    const TwoDoubles sx = TwoDoubles::load(ends_x.data()), sy = TwoDoubles::load(ends_y.data());
     const double per_length = 2.2 * s.error, least = 9.1 * s.error * s.error + 0x1p-1000;
+    const auto all = [](double of_both) { return TwoDoubles::all(of_both); };
+    constexpr unsigned both = 3;
     for (unsigned k = 0; k < 3; ++k) {
       const unsigned next = k == 2 ? 0 : k + 1;
       const double dx = facing * (x[next] - x[k]), dy = facing * (y[next] - y[k]), length = std::fabs(dx) + std::fabs(dy);
-      const TwoDoubles px = sx - x[k], py = sy - y[k];
-      const TwoDoubles value = overlap.value[k] = dx * py - dy * px;
+      const TwoDoubles px = sx - all(x[k]), py = sy - all(y[k]);
+      const TwoDoubles value = overlap.value[k] = all(dx) * py - all(dy) * px;
       const TwoDoubles error = overlap.error[k] =
-          (least + per_length * length) + (per_length + 4.2 * ErrorBounded::u * length) * (absolute(px) + absolute(py));
-      if (both(value < -error)) {
+          all(least + per_length * length) +
+          all(per_length + 4.2 * ErrorBounded::u * length) * (px.magnitude() + py.magnitude());
+      if ((value < -error).bits() == both) {
         overlap.is_none = true;
         return overlap;
       }
-      overlap.is_within |= unsigned{both(value > error)} << k;
+      overlap.is_within |= unsigned{(value > error).bits() == both} << k;
     }
     return overlap;
   }

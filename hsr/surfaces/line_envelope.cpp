@@ -31,8 +31,8 @@ void LineEnvelope::start(const MapStretch& stretch, Sign side) {
     if (v.is_valid() && projected_.image_error() < HUGE_VAL) {
       ends[k] = projected_.image(v);
     } else {
-      const NearImage image = projected_.image(p.p, 3 * p.error);
-      ends[k] = image.at;
+      const BoundedPoint2 image = projected_.image(p.p, 3 * p.error);
+      ends[k] = image.p;
       error += image.error;
     }
   }
@@ -113,9 +113,8 @@ void LineEnvelope::bound(Part& part) const {
     part.least = std::min(part.least, n.error < HUGE_VAL ? n.value - n.error : -HUGE_VAL);
     // The hit is p + n D, or e + (p - e) / (1 + n).
     const Point3& e = projected_.eye().at;
-    const ErrorBounded hit = projected_.is_perspective()
-                                 ? -quotient(depth, ErrorBounded{1, 0} + n)
-                                 : depth + n * ErrorBounded{std::max({std::fabs(e.x), std::fabs(e.y), std::fabs(e.z)}), 0};
+    const ErrorBounded hit =
+        projected_.is_perspective() ? -quotient(depth, ErrorBounded{1, 0} + n) : depth + n * ErrorBounded{norm_max(e), 0};
     farthest = std::min(farthest, hit.error < HUGE_VAL ? hit.value - hit.error : -HUGE_VAL);
   }
   part.farthest = farthest > -HUGE_VAL ? float_below(farthest) : projected_.box(part.seen).farthest;
@@ -127,13 +126,7 @@ ErrorBounded LineEnvelope::at(const Linear& f, const Place& place) const {
 }
 
 LineEnvelope::Linear LineEnvelope::along(const PlaneFilter& filter, bool zero_at_a, bool zero_at_b) const {
-  const auto value = [&](const BoundedPoint3& p) {
-    ErrorBounded x = filter(p.p);
-    if (p.error > 0)
-      x.error += (std::fabs(filter.nx) + std::fabs(filter.ny) + std::fabs(filter.nz) + 3 * filter.slope) * p.error * 1.01;
-    return x;
-  };
-  return {zero_at_a ? ErrorBounded{} : value(stretch_->a), zero_at_b ? ErrorBounded{} : value(stretch_->b)};
+  return {zero_at_a ? ErrorBounded{} : filter(stretch_->a), zero_at_b ? ErrorBounded{} : filter(stretch_->b)};
 }
 
 /// -t(p) / t(E): how far toward the viewer from the stretch the plane is; see bound().
@@ -229,10 +222,8 @@ bool LineEnvelope::clip(const TriangleFilter& face, const TriangleFilter::Overla
 
 /// Whether the place is on an edge or at a vertex that both triangles have: most ties are, at outlines.
 bool LineEnvelope::have_in_common(TriangleId s, TriangleId t, const MapPoint& p) const {
-  const auto &c = map_.mesh().triangles[s], &d = map_.mesh().triangles[t];
-  const auto is_common = [&](VertexId v) {
-    return (v == c[0] || v == c[1] || v == c[2]) && (v == d[0] || v == d[1] || v == d[2]);
-  };
+  const Mesh& mesh = map_.mesh();
+  const auto is_common = [&](VertexId v) { return mesh.has_corner(s, v) && mesh.has_corner(t, v); };
   if (p.is_vertex) return is_common(p.vertex);
   const auto is_edge = [&](const MapLine& l) {
     return l.kind == MapLine::Kind::edge && is_common(VertexId(l.u)) && is_common(VertexId(l.v));

@@ -7,6 +7,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
+#include "geometry/ragged.h"
 #include "hsr/scene/segment_filter.h"
 
 namespace hsr {
@@ -101,15 +102,15 @@ class RingLinker::Linker {
   std::vector<std::uint32_t> lowest_, number_;  // by the end that stands for a point: the end of the lowest symbol; the point
   std::vector<MapPoint> points_;
   std::vector<MapPlace> places_;
-  std::vector<LowX> by_x_;                                                          // points; before, the ends of sides
-  double widest_ = 0;                                                               // of the bounds of x
-  std::vector<Piece> ends_, pieces_, kept_;                                         // of whole sides; of cut ones; of these
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> by_ends_;                    // pieces, by the points they join
-  std::vector<std::uint32_t> inside_;                                               // points of a side
-  std::vector<std::uint32_t> arriving_, leaving_, first_arriving_, first_leaving_;  // pieces by point
-  std::vector<std::uint32_t> next_;                                                 // by piece
-  std::vector<std::uint8_t> is_done_;                                               // by piece
-  std::vector<std::uint32_t> walk_, way_;                                           // pieces
+  std::vector<LowX> by_x_;                                        // points; before, the ends of sides
+  double widest_ = 0;                                             // of the bounds of x
+  std::vector<Piece> ends_, pieces_, kept_;                       // of whole sides; of cut ones; of these
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> by_ends_;  // pieces, by the points they join
+  std::vector<std::uint32_t> inside_;                             // points of a side
+  Ragged<std::uint32_t> arriving_, leaving_;                      // pieces by point
+  std::vector<std::uint32_t> next_;                               // by piece
+  std::vector<std::uint8_t> is_done_;                             // by piece
+  std::vector<std::uint32_t> walk_, way_;                         // pieces
   std::vector<std::uint32_t> place_on_way_;  // of each point on the way of split(), the piece that leaves it
   std::vector<std::uint32_t> corners_;       // pieces, loop after loop
   std::vector<Loop> loops_;
@@ -307,19 +308,14 @@ void RingLinker::Linker::link_at(std::span<const std::uint32_t> in, std::span<co
 
 void RingLinker::Linker::link_pieces() {
   next_.assign(pieces_.size(), none);
-  // Counting sorts by point.
-  const auto sort = [&](std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& sorted, std::uint32_t Piece::*point) {
-    first.assign(points_.size() + 2, 0);
-    for (const Piece& p : pieces_) ++first[p.*point + 2];
-    for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
-    sorted.resize(pieces_.size());
-    for (std::uint32_t i = 0; i < pieces_.size(); ++i) sorted[first[pieces_[i].*point + 1]++] = i;
+  const auto sort = [&](Ragged<std::uint32_t>& sorted, std::uint32_t Piece::*point) {
+    sorted.assign(points_.size(), [&](const auto& add) {
+      for (std::uint32_t i = 0; i < pieces_.size(); ++i) add(pieces_[i].*point, i);
+    });
   };
-  sort(first_arriving_, arriving_, &Piece::to);
-  sort(first_leaving_, leaving_, &Piece::from);
-  for (std::size_t p = 0; p < points_.size(); ++p)
-    link_at({arriving_.data() + first_arriving_[p], arriving_.data() + first_arriving_[p + 1]},
-            {leaving_.data() + first_leaving_[p], leaving_.data() + first_leaving_[p + 1]});
+  sort(arriving_, &Piece::to);
+  sort(leaving_, &Piece::from);
+  for (std::size_t p = 0; p < points_.size(); ++p) link_at(arriving_[p], leaving_[p]);
 }
 
 void RingLinker::Linker::walk() {

@@ -170,9 +170,9 @@ void SideFinder::add_intersection(const Intersection& crossing) {
 /// of t, MapPredicates::nearer(s, t) tells on which side of the line it is seen: to the left iff facing(s) t(corner) < 0. To the
 /// left O is negative.
 Sign SideFinder::runs_along(const Intersection& crossing, const MapStretch& stretch) {
-  const NearImage a = projected_.image(stretch.a.p, 3 * stretch.a.error),
-                  b = projected_.image(stretch.b.p, 3 * stretch.b.error);
-  const SegmentFilter image(a.at, b.at, std::max({a.error, b.error, projected_.image_error()}));
+  const BoundedPoint2 a = projected_.image(stretch.a.p, 3 * stretch.a.error),
+                      b = projected_.image(stretch.b.p, 3 * stretch.b.error);
+  const SegmentFilter image(a.p, b.p, std::max({a.error, b.error, projected_.image_error()}));
   const PlaneFilter plane = projected_.filter(projected_.face_plane(crossing.t));
   for (const VertexId v : mesh_.triangles[crossing.s]) {
     const ErrorBounded at_v = plane(projected_.point(v));
@@ -204,17 +204,12 @@ void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart
 BoundedPoint3 SideFinder::end_of(const Intersection& crossing, const Cut& cut, const MapPoint& seen) const {
   if (cut.kind == Cut::Kind::sight) {
     const VertexId u(cut.u), v(cut.v);
-    const auto has = [&](TriangleId t, VertexId x) {
-      const auto& c = mesh_.triangles[t];
-      return x == c[0] || x == c[1] || x == c[2];
-    };
-    const TriangleId other = has(crossing.s, u) && has(crossing.s, v) ? crossing.t : crossing.s;
+    const TriangleId other = mesh_.has_corner(crossing.s, u) && mesh_.has_corner(crossing.s, v) ? crossing.t : crossing.s;
     const PlaneFilter plane = projected_.filter(projected_.face_plane(other));
-    const auto value = [&](VertexId x) { return has(other, x) ? ErrorBounded{} : plane(projected_.point(x)); };
+    const auto value = [&](VertexId x) { return mesh_.has_corner(other, x) ? ErrorBounded{} : plane(projected_.point(x)); };
     const ErrorBounded at_u = value(u);
     const BoundedPoint3 end = between(projected_.point(u), projected_.point(v), quotient(at_u, at_u - value(v)));
-    const double size = std::max({std::fabs(end.p.x), std::fabs(end.p.y), std::fabs(end.p.z)});
-    if (end.error < size * 0x1p-20) return end;
+    if (end.error < norm_max(end.p) * 0x1p-20) return end;
   }
   return map_.point(seen, crossing.s);
 }
@@ -264,8 +259,8 @@ MapPlace SideFinder::place(const MapStretch& stretch, const MapPoint& p, double 
     return {at.x, at.y, projected_.image_error(), projected_.image_error()};
   }
   const BoundedPoint3 at = stretch.at(t, error);
-  const NearImage image = projected_.image(at.p, 3 * at.error);
-  return image.error < HUGE_VAL ? MapPlace{image.at.x, image.at.y, image.error, image.error} : unknown;
+  const BoundedPoint2 image = projected_.image(at.p, 3 * at.error);
+  return image.error < HUGE_VAL ? MapPlace{image.p.x, image.p.y, image.error, image.error} : unknown;
 }
 
 /// Where what is seen to the left and to the right differs, both end. What goes on beside several others ends in one side.

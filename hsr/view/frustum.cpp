@@ -4,15 +4,13 @@
 #include <cmath>
 
 #include "geometry/error_bounded.h"
+#include "geometry/vector3.h"
 
 namespace hsr {
 
 namespace {
 
 constexpr double wider = 1.0 + 1.0 / 64;
-
-/// a + t b
-Point3 sum(const Point3& a, double t, const Point3& b) { return {a.x + t * b.x, a.y + t * b.y, a.z + t * b.z}; }
 
 }  // namespace
 
@@ -24,7 +22,7 @@ ViewFrustum::ViewFrustum(const Mesh& mesh, const View& view, const FrameSize& si
   const double d = std::hypot(f.x, f.y, f.z);
   // Far within these bounds a 64th is more than what rounding moves anything by; planes without a normal leave nothing out.
   if (!(d > 1e-280 && d < 1e280)) return;
-  const Point3 ahead = {f.x / d, f.y / d, f.z / d};
+  const Point3 ahead = over(f, d);
   const double x = size.half_width * wider / d, y = size.half_height * wider / d;
   if (!(std::min(x, y) > 1e-10 && std::max(x, y) < 1e10)) return;
   normals_ = {sum(frame.right, -x, ahead), sum({-frame.right.x, -frame.right.y, -frame.right.z}, -x, ahead),

@@ -136,15 +136,13 @@ MapPlace MapPredicates::place(const MapPoint& p) const {
 BoundedPoint3 MapPredicates::point(const MapPoint& p, TriangleId t) const {
   const Plane x = projected_.face_plane(t);
   if (!p.is_vertex && exact_.filter_is_proven()) {
-    const auto at = bounded_point(camera_, plane(p.l), plane(p.m), x);
-    const double error = std::max({at[0].error, at[1].error, at[2].error});
-    const double size = std::max({std::fabs(at[0].value), std::fabs(at[1].value), std::fabs(at[2].value)});
-    if (error < size * 0x1p-20) return {{at[0].value, at[1].value, at[2].value}, error};
+    const BoundedPoint3 at = bounded_point(bounded_point(camera_, plane(p.l), plane(p.m), x));
+    if (at.error < norm_max(at.p) * 0x1p-20) return at;
   }
   const RationalVector at =
       p.is_vertex ? exact_point(camera_, projected_.point(p.vertex), x) : exact_point(camera_, plane(p.l), plane(p.m), x);
   const Point3 q = {at[0].to_double(), at[1].to_double(), at[2].to_double()};
-  return {q, ErrorBounded::u * std::max({std::fabs(q.x), std::fabs(q.y), std::fabs(q.z)}) + 0x1p-1000};
+  return {q, ErrorBounded::u * norm_max(q) + 0x1p-1000};
 }
 
 std::array<Rational, 2> MapPredicates::exact_place(const MapPoint& p) const {

@@ -10,7 +10,9 @@
 
 namespace hsr {
 
-/// Where a point of the map lies, within a bound that was proven; infinite where doubles do not tell.
+/// Where a point of the map lies, within a bound that was proven; infinite where doubles do not tell. Each coordinate has a
+/// bound of its own, unlike those of a BoundedPoint2: points are sorted and compared by one of them, and where a crossing is
+/// steep in the other, that one's bound would spoil it.
 struct MapPlace {
   double x = 0, y = 0, error_x = 0, error_y = 0;
 };

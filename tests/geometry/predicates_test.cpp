@@ -429,7 +429,8 @@ TEST_CASE("the bound of a prepared plane is above the error, and not far above",
   CHECK(worst.to_double() > 0.2);  // a bound that were a third of this one would be passed
 }
 
-TEST_CASE("cuts of an edge are ordered as their parameters are", "[geometry][predicates]") {
+TEST_CASE("the cross of two planes' values tells the order of the parameters at which they cut an edge",
+          "[geometry][predicates]") {
   Numbers random(31);
   int compared = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -443,7 +444,11 @@ TEST_CASE("cuts of an edge are ordered as their parameters are", "[geometry][pre
     if (!cuts(x) || !cuts(y)) continue;
     ++compared;
     const Rational difference = parameter_of_cut(x, p, q) - parameter_of_cut(y, p, q);
-    CHECK(Predicates(c.bit_range, c.direction).order_along_edge(x, y, p, q) == difference.sign());
+    const auto fall = [&](const Plane& plane) {  // of the plane's value from p to q
+      const Sign at_p = reference_side(plane, p);
+      return at_p != Sign::zero ? at_p : -reference_side(plane, q);
+    };
+    CHECK(-(fall(x) * fall(y) * Predicates(c.bit_range, c.direction).cross(x, y, p, q)) == difference.sign());
   }
   CHECK(compared > 300);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "geometry/vector3.h"
 #include "tests/lines/checked_lines.h"
 #include "tests/scenes/random_scenes.h"
 
@@ -102,9 +103,6 @@ TEST_CASE("moving far away changes no line while no coordinate is rounded", "[li
     }
   });
 }
-
-Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 TEST_CASE("a face behind everything changes no line", "[lines][metamorphic]") {
   on_random_scenes({"triangles", "polygons", "edge_on", "boxes"}, 60, [](const TestScene& scene, auto) {

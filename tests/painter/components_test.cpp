@@ -10,8 +10,8 @@ using Nodes = std::vector<std::uint32_t>;
 Graph graph(const std::vector<Nodes>& targets) {
   Graph g;
   for (const Nodes& t : targets) {
-    g.targets.insert(g.targets.end(), t.begin(), t.end());
-    g.first.push_back(static_cast<std::uint32_t>(g.targets.size()));
+    for (const std::uint32_t node : t) g.push_back(node);
+    g.end_row();
   }
   return g;
 }
@@ -23,17 +23,18 @@ TEST_CASE("an order of a graph, its cycles, and the shortest of them", "[painter
   const Graph two = graph({{1}, {2}, {0, 3}, {4}, {5}, {3}, {0}});
   CHECK(cyclic_components(two) == std::vector<Nodes>{{3, 4, 5}, {0, 1, 2}});
   CHECK(topological_order(two) == Nodes{6});
-  CHECK(shortest_cycle(two, 0) == Nodes{0, 1, 2});
-  CHECK(shortest_cycle(two, 6).empty());
-  CHECK(shortest_cycle(graph({{1}, {2, 3}, {3}, {0}}), 0) == Nodes{0, 1, 3});
+  CHECK(disjoint_cycles(two, {0}) == std::vector<Nodes>{{0, 1, 2}});
+  CHECK(disjoint_cycles(two, {6}).empty());
+  CHECK(disjoint_cycles(graph({{1}, {2, 3}, {3}, {0}}), {0}) == std::vector<Nodes>{{0, 1, 3}});
+  CHECK(disjoint_cycles(two, {3, 4, 6, 1}) == std::vector<Nodes>{{3, 4, 5}, {1, 2, 0}});
 }
 
 TEST_CASE("a chain of a million nodes is no depth to recurse to", "[painter][components]") {
   Graph chain;
   constexpr std::uint32_t n = 1'000'000;
   for (std::uint32_t k = 0; k < n; ++k) {
-    chain.targets.push_back((k + 1) % n);
-    chain.first.push_back(k + 1);
+    chain.push_back((k + 1) % n);
+    chain.end_row();
   }
   const auto found = cyclic_components(chain);
   REQUIRE(found.size() == 1);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "geometry/error.h"
+#include "geometry/vector3.h"
 
 namespace hsr::scenes {
 
@@ -58,8 +59,6 @@ std::optional<std::array<Point3, 3>> some_corners(Dice& d, const TestScene& scen
   const auto f = scene.polygons[static_cast<std::size_t>(d.between(0, static_cast<int>(scene.polygons.size()) - 1))];
   return std::array<Point3, 3>{scene.points[f[0]], scene.points[f[1]], scene.points[f[2]]};
 }
-
-Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 // An eye outside, inside, or on something: a vertex, an edge, a face, a face's plane. All of these are exact in doubles.
 Point3 any_eye(Dice& d, const TestScene& scene, bool outside) {

@@ -59,11 +59,7 @@ class EyeSide {
       return e[plane.axis] > at ? Sign::positive : e[plane.axis] < at ? Sign::negative : Sign::zero;
     }
     const PlaneFilter& f = filters_[filter];
-    // The bound of a PlaneFilter at o + D is that of n . D.
-    const ErrorBounded x = eye_.is_direction
-                               ? ErrorBounded{f.nx * e.x + f.ny * e.y + f.nz * e.z,
-                                              f.slope * (std::fabs(e.x) + std::fabs(e.y) + std::fabs(e.z)) + f.least}
-                               : f(e);
+    const ErrorBounded x = eye_.is_direction ? f.change(e) : f(e);
     if (x.is_certain() && exact_.filter_is_proven()) return sign_of(x.value);
     // O(a, b, c) is negative where the eye lies on the positive side of the plane of a, b and c.
     const auto& c = mesh_.triangles[TriangleId(plane.u)];

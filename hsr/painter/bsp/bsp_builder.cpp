@@ -194,10 +194,10 @@ void BspBuilder::take_sample(std::span<const std::uint32_t> parts) {
       s.high[axis][k] = part.high[axis];
     }
     for (const BspParts::Corner& corner : parts_.corners(part)) {
-      s.x.push_back(corner.p.x);
-      s.y.push_back(corner.p.y);
-      s.z.push_back(corner.p.z);
-      s.error.push_back(corner.error);
+      s.x.push_back(corner.at.p.x);
+      s.y.push_back(corner.at.p.y);
+      s.z.push_back(corner.at.p.z);
+      s.error.push_back(corner.at.error);
     }
     s.end.push_back(static_cast<std::uint32_t>(s.x.size()));
     s.parts.push_back(index);
@@ -232,9 +232,9 @@ std::size_t BspBuilder::score_face(const Divider& d) {
   const double* const error = s.error.data();
   const double *const x = s.x.data(), *const y = s.y.data(), *const z = s.z.data();
   const PlaneFilter f = d.filter;
-  const double spread = d.spread;
+  const double spread = f.spread();
   for (std::size_t i = 0; i < corners; ++i) {
-    const ErrorBounded value = f({x[i], y[i], z[i]});
+    const ErrorBounded value = f(Point3{x[i], y[i], z[i]});
     const double bound = value.error + spread * error[i];
     sides[i] = (value.value > bound ? 1.0 : 0.0) - (value.value < -bound ? 1.0 : 0.0);
   }

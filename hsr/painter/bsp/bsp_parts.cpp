@@ -10,7 +10,7 @@ namespace hsr {
 
 std::uint32_t BspParts::add(TriangleId facet, std::span<const BspBounds::Corner> ring) {
   Part part{facet, static_cast<std::uint32_t>(corners_.size()), 0};
-  for (const BspBounds::Corner& c : ring) corners_.push_back({projected_.point(VertexId(c.a)), 0, c});
+  for (const BspBounds::Corner& c : ring) corners_.push_back({{projected_.point(VertexId(c.a)), 0}, c});
   check_countable(corners_.size(), "corners of a BSP");
   part.end = static_cast<std::uint32_t>(corners_.size());
   parts_.push_back(part);
@@ -35,7 +35,7 @@ void BspParts::find_box(std::uint32_t index) {
   part.high.fill(-HUGE_VALF);
   for (const Corner& c : corners(part))
     for (int k = 0; k < 3; ++k) {
-      const double x = c.p[k], margin = c.error == 0 ? 0 : 1.01 * c.error + 0x1p-50 * std::fabs(x);
+      const double x = c.at.p[k], margin = c.at.error == 0 ? 0 : 1.01 * c.at.error + 0x1p-50 * std::fabs(x);
       float &low = part.low[static_cast<std::size_t>(k)], &high = part.high[static_cast<std::size_t>(k)];
       low = std::min(low, static_cast<float>(x - margin));
       high = std::max(high, static_cast<float>(x + margin));
@@ -48,7 +48,6 @@ BspParts::Divider BspParts::divider(TriangleId facet) const {
   d.id = BspBounds::facet(facet);
   d.filter = projected_.filter(projected_.face_plane(facet));
   d.vertices = projected_.mesh().triangles[facet];
-  d.spread = (std::fabs(d.filter.nx) + std::fabs(d.filter.ny) + std::fabs(d.filter.nz) + 3 * d.filter.slope) * 1.01;
   return d;
 }
 
@@ -63,18 +62,16 @@ Plane BspParts::plane(BspBounds::Id id) const { return cut_plane(projected_, cut
 
 /// The bound of the filter holds for a place that is not exact, as long as its size and error are bounded (crossing()).
 ErrorBounded BspParts::value(const Divider& d, const Corner& corner) const {
-  if (d.is_across()) return ErrorBounded{corner.p[d.cut.axis], corner.error} - ErrorBounded{d.at, 0};
-  ErrorBounded x = d.filter(corner.p);
-  if (corner.error != 0) x.error += d.spread * corner.error;
-  return x;
+  if (d.is_across()) return ErrorBounded{corner.at.p[d.cut.axis], corner.at.error} - ErrorBounded{d.at, 0};
+  return d.filter(corner.at);
 }
 
 Sign BspParts::side_beyond_filter(const Divider& d, const Corner& corner, TriangleId facet) {
   const BspBounds::Corner& c = corner.bounds;
-  const auto is_of_divider = [&](VertexId v) { return v == d.vertices[0] || v == d.vertices[1] || v == d.vertices[2]; };
+  const auto is_of_divider = [&](VertexId v) { return is_one_of(v, d.vertices); };
   if (c.is_vertex()) {
-    if (d.is_across()) return sign_of(corner.p[d.cut.axis] - d.at);
-    return is_of_divider(VertexId(c.a)) ? Sign::zero : exact_.side_beyond_filter(cut_plane(projected_, d.cut), corner.p);
+    if (d.is_across()) return sign_of(corner.at.p[d.cut.axis] - d.at);
+    return is_of_divider(VertexId(c.a)) ? Sign::zero : exact_.side_beyond_filter(cut_plane(projected_, d.cut), corner.at.p);
   }
   if (c.a == d.id || c.b == d.id) return Sign::zero;
   // On an edge of the facet that is also one of the divider's.
@@ -108,26 +105,23 @@ BspParts::Sides BspParts::sides(const Divider& d, const Part& part) {
 BspParts::Corner BspParts::crossing(const Divider& d, const Part& part, std::size_t k) {
   const std::size_t n = part.end - part.first, next = (k + 1) % n;
   const Corner &from = corners_[part.first + k], &to = corners_[part.first + next];
-  Corner out{{}, HUGE_VAL, {from.bounds.side, d.id, from.bounds.side}};
+  Corner out{{{}, HUGE_VAL}, {from.bounds.side, d.id, from.bounds.side}};
   const ErrorBounded &a = values_[k], &b = values_[next];
   const double fall = a.value - b.value, loss = a.error + b.error;
   if (a.is_certain() && b.is_certain() && std::fabs(fall) > 4 * loss) {
     const double t = a.value / fall, t_error = 3 * loss / std::fabs(fall) + 4 * ErrorBounded::u;
-    const double dx = to.p.x - from.p.x, dy = to.p.y - from.p.y, dz = to.p.z - from.p.z;
-    out.p = {from.p.x + t * dx, from.p.y + t * dy, from.p.z + t * dz};
-    const double length = std::fabs(dx) + std::fabs(dy) + std::fabs(dz);
-    const double size = std::fabs(from.p.x) + std::fabs(from.p.y) + std::fabs(from.p.z);
-    out.error = 1.01 * (std::max(from.error, to.error) + length * (t_error + 4 * ErrorBounded::u) + 2 * ErrorBounded::u * size);
+    const Point3 along = minus(to.at.p, from.at.p);
+    out.at.p = sum(from.at.p, t, along);
+    const double length = norm_one(along), size = norm_one(from.at.p);
+    out.at.error =
+        1.01 * (std::max(from.at.error, to.at.error) + length * (t_error + 4 * ErrorBounded::u) + 2 * ErrorBounded::u * size);
   }
-  if (!(out.error < 0x1p-40)) {
-    const auto at = near_meet(projected_.face_plane(part.facet), plane(out.bounds.a), cut_plane(projected_, d.cut));
-    out.p = {at[0].value, at[1].value, at[2].value};
-    out.error = std::max({at[0].error, at[1].error, at[2].error});
+  if (!(out.at.error < 0x1p-40)) {
+    out.at = bounded_point(near_meet(projected_.face_plane(part.facet), plane(out.bounds.a), cut_plane(projected_, d.cut)));
   }
   // Beyond this a coordinate would break the bound of a filter.
-  const double size = std::fabs(out.p.x) + std::fabs(out.p.y) + std::fabs(out.p.z);
-  const bool is_usable = exact_.filter_is_proven() && size < 0x1p100 && out.error < 0x1p100;
-  out.error = is_usable ? std::max(out.error, 0x1p-1000) : HUGE_VAL;
+  const bool is_usable = exact_.filter_is_proven() && norm_one(out.at.p) < 0x1p100 && out.at.error < 0x1p100;
+  out.at.error = is_usable ? std::max(out.at.error, 0x1p-1000) : HUGE_VAL;
   return out;
 }
 

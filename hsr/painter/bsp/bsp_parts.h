@@ -18,10 +18,9 @@ namespace hsr {
 /// an edge that the plane's triangle has too lies in the plane: no sign is asked. Exact: yes.
 class BspParts {
  public:
-  /// A corner and about where it is: within `error` in each coordinate, infinite where doubles tell nothing.
+  /// A corner and about where it is; an infinite error where doubles tell nothing.
   struct Corner {
-    Point3 p;
-    double error = 0;
+    BoundedPoint3 at;
     BspBounds::Corner bounds;
   };
   struct Part {
@@ -34,7 +33,6 @@ class BspParts {
     BspBounds::Id id = BspBounds::none;  // across: once it divides
     PlaneFilter filter;
     std::array<VertexId, 3> vertices;  // of a facet
-    double spread = 0;                 // of the filter's value by the error of a coordinate
     double at = 0;                     // across: the coordinate
 
     bool is_across() const { return cut.kind == Cut::Kind::across; }

@@ -12,7 +12,7 @@ constexpr std::uint32_t none = 0xffffffffU;
 
 std::vector<std::uint32_t> topological_order(const Graph& graph) {
   std::vector<std::uint32_t> before(graph.size(), 0), order;
-  for (const std::uint32_t t : graph.targets) ++before[t];
+  for (const std::uint32_t t : graph.values()) ++before[t];
   for (std::uint32_t i = 0; i < graph.size(); ++i)
     if (before[i] == 0) order.push_back(i);
   for (std::size_t next = 0; next < order.size(); ++next)
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> topological_order(const Graph& graph) {
 
 std::vector<std::vector<std::uint32_t>> cyclic_components(const Graph& graph) {
   struct Visit {
-    std::uint32_t node, edge;
+    std::uint32_t node, edge;  // the next of its edges
   };
   std::vector<std::uint32_t> index(graph.size(), none), low(graph.size(), 0), open;
   std::vector<std::uint8_t> is_open(graph.size(), 0);
@@ -34,15 +34,15 @@ std::vector<std::vector<std::uint32_t>> cyclic_components(const Graph& graph) {
     index[node] = low[node] = next++;
     open.push_back(node);
     is_open[node] = 1;
-    path.push_back({node, graph.first[node]});
+    path.push_back({node, 0});
   };
   for (std::uint32_t root = 0; root < graph.size(); ++root) {
     if (index[root] != none) continue;
     enter(root);
     while (!path.empty()) {
       const std::uint32_t node = path.back().node;
-      if (path.back().edge < graph.first[node + 1]) {
-        const std::uint32_t target = graph.targets[path.back().edge++];
+      if (path.back().edge < graph[node].size()) {
+        const std::uint32_t target = graph[node][path.back().edge++];
         if (index[target] == none)
           enter(target);
         else if (is_open[target] != 0)
@@ -114,10 +114,8 @@ class CycleSearch {
 
 }  // namespace
 
-std::vector<std::uint32_t> shortest_cycle(const Graph& graph, std::uint32_t node) { return CycleSearch(graph).through(node); }
-
 std::vector<std::vector<std::uint32_t>> disjoint_cycles(const Graph& graph, const std::vector<std::uint32_t>& nodes) {
-  const std::size_t enough = 4 * graph.targets.size();
+  const std::size_t enough = 4 * graph.values().size();
   CycleSearch search(graph);
   std::vector<std::vector<std::uint32_t>> cycles;
   for (const std::uint32_t node : nodes) {

@@ -1,31 +1,20 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
+
+#include "geometry/ragged.h"
 
 namespace hsr {
 
-/// A directed graph: node i leads to targets[first[i]] ... targets[first[i + 1] - 1].
-struct Graph {
-  std::vector<std::uint32_t> first = {0}, targets;
-
-  std::uint32_t size() const { return static_cast<std::uint32_t>(first.size() - 1); }
-  std::span<const std::uint32_t> operator[](std::uint32_t node) const {
-    return {targets.data() + first[node], targets.data() + first[node + 1]};
-  }
-};
+/// A directed graph: to which nodes each node leads.
+using Graph = Ragged<std::uint32_t>;
 
 /// @param for_each_edge calls its argument with (from, to) for each edge, and does so twice
 template <class F>
 Graph make_graph(std::size_t nodes, const F& for_each_edge) {
-  std::vector<std::uint32_t> next(nodes + 1, 0);
-  for_each_edge([&](std::uint32_t from, std::uint32_t) { ++next[from + 1]; });
-  for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
   Graph graph;
-  graph.first = next;
-  graph.targets.resize(next.back());
-  for_each_edge([&](std::uint32_t from, std::uint32_t to) { graph.targets[next[from]++] = to; });
+  graph.assign(nodes, for_each_edge);
   return graph;
 }
 
@@ -36,9 +25,6 @@ std::vector<std::uint32_t> topological_order(const Graph& graph);
 /// The strongly connected components of more than one node, each ascending. Never recursive. Cost: O(nodes + edges).
 /// Source: Tarjan 1972.
 std::vector<std::vector<std::uint32_t>> cyclic_components(const Graph& graph);
-
-/// A cycle through the node, as short as there is one; empty: none. Cost: O(nodes + edges).
-std::vector<std::uint32_t> shortest_cycle(const Graph& graph, std::uint32_t node);
 
 /// Cycles that share no node: through each of the nodes in turn, if none has it yet, one as short as the others leave. The
 /// first node has one if there is any; the search for others ends after a few times as many edges as there are. Cost: O(nodes +

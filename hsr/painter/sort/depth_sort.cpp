@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/error.h"
+#include "geometry/ragged.h"
 #include "hsr/painter/sort/components.h"
 #include "hsr/painter/sort/depth_order.h"
 #include "hsr/painter/sort/image_bsp.h"
@@ -66,8 +67,7 @@ class Sorter {
   std::vector<std::uint8_t> is_cut_;       // its parts stand for it
   std::size_t cuts_ = 0;
   // The relations that were found first, by piece; those of parts of pieces.
-  std::vector<std::uint32_t> first_neighbour_;
-  std::vector<Neighbour> neighbours_;
+  Ragged<Neighbour> neighbours_;
   std::vector<std::vector<Neighbour>> more_neighbours_;
   std::deque<std::array<std::uint32_t, 2>> piercing_;
   // Components that planes have ordered: they are painted as one.
@@ -82,11 +82,11 @@ class Sorter {
 template <class F>
 std::vector<std::uint32_t> by_cluster(const std::vector<std::uint32_t>& items, std::size_t clusters, const F& cluster_of) {
   if (clusters == 1) return items;
-  std::vector<std::uint32_t> next(clusters + 1, 0), sorted(items.size());
-  for (const std::uint32_t i : items) ++next[cluster_of(i) + 1];
-  for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
-  for (const std::uint32_t i : items) sorted[next[cluster_of(i)]++] = i;
-  return sorted;
+  Ragged<std::uint32_t> sorted;
+  sorted.assign(clusters, [&](const auto& add) {
+    for (const std::uint32_t i : items) add(cluster_of(i), i);
+  });
+  return sorted.values();
 }
 
 /// Most scenes have an order of whole pieces, which is written then: it takes no more than relations. Otherwise all of these,
@@ -123,28 +123,23 @@ void Sorter::begin_cutting(const OverlapGraph& found) {
   for (std::size_t i = 0; i < pieces_.size(); ++i) pieces_[i].facet = faces_.facet[i];
   is_cut_.assign(pieces_.size(), 0);
   block_of_.assign(pieces_.size(), none);
-  first_neighbour_.assign(pieces_.size() + 1, 0);
-  found.for_each_pair([&](std::uint32_t first, std::uint32_t second) {
-    ++first_neighbour_[first + 1];
-    ++first_neighbour_[second + 1];
-  });
   for (const Overlapping& pair : found.piercing)
     piercing_.push_back({std::min(pair.first, pair.second), std::max(pair.first, pair.second)});
   std::sort(piercing_.begin(), piercing_.end());
-  for (std::size_t k = 1; k < first_neighbour_.size(); ++k) first_neighbour_[k] += first_neighbour_[k - 1];
-  neighbours_.resize(2 * found.overlapping);
-  std::vector<std::uint32_t> next(first_neighbour_.begin(), first_neighbour_.end() - 1);
-  found.for_each_pair([&](std::uint32_t first, std::uint32_t second) {
-    neighbours_[next[first]++] = {second, false, false};
-    neighbours_[next[second]++] = {first, true, false};
+  neighbours_.assign(pieces_.size(), [&](const auto& add) {
+    found.for_each_pair([&](std::uint32_t first, std::uint32_t second) {
+      add(first, {second, false, false});
+      add(second, {first, true, false});
+    });
   });
   // In an order that does not depend on how pairs are found.
-  for (std::size_t k = 0; k + 1 < first_neighbour_.size(); ++k)
-    std::sort(neighbours_.begin() + first_neighbour_[k], neighbours_.begin() + first_neighbour_[k + 1],
+  for (std::size_t k = 0; k < neighbours_.size(); ++k)
+    std::sort(neighbours_[k].begin(), neighbours_[k].end(),
               [](const Neighbour& x, const Neighbour& y) { return x.piece < y.piece; });
   const auto mark = [&](std::uint32_t piece, std::uint32_t other) {
-    const auto begin = neighbours_.begin() + first_neighbour_[piece], end = neighbours_.begin() + first_neighbour_[piece + 1];
-    std::lower_bound(begin, end, other, [](const Neighbour& n, std::uint32_t p) { return n.piece < p; })->piercing = true;
+    const std::span<Neighbour> all = neighbours_[piece];
+    std::lower_bound(all.begin(), all.end(), other, [](const Neighbour& n, std::uint32_t p) { return n.piece < p; })->piercing =
+        true;
   };
   for (const auto& [a, b] : piercing_) {
     mark(a, b);
@@ -154,8 +149,8 @@ void Sorter::begin_cutting(const OverlapGraph& found) {
 
 template <class F>
 void Sorter::for_each_neighbour(std::uint32_t piece, const F& visit) const {
-  if (piece + 1 < first_neighbour_.size())
-    for (std::uint32_t k = first_neighbour_[piece]; k < first_neighbour_[piece + 1]; ++k) visit(neighbours_[k]);
+  if (piece < neighbours_.size())
+    for (const Neighbour& n : neighbours_[piece]) visit(n);
   if (piece < more_neighbours_.size())
     for (const Neighbour& n : more_neighbours_[piece]) visit(n);
 }
@@ -245,13 +240,13 @@ Graph Sorter::graph_of(const std::vector<std::uint32_t>& nodes) const {
   place_.resize(pieces_.size(), none);
   for (std::uint32_t k = 0; k < nodes.size(); ++k) place_[nodes[k]] = k;
   Graph graph;
-  graph.first.reserve(nodes.size() + 1);
+  graph.reserve(nodes.size());
   for (const std::uint32_t node : nodes) {
     for_each_neighbour(node, [&](const Neighbour& n) {
-      if (!n.before && place_[n.piece] != none) graph.targets.push_back(place_[n.piece]);
+      if (!n.before && place_[n.piece] != none) graph.push_back(place_[n.piece]);
     });
-    check_countable(graph.targets.size(), "overlaps");
-    graph.first.push_back(static_cast<std::uint32_t>(graph.targets.size()));
+    check_countable(graph.values().size(), "overlaps");
+    graph.end_row();
   }
   for (const std::uint32_t node : nodes) place_[node] = none;
   return graph;

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/simd.h"
 #include "hsr/painter/sort/face_pieces.h"
-#include "hsr/painter/sort/four_floats.h"
 
 namespace hsr {
 
@@ -31,6 +31,19 @@ ImageTriangles image_triangles(const ProjectedMesh& projected, const FacePieces&
 /// Whether some side of one triangle has all of the inside of another on its outer side, so that they do not overlap.
 enum class Separation : std::uint8_t { yes, no, open };
 
+/// A corner of a triangle in all four places.
+struct ImageCorner {
+  ImageCorner() = default;
+  ImageCorner(const ImageTriangle& t, std::size_t k)
+      : x(FourFloats::all(t.x[k])), y(FourFloats::all(t.y[k])), vertex(FourIndices::all(t.vertex[k])) {}
+
+  FourFloats x, y;
+  FourIndices vertex;
+};
+
+/// The share of R in the bound of ImageSides, for images that are known within `error`.
+inline float share_of_reach(float error, float reach) { return 2.2F * error * reach + 9.1F * error * error + 0x1p-100F; }
+
 /// The sides of a triangle, prepared for the corners of many others: place k is the line from corner k to the next.
 ///
 /// f(p) = dx p_y - dy p_x + c is the sign of O. With E the error of a coordinate, u = 2^-24, D = |dx| + |dy| as computed and R
@@ -42,8 +55,8 @@ enum class Separation : std::uint8_t { yes, no, open };
 struct ImageSides {
   ImageSides() = default;
   ImageSides(const ImageTriangle& t, float error) {
-    const FourFloats x = FourFloats::of(t.x), y = FourFloats::of(t.y);
-    from = FourIndices::of(t.vertex);
+    const FourFloats x = FourFloats::load(t.x.data()), y = FourFloats::load(t.y.data());
+    from = FourIndices::load(t.vertex.data());
     to = from.turned();
     dx = x.turned() - x;
     dy = y.turned() - y;
@@ -51,19 +64,12 @@ struct ImageSides {
     bound = (dx.magnitude() + dy.magnitude()) * FourFloats::all(2.2F * error + 8.6F * 0x1p-24F);
   }
 
+  /// f of each side.
+  FourFloats value(const ImageCorner& p) const { return dx * p.y - dy * p.x + c; }
+
   FourFloats dx, dy, c;
   FourFloats bound;  // without the share of R
   FourIndices from, to;
-};
-
-/// A corner of a triangle in all four places.
-struct ImageCorner {
-  ImageCorner() = default;
-  ImageCorner(const ImageTriangle& t, std::size_t k)
-      : x(FourFloats::all(t.x[k])), y(FourFloats::all(t.y[k])), vertex(FourIndices::all(t.vertex[k])) {}
-
-  FourFloats x, y;
-  FourIndices vertex;
 };
 
 /// Whether a side of a separates the images of a and of b, of which corner(k) is a corner; open: floats leave one side open.
@@ -73,12 +79,12 @@ template <class Corner>
 Separation separation(const ImageSides& a, const Corner& corner, float rest) {
   constexpr unsigned sides = 7;
   const FourFloats bound = a.bound + FourFloats::all(rest);
-  FourFloats before = FourFloats::no(), behind = a.from == a.from;  // of a side: certainly one corner; certainly all
+  FourFloats before = FourFloats::zero(), behind = a.from == a.from;  // of a side: certainly one corner; certainly all
   for (std::size_t k = 0; k < 3; ++k) {
     const ImageCorner p = corner(k);
-    const FourFloats f = a.dx * p.y - a.dy * p.x + a.c, on = (a.from == p.vertex) | (a.to == p.vertex);
+    const FourFloats f = a.value(p), on = (a.from == p.vertex) | (a.to == p.vertex);
     before = before | (f > bound).without(on);
-    behind = behind & ((FourFloats::no() - bound > f) | on);
+    behind = behind & ((FourFloats::zero() - bound > f) | on);
   }
   if ((behind.bits() & sides) != 0) return Separation::yes;
   return (before.bits() & sides) == sides ? Separation::no : Separation::open;
@@ -102,7 +108,7 @@ class PreparedTriangle {
   };
   Both separation_from(const ImageTriangle& t) const {
     const float reach = std::fabs(t.x[0] - x_) + std::fabs(t.y[0] - y_) + size_ + t.size;
-    const float rest = 2.2F * error_ * reach + 9.1F * error_ * error_ + 0x1p-100F;
+    const float rest = share_of_reach(error_, reach);
     Both found;
     found.own = separation(
         sides_, [&](std::size_t k) { return ImageCorner(t, k); }, rest);

@@ -19,10 +19,8 @@ OverlapCounts& OverlapCounts::operator+=(const OverlapCounts& o) {
 std::vector<NearCorner> Overlaps::near_corners(const PieceOfFacet& piece) const {
   const TriangleId end = facet_end(map_.mesh(), piece.facet);
   const auto is_own = [&](VertexId v) {
-    for (TriangleId t = piece.facet; t < end; t = TriangleId(t.value + 1U)) {
-      const auto& c = map_.mesh().triangles[t];
-      if (v == c[0] || v == c[1] || v == c[2]) return true;
-    }
+    for (TriangleId t = piece.facet; t < end; t = TriangleId(t.value + 1U))
+      if (map_.mesh().has_corner(t, v)) return true;
     return false;
   };
   std::vector<NearCorner> near;
@@ -45,9 +43,7 @@ ErrorBounded Overlaps::side(const PieceOfFacet& piece, std::size_t k, const Near
 
 /// The value of a facet's plane at a corner; positive if the facet is in front of the corner.
 ErrorBounded Overlaps::beyond(TriangleId facet, const NearCorner& p) const {
-  const PlaneFilter filter = projected_.filter(projected_.face_plane(facet));
-  ErrorBounded x = filter(p.on_facet.p);
-  x.error += (std::fabs(filter.nx) + std::fabs(filter.ny) + std::fabs(filter.nz) + 3 * filter.slope) * p.on_facet.error * 1.01;
+  ErrorBounded x = projected_.filter(projected_.face_plane(facet))(p.on_facet);
   // Only images with a bound come with a filter that is proven.
   if (!(p.x.error < HUGE_VAL)) x.error = HUGE_VAL;
   return projected_.facing(facet) == Sign::positive ? x : -x;
@@ -91,8 +87,7 @@ Sign Overlaps::nearer(const PieceOfFacet& a, const PieceOfFacet& b, std::size_t 
     return map_.nearer(a.facet, b.facet, p);
   }
   // The eye lies on the side -facing of a plane.
-  const auto& c = map_.mesh().triangles[plane];
-  if (p.vertex == c[0] || p.vertex == c[1] || p.vertex == c[2]) return Sign::zero;
+  if (map_.mesh().has_corner(plane, p.vertex)) return Sign::zero;
   const Sign behind = projected_.side(projected_.face_plane(plane), p.vertex, map_.exact()) * projected_.facing(plane);
   return is_of_a ? -behind : behind;
 }

@@ -37,9 +37,10 @@ struct Sides {
   }
 };
 
-/// Where a corner of a piece is seen, and where it is on its facet, each within a proven bound; infinite: not known.
+/// Where a corner of a piece is seen, and where it is on its facet, each within a proven bound; infinite: not known. Not a
+/// BoundedPoint2: the turn of corners is computed with a bound for each coordinate.
 struct NearCorner {
-  ErrorBounded x, y;  ///< in the image (MapPredicates::place)
+  ErrorBounded x, y;  ///< in the image (MapPlace)
   BoundedPoint3 on_facet;
 };
 

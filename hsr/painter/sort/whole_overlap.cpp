@@ -85,9 +85,8 @@ bool WholeOverlaps::are_apart(Whole& a, Whole& b, PreparedTriangle::Both by) {
 Sides WholeOverlaps::sides(const Whole& plane, const Whole& corners) {
   Sides found;
   // As Overlaps has it, corners of the plane's triangle are in it, and others are looked at.
-  const auto& c = projected_.mesh().triangles[plane.facet];
   for (const VertexId v : corners.ring) {
-    if (v == c[0] || v == c[1] || v == c[2]) continue;
+    if (projected_.mesh().has_corner(plane.facet, v)) continue;
     const ErrorBounded x = plane.filter(projected_.point(v));
     if (x.is_certain()) ++exact_.counts().filter;
     const Sign s = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(plane.plane, projected_.point(v));

@@ -194,8 +194,8 @@ std::vector<ImageBox> PaintedParts::boxes() const {
   for (const PaintedPart& part : parts_) {
     ImageBox box = ImageBox::nothing();
     for (const std::uint32_t c : corners_of(part)) {
-      const NearPlace& at = points_.place_of(c);
-      box.add({at.x, at.y, 0}, {at.error, at.error, 0});
+      const BoundedPoint2& at = points_.place_of(c);
+      box.add({at.p.x, at.p.y, 0}, {at.error, at.error, 0});
     }
     boxes.push_back(box);
   }

@@ -137,9 +137,9 @@ void PaintedPoints::place(const ImageRows& rows) {
     const auto error = [](const Enclosure& x) {
       return static_cast<double>(x.error) * 1.01 + std::fabs(static_cast<double>(x.middle)) * 0x1p-50 + 0x1p-1070;
     };
-    const NearPlace place = {static_cast<double>(at[0].middle), static_cast<double>(at[1].middle),
-                             std::max(error(at[0]), error(at[1]))};
-    if (std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.error)) places_[number] = place;
+    const BoundedPoint2 place = {{static_cast<double>(at[0].middle), static_cast<double>(at[1].middle)},
+                                 std::max(error(at[0]), error(at[1]))};
+    if (std::isfinite(place.p.x) && std::isfinite(place.p.y) && std::isfinite(place.error)) places_[number] = place;
   });
 }
 
@@ -160,8 +160,8 @@ Sign PaintedSides::turn(std::uint32_t a, std::uint32_t b, std::uint32_t p) {
 /// Zero: doubles cannot tell. With d = b - a and r = p - a as computed, their entries off by E = e_a + e_b and F = e_a + e_p
 /// and one rounding u of their own, |det - exact| <= E |r|_1 + F |d|_1 + 2 E F + 4.1 u |d|_1 |r|_1 + what underflows.
 Sign PaintedSides::certain_turn_in_image(std::uint32_t a, std::uint32_t b, std::uint32_t p) const {
-  const NearPlace &from = points_.place_of(a), &to = points_.place_of(b), &at = points_.place_of(p);
-  const double dx = to.x - from.x, dy = to.y - from.y, rx = at.x - from.x, ry = at.y - from.y;
+  const BoundedPoint2 &from = points_.place_of(a), &to = points_.place_of(b), &at = points_.place_of(p);
+  const double dx = to.p.x - from.p.x, dy = to.p.y - from.p.y, rx = at.p.x - from.p.x, ry = at.p.y - from.p.y;
   const double d = std::fabs(dx) + std::fabs(dy), r = std::fabs(rx) + std::fabs(ry);
   const double e = from.error + to.error, f = from.error + at.error;
   const double det = dx * ry - dy * rx;

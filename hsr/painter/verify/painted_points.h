@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/bounded_point.h"
 #include "geometry/error_bounded.h"
 #include "geometry/homogeneous_point.h"
 #include "geometry/predicates.h"
@@ -15,11 +16,6 @@
 #include "hsr/painter/verify/verify.h"
 
 namespace hsr {
-
-/// Where a corner is seen, in coordinates of ImageRows: both within `error`; infinite: not known, or not before the eye.
-struct NearPlace {
-  double x = 0, y = 0, error = HUGE_VAL;
-};
 
 /// The distinct corners of painted polygons, by numbers: the same point, the same number. Doubles stay doubles.
 class PaintedPoints {
@@ -45,8 +41,8 @@ class PaintedPoints {
   /// Once all points are there: where they are seen. Cost: O(n), parallel.
   void place(const ImageRows& rows);
   bool are_placed() const { return places_.size() == points_.size(); }
-  /// @pre are_placed
-  const NearPlace& place_of(std::uint32_t number) const { return places_[number]; }
+  /// Where it is seen, in coordinates of ImageRows; an infinite error: not known, or not before the eye. @pre are_placed
+  const BoundedPoint2& place_of(std::uint32_t number) const { return places_[number]; }
   /// Of all that are doubles.
   const BitRange& bit_range() const { return bit_range_; }
 
@@ -64,7 +60,7 @@ class PaintedPoints {
   std::vector<RationalVector> rationals_;
   std::vector<HomogeneousPoint3> wholes_;          // of rationals_
   std::vector<std::array<ErrorBounded, 3>> near_;  // by number
-  std::vector<NearPlace> places_;                  // by number
+  std::vector<BoundedPoint2> places_;              // by number
   std::unordered_map<Point3, std::uint32_t, Hash> doubles_seen_;
   std::map<RationalVector, std::uint32_t> rationals_seen_;
   BitRange bit_range_;

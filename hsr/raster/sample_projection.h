@@ -6,6 +6,7 @@
 
 #include "geometry/error_bounded.h"
 #include "geometry/rational_vector.h"
+#include "geometry/vector3.h"
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
@@ -60,7 +61,7 @@ class Scaling {
 };
 
 /// The power that makes the largest coordinate at least 1 and less than 2.
-inline int power_to_one(const Point3& p) { return -std::ilogb(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)})); }
+inline int power_to_one(const Point3& p) { return -std::ilogb(norm_max(p)); }
 
 }  // namespace projection_numbers
 
