@@ -1,4 +1,4 @@
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 
 #include <algorithm>
 
@@ -11,20 +11,20 @@ Scene::Scene(Mesh mesh) : mesh_(std::make_shared<const Mesh>(std::move(mesh))) {
 Scene Scene::of(const Mesh& mesh) { return Scene(std::shared_ptr<const Mesh>(std::shared_ptr<const Mesh>(), &mesh)); }
 
 SceneView::SceneView(const Scene& scene, const View& view, const SceneOptions& options)
-    : scene_(scene), parts_(std::make_shared<const SceneParts>(scene.mesh_, view, options)) {}
+    : scene_(scene), parts_(std::make_shared<const ViewParts>(scene.mesh_, view, options)) {}
 
 const View& SceneView::view() const { return parts_->view(); }
 
 const SceneOptions& SceneView::options() const { return parts_->options(); }
 
-SceneParts::SceneParts(std::shared_ptr<const Mesh> mesh, const View& view, const SceneOptions& options, const BitRange& others)
+ViewParts::ViewParts(std::shared_ptr<const Mesh> mesh, const View& view, const SceneOptions& options, const BitRange& others)
     : mesh_(std::move(mesh)), view_(view), options_(options), others_(others) {}
 
-const ProjectedMesh& SceneParts::projected() const {
+const ProjectedMesh& ViewParts::projected() const {
   return projected_.get([&] { return ProjectedMesh(*mesh_, view_, options_.arithmetic, others_); });
 }
 
-const std::vector<ImageBox>& SceneParts::boxes() const {
+const std::vector<ImageBox>& ViewParts::boxes() const {
   const ProjectedMesh& mesh = projected();
   return boxes_.get([&] {
     std::vector<ImageBox> boxes(mesh_->triangles.size());
@@ -33,7 +33,7 @@ const std::vector<ImageBox>& SceneParts::boxes() const {
   });
 }
 
-const ClosedBodies* SceneParts::bodies() const {
+const ClosedBodies* ViewParts::bodies() const {
   const ProjectedMesh& mesh = projected();
   const auto& bodies = bodies_.get([&]() -> std::optional<ClosedBodies> {
     const bool is_needed = options_.when(Stage::back_faces) != When::never || options_.when(Stage::convex_body) != When::never;
@@ -43,13 +43,13 @@ const ClosedBodies* SceneParts::bodies() const {
   return bodies ? &*bodies : nullptr;
 }
 
-bool SceneParts::is_one_convex_body() const {
+bool ViewParts::is_one_convex_body() const {
   if (options_.when(Stage::convex_body) == When::never) return false;
   const ClosedBodies* const all = bodies();
   return is_one_convex_body_.get([&] { return all != nullptr && all->is_one_convex_body(); });
 }
 
-const OcclusionPyramid* SceneParts::pyramid() const {
+const OcclusionPyramid* ViewParts::pyramid() const {
   const ProjectedMesh& mesh = projected();
   return pyramid_
       .get([&]() -> std::unique_ptr<const OcclusionPyramid> {
@@ -61,7 +61,7 @@ const OcclusionPyramid* SceneParts::pyramid() const {
       .get();
 }
 
-const std::vector<std::uint8_t>& SceneParts::hidden() const {
+const std::vector<std::uint8_t>& ViewParts::hidden() const {
   const ClosedBodies* const closed = bodies();
   const OcclusionPyramid* const tiles = pyramid();
   return hidden_.get([&] {
@@ -77,7 +77,7 @@ const std::vector<std::uint8_t>& SceneParts::hidden() const {
   });
 }
 
-const std::vector<std::uint8_t>& SceneParts::flags(Excluded excluded) const {
+const std::vector<std::uint8_t>& ViewParts::flags(Excluded excluded) const {
   static const std::vector<std::uint8_t> none;
   switch (excluded) {
     case Excluded::hidden:
@@ -108,12 +108,12 @@ const std::vector<std::uint8_t>& SceneParts::flags(Excluded excluded) const {
   return none;
 }
 
-const std::vector<std::uint8_t>& SceneParts::hidden_or_edge_on() const { return flags(Excluded::hidden_and_edge_on); }
+const std::vector<std::uint8_t>& ViewParts::hidden_or_edge_on() const { return flags(Excluded::hidden_and_edge_on); }
 
-bool SceneParts::has_edge_on() const { return !flags(Excluded::edge_on).empty(); }
+bool ViewParts::has_edge_on() const { return !flags(Excluded::edge_on).empty(); }
 
 /// The name under which the same set is kept: a tree is made once for all that come to the same.
-Excluded SceneParts::needed(Excluded excluded) const {
+Excluded ViewParts::needed(Excluded excluded) const {
   const bool hidden = (excluded == Excluded::hidden || excluded == Excluded::hidden_and_edge_on) && !this->hidden().empty();
   const bool edge_on = (excluded == Excluded::edge_on || excluded == Excluded::hidden_and_edge_on) && has_edge_on();
   return hidden && edge_on ? Excluded::hidden_and_edge_on
@@ -122,7 +122,7 @@ Excluded SceneParts::needed(Excluded excluded) const {
                            : Excluded::none;
 }
 
-const Occluders& SceneParts::occluders(Excluded excluded) const {
+const Occluders& ViewParts::occluders(Excluded excluded) const {
   excluded = needed(excluded);
   const ProjectedMesh& mesh = projected();
   const auto& left_out = flags(excluded);
@@ -130,14 +130,14 @@ const Occluders& SceneParts::occluders(Excluded excluded) const {
   return occluders_[static_cast<std::size_t>(excluded)].get([&] { return Occluders(mesh, boxes, left_out); });
 }
 
-const Intersections& SceneParts::intersections() const {
+const Intersections& ViewParts::intersections() const {
   const ProjectedMesh& mesh = projected();
   const Occluders& all = occluders(options_.hidden_lines ? Excluded::none : Excluded::hidden);
   const OcclusionPyramid* const tiles = options_.hidden_lines ? nullptr : pyramid();
   return intersections_.get([&] { return find_intersections(mesh, all, tiles); });
 }
 
-const Intersections& SceneParts::visible_intersections() const {
+const Intersections& ViewParts::visible_intersections() const {
   if (!options_.hidden_lines || intersections_.is_made()) return intersections();
   const ProjectedMesh& mesh = projected();
   const Occluders& visible = occluders(Excluded::hidden_and_edge_on);
@@ -145,21 +145,21 @@ const Intersections& SceneParts::visible_intersections() const {
   return visible_intersections_.get([&] { return find_intersections(mesh, visible, tiles); });
 }
 
-const OccludingEdges& SceneParts::occluding_edges(Excluded excluded) const {
+const OccludingEdges& ViewParts::occluding_edges(Excluded excluded) const {
   excluded = needed(excluded);
   const ProjectedMesh& mesh = projected();
   const auto& left_out = flags(excluded);
   return occluding_edges_[static_cast<std::size_t>(excluded)].get([&] { return OccludingEdges(mesh, left_out); });
 }
 
-const SceneParts& SceneParts::with(const BitRange& others) const {
+const ViewParts& ViewParts::with(const BitRange& others) const {
   BitRange both = others_;
   both.add(others);
   if (both == others_ || projected().covers(others)) return *this;
   const std::lock_guard lock(mutex_);
   for (const auto& parts : with_)
     if (parts->others_ == both) return *parts;
-  with_.push_back(std::make_unique<const SceneParts>(mesh_, view_, options_, both));
+  with_.push_back(std::make_unique<const ViewParts>(mesh_, view_, options_, both));
   return *with_.back();
 }
 

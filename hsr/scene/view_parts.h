@@ -50,12 +50,12 @@ enum class Excluded : unsigned char {
 
 /// What all methods share of one view of a scene, each part made on first use. The stages come in one order: projection, closed
 /// bodies, tiles, the tree, intersections, occluding edges.
-class SceneParts {
+class ViewParts {
  public:
   /// @param others what else predicates and filters will meet: the samples of a picture
-  SceneParts(std::shared_ptr<const Mesh> mesh, const View& view, const SceneOptions& options, const BitRange& others = {});
-  SceneParts(const SceneParts&) = delete;
-  SceneParts& operator=(const SceneParts&) = delete;
+  ViewParts(std::shared_ptr<const Mesh> mesh, const View& view, const SceneOptions& options, const BitRange& others = {});
+  ViewParts(const ViewParts&) = delete;
+  ViewParts& operator=(const ViewParts&) = delete;
 
   const Mesh& mesh() const { return *mesh_; }
   const View& view() const { return view_; }
@@ -84,7 +84,7 @@ class SceneParts {
   const OccludingEdges& occluding_edges(Excluded excluded) const;
 
   /// The same scene for predicates that meet other points, too.
-  const SceneParts& with(const BitRange& others) const;
+  const ViewParts& with(const BitRange& others) const;
 
  private:
   Excluded needed(Excluded excluded) const;
@@ -105,7 +105,7 @@ class SceneParts {
   MadeOnce<Intersections> intersections_, visible_intersections_;
   MadeOnce<OccludingEdges> occluding_edges_[4];
   mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<const SceneParts>> with_;
+  mutable std::vector<std::unique_ptr<const ViewParts>> with_;
 };
 
 }  // namespace hsr
