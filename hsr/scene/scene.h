@@ -11,6 +11,7 @@
 
 namespace hsr {
 
+class SceneParts;
 class ViewParts;
 
 /// A stage that leaves out what the scene does not need. None changes a result.
@@ -42,22 +43,23 @@ struct SceneOptions {
   When when(Stage stage) const { return stages[static_cast<std::size_t>(stage)]; }
 };
 
-/// The faces that are looked at, and what of them no view changes: the views of a sheet or of a turntable share it.
+/// The faces that are looked at, and what of them no view changes: which of them bound bodies, and which meet other than in
+/// their edges, once a view has looked for all of these. The views of a sheet or of a turntable share it.
 ///
-/// Immutable. Copies are cheap and share everything.
+/// Immutable for all who see it; parts are made on first use, whatever thread asks. Copies are cheap and share everything.
 class Scene {
  public:
   explicit Scene(Mesh mesh);
   /// @pre `mesh` outlives every copy of the scene and of its views
   static Scene of(const Mesh& mesh);
 
-  const Mesh& mesh() const { return *mesh_; }
+  const Mesh& mesh() const;
 
  private:
   friend class SceneView;
-  explicit Scene(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
+  explicit Scene(std::shared_ptr<const SceneParts> parts);
 
-  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const SceneParts> parts_;
 };
 
 /// A scene as one view sees it, prepared for every method: the projected points, the tree of the faces, closed bodies, the tiles

@@ -6,28 +6,25 @@
 
 namespace hsr {
 
-Scene::Scene(Mesh mesh) : mesh_(std::make_shared<const Mesh>(std::move(mesh))) {}
-
-Scene Scene::of(const Mesh& mesh) { return Scene(std::shared_ptr<const Mesh>(std::shared_ptr<const Mesh>(), &mesh)); }
-
 SceneView::SceneView(const Scene& scene, const View& view, const SceneOptions& options)
-    : scene_(scene), parts_(std::make_shared<const ViewParts>(scene.mesh_, view, options)) {}
+    : scene_(scene), parts_(std::make_shared<const ViewParts>(scene.parts_, view, options)) {}
 
 const View& SceneView::view() const { return parts_->view(); }
 
 const SceneOptions& SceneView::options() const { return parts_->options(); }
 
-ViewParts::ViewParts(std::shared_ptr<const Mesh> mesh, const View& view, const SceneOptions& options, const BitRange& others)
-    : mesh_(std::move(mesh)), view_(view), options_(options), others_(others) {}
+ViewParts::ViewParts(std::shared_ptr<const SceneParts> scene, const View& view, const SceneOptions& options,
+                     const BitRange& others)
+    : scene_(std::move(scene)), view_(view), options_(options), others_(others) {}
 
 const ProjectedMesh& ViewParts::projected() const {
-  return projected_.get([&] { return ProjectedMesh(*mesh_, view_, options_.arithmetic, others_); });
+  return projected_.get([&] { return ProjectedMesh(mesh(), view_, options_.arithmetic, others_); });
 }
 
 const std::vector<ImageBox>& ViewParts::boxes() const {
   const ProjectedMesh& mesh = projected();
   return boxes_.get([&] {
-    std::vector<ImageBox> boxes(mesh_->triangles.size());
+    std::vector<ImageBox> boxes(this->mesh().triangles.size());
     parallel_for_each(boxes.size(), [&](std::size_t i) { boxes[i] = mesh.box(TriangleId(i)); });
     return boxes;
   });
@@ -38,7 +35,7 @@ const ClosedBodies* ViewParts::bodies() const {
   const auto& bodies = bodies_.get([&]() -> std::optional<ClosedBodies> {
     const bool is_needed = options_.when(Stage::back_faces) != When::never || options_.when(Stage::convex_body) != When::never;
     if (options_.arithmetic != Arithmetic::staged || !is_needed) return std::nullopt;
-    return std::optional<ClosedBodies>(std::in_place, mesh);
+    return std::optional<ClosedBodies>(std::in_place, mesh, scene_->bodies());
   });
   return bodies ? &*bodies : nullptr;
 }
@@ -46,7 +43,7 @@ const ClosedBodies* ViewParts::bodies() const {
 bool ViewParts::is_one_convex_body() const {
   if (options_.when(Stage::convex_body) == When::never) return false;
   const ClosedBodies* const all = bodies();
-  return is_one_convex_body_.get([&] { return all != nullptr && all->is_one_convex_body(); });
+  return all != nullptr && all->is_one_convex_body();
 }
 
 const OcclusionPyramid* ViewParts::pyramid() const {
@@ -69,7 +66,7 @@ const std::vector<std::uint8_t>& ViewParts::hidden() const {
     if (closed != nullptr && closed->count() > 0 && options_.when(Stage::back_faces) != When::never)
       hidden = closed->far_sides();
     if (tiles != nullptr) {
-      hidden.resize(mesh_->triangles.size(), 0);
+      hidden.resize(this->mesh().triangles.size(), 0);
       tiles->mark_hidden(hidden);
     }
     if (std::find(hidden.begin(), hidden.end(), std::uint8_t{1}) == hidden.end()) hidden.clear();
@@ -85,7 +82,7 @@ const std::vector<std::uint8_t>& ViewParts::flags(Excluded excluded) const {
     case Excluded::edge_on: {
       const ProjectedMesh& mesh = projected();
       return edge_on_.get([&] {
-        std::vector<std::uint8_t> edge_on(mesh_->triangles.size());
+        std::vector<std::uint8_t> edge_on(this->mesh().triangles.size());
         parallel_for_each(edge_on.size(),
                           [&](std::size_t i) { edge_on[i] = mesh.facing(TriangleId(i)) == Sign::zero ? 1 : 0; });
         if (std::find(edge_on.begin(), edge_on.end(), std::uint8_t{1}) == edge_on.end()) edge_on.clear();
@@ -130,19 +127,33 @@ const Occluders& ViewParts::occluders(Excluded excluded) const {
   return occluders_[static_cast<std::size_t>(excluded)].get([&] { return Occluders(mesh, boxes, left_out); });
 }
 
+bool ViewParts::is_cut_by_near_plane() const {
+  if (!view_.is_perspective()) return false;
+  for (std::size_t t = 0; t < mesh().triangles.size(); ++t)
+    if (projected().reaches_before_near(TriangleId(t))) return true;
+  return false;
+}
+
+/// Of the faces that another view has found to meet, or else by a search; what a complete search finds is kept for other views.
+Intersections ViewParts::find(Excluded excluded, const OcclusionPyramid* tiles) const {
+  const bool is_exact = options_.arithmetic != Arithmetic::double_only;
+  if (const auto known = is_exact ? scene_->meeting_faces() : nullptr)
+    return intersections_of(projected(), *known, flags(excluded));
+  Intersections found = find_intersections(projected(), occluders(excluded), tiles);
+  if (is_exact && excluded == Excluded::none && !is_cut_by_near_plane()) scene_->keep(meeting_faces(found));
+  return found;
+}
+
 const Intersections& ViewParts::intersections() const {
-  const ProjectedMesh& mesh = projected();
-  const Occluders& all = occluders(options_.hidden_lines ? Excluded::none : Excluded::hidden);
+  const Excluded excluded = options_.hidden_lines ? Excluded::none : Excluded::hidden;
   const OcclusionPyramid* const tiles = options_.hidden_lines ? nullptr : pyramid();
-  return intersections_.get([&] { return find_intersections(mesh, all, tiles); });
+  return intersections_.get([&] { return find(excluded, tiles); });
 }
 
 const Intersections& ViewParts::visible_intersections() const {
   if (!options_.hidden_lines || intersections_.is_made()) return intersections();
-  const ProjectedMesh& mesh = projected();
-  const Occluders& visible = occluders(Excluded::hidden_and_edge_on);
   const OcclusionPyramid* const tiles = pyramid();
-  return visible_intersections_.get([&] { return find_intersections(mesh, visible, tiles); });
+  return visible_intersections_.get([&] { return find(Excluded::hidden_and_edge_on, tiles); });
 }
 
 const OccludingEdges& ViewParts::occluding_edges(Excluded excluded) const {
@@ -159,7 +170,7 @@ const ViewParts& ViewParts::with(const BitRange& others) const {
   const std::lock_guard lock(mutex_);
   for (const auto& parts : with_)
     if (parts->others_ == both) return *parts;
-  with_.push_back(std::make_unique<const ViewParts>(mesh_, view_, options_, both));
+  with_.push_back(std::make_unique<const ViewParts>(scene_, view_, options_, both));
   return *with_.back();
 }
 

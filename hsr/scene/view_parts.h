@@ -1,8 +1,5 @@
 #pragma once
 
-#include <oneapi/tbb/collaborative_call_once.h>
-
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -11,34 +8,15 @@
 
 #include "hsr/scene/closed_bodies.h"
 #include "hsr/scene/intersections.h"
+#include "hsr/scene/made_once.h"
 #include "hsr/scene/occluders.h"
 #include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/occlusion_pyramid.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/scene.h"
+#include "hsr/scene/scene_parts.h"
 
 namespace hsr {
-
-/// A value that is made when it is first asked for, once; threads that ask meanwhile help to make it.
-template <class T>
-class MadeOnce {
- public:
-  template <class Make>
-  const T& get(const Make& make) const {
-    tbb::collaborative_call_once(flag_, [&] {
-      value_.emplace(make());
-      is_made_.store(true, std::memory_order_release);
-    });
-    return *value_;
-  }
-  /// Whether it is there already; for choices of speed only.
-  bool is_made() const { return is_made_.load(std::memory_order_acquire); }
-
- private:
-  mutable tbb::collaborative_once_flag flag_;
-  mutable std::optional<T> value_;
-  mutable std::atomic<bool> is_made_ = false;
-};
 
 /// Which triangles a tree of occluders does without.
 enum class Excluded : unsigned char {
@@ -53,11 +31,12 @@ enum class Excluded : unsigned char {
 class ViewParts {
  public:
   /// @param others what else predicates and filters will meet: the samples of a picture
-  ViewParts(std::shared_ptr<const Mesh> mesh, const View& view, const SceneOptions& options, const BitRange& others = {});
+  ViewParts(std::shared_ptr<const SceneParts> scene, const View& view, const SceneOptions& options,
+            const BitRange& others = {});
   ViewParts(const ViewParts&) = delete;
   ViewParts& operator=(const ViewParts&) = delete;
 
-  const Mesh& mesh() const { return *mesh_; }
+  const Mesh& mesh() const { return scene_->mesh(); }
   const View& view() const { return view_; }
   const SceneOptions& options() const { return options_; }
 
@@ -76,6 +55,12 @@ class ViewParts {
   bool has_edge_on() const;
 
   const Occluders& occluders(Excluded excluded) const;
+  /// Whether some tree of occluders has been made; for tests.
+  bool has_tree() const {
+    for (const auto& tree : occluders_)
+      if (tree.is_made()) return true;
+    return false;
+  }
   /// Where faces meet: with SceneOptions::hidden_lines all, else what tiles leave.
   const Intersections& intersections() const;
   /// Some that are hidden may be missing, and some of hidden faces may be there.
@@ -87,10 +72,12 @@ class ViewParts {
   const ViewParts& with(const BitRange& others) const;
 
  private:
+  Intersections find(Excluded excluded, const OcclusionPyramid* tiles) const;
+  bool is_cut_by_near_plane() const;
   Excluded needed(Excluded excluded) const;
   const std::vector<std::uint8_t>& flags(Excluded excluded) const;
 
-  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const SceneParts> scene_;
   View view_;
   SceneOptions options_;
   BitRange others_;
@@ -98,7 +85,6 @@ class ViewParts {
   MadeOnce<ProjectedMesh> projected_;
   MadeOnce<std::vector<ImageBox>> boxes_;
   MadeOnce<std::optional<ClosedBodies>> bodies_;
-  MadeOnce<bool> is_one_convex_body_;
   MadeOnce<std::unique_ptr<const OcclusionPyramid>> pyramid_;
   MadeOnce<std::vector<std::uint8_t>> hidden_, edge_on_, hidden_or_edge_on_;
   MadeOnce<Occluders> occluders_[4];
