@@ -33,6 +33,8 @@ class ProjectedMesh {
   const Point3& point(VertexId v) const { return points_[v]; }
   /// Whether other numbers in this range need nothing more: neither another scale nor wider arithmetic.
   bool covers(const BitRange& others) const;
+  /// Whether the points, and so all images and boxes, are the same numbers. @pre of one mesh and view
+  bool is_scaled_like(const ProjectedMesh& other) const { return power_ == other.power_; }
   /// Another point as this sight scales all of them. @pre in the bit range of the others
   Point3 scaled(const Point3& p) const;
 

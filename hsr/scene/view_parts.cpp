@@ -13,15 +13,22 @@ const View& SceneView::view() const { return parts_->view(); }
 
 const SceneOptions& SceneView::options() const { return parts_->options(); }
 
-ViewParts::ViewParts(std::shared_ptr<const SceneParts> scene, const View& view, const SceneOptions& options,
-                     const BitRange& others)
-    : scene_(std::move(scene)), view_(view), options_(options), others_(others) {}
+ViewParts::ViewParts(std::shared_ptr<const SceneParts> scene, const View& view, const SceneOptions& options)
+    : scene_(std::move(scene)), view_(view), options_(options) {}
+
+ViewParts::ViewParts(const ViewParts& base, const BitRange& others)
+    : scene_(base.scene_), view_(base.view_), options_(base.options_), others_(others), base_(&base) {}
+
+const ViewParts& ViewParts::shared() const {
+  return base_ != nullptr && projected().is_scaled_like(base_->projected()) ? *base_ : *this;
+}
 
 const ProjectedMesh& ViewParts::projected() const {
   return projected_.get([&] { return ProjectedMesh(mesh(), view_, options_.arithmetic, others_); });
 }
 
 const std::vector<ImageBox>& ViewParts::boxes() const {
+  if (&shared() != this) return shared().boxes();
   const ProjectedMesh& mesh = projected();
   return boxes_.get([&] {
     std::vector<ImageBox> boxes(this->mesh().triangles.size());
@@ -120,6 +127,7 @@ Excluded ViewParts::needed(Excluded excluded) const {
 }
 
 const Occluders& ViewParts::occluders(Excluded excluded) const {
+  if (&shared() != this) return shared().occluders(excluded);
   excluded = needed(excluded);
   const ProjectedMesh& mesh = projected();
   const auto& left_out = flags(excluded);
@@ -170,7 +178,7 @@ const ViewParts& ViewParts::with(const BitRange& others) const {
   const std::lock_guard lock(mutex_);
   for (const auto& parts : with_)
     if (parts->others_ == both) return *parts;
-  with_.push_back(std::make_unique<const ViewParts>(scene_, view_, options_, both));
+  with_.push_back(std::unique_ptr<const ViewParts>(new ViewParts(*this, both)));
   return *with_.back();
 }
 

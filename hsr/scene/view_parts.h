@@ -30,9 +30,7 @@ enum class Excluded : unsigned char {
 /// bodies, tiles, the tree, intersections, occluding edges.
 class ViewParts {
  public:
-  /// @param others what else predicates and filters will meet: the samples of a picture
-  ViewParts(std::shared_ptr<const SceneParts> scene, const View& view, const SceneOptions& options,
-            const BitRange& others = {});
+  ViewParts(std::shared_ptr<const SceneParts> scene, const View& view, const SceneOptions& options);
   ViewParts(const ViewParts&) = delete;
   ViewParts& operator=(const ViewParts&) = delete;
 
@@ -68,10 +66,14 @@ class ViewParts {
   /// Where the number of layers changes: of faces that are not hidden.
   const OccludingEdges& occluding_edges(Excluded excluded) const;
 
-  /// The same scene for predicates that meet other points, too.
+  /// The same scene for predicates that meet other points, too, such as the samples of a picture. Where the points keep their
+  /// scale the boxes and the trees are these, and only the projection is made anew.
   const ViewParts& with(const BitRange& others) const;
 
  private:
+  ViewParts(const ViewParts& base, const BitRange& others);
+  /// Whose boxes and trees these are: another one's, or its own.
+  const ViewParts& shared() const;
   Intersections find(Excluded excluded, const OcclusionPyramid* tiles) const;
   bool is_cut_by_near_plane() const;
   Excluded needed(Excluded excluded) const;
@@ -81,6 +83,7 @@ class ViewParts {
   View view_;
   SceneOptions options_;
   BitRange others_;
+  const ViewParts* base_ = nullptr;  // of which this is the same scene for more points
 
   MadeOnce<ProjectedMesh> projected_;
   MadeOnce<std::vector<ImageBox>> boxes_;

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "hsr/lines/visible_lines.h"
+#include "hsr/raster/caster.h"
+#include "hsr/raster/samples.h"
 #include "hsr/scene/scene_parts.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/surfaces/visible_fragments.h"
@@ -66,6 +68,23 @@ TEST_CASE("what meets is looked for once for all views of a scene", "[scene]") {
   CHECK(first.parts().has_tree());
   CHECK_FALSE(second.parts().has_tree());
   CHECK(first.parts().intersections().segments[0].s == second.parts().intersections().segments[0].s);
+}
+
+TEST_CASE("a picture of samples takes the tree of the drawing", "[scene]") {
+  std::size_t shared = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const scenes::TestScene scene = scenes::family("boxes").make(seed);
+    const Mesh mesh = scene.mesh();
+    const SceneView drawn(mesh, scene.view);
+    const SampleGrid grid = sample_grid(scene.view, paper_rectangle(mesh, scene.view), 64, 48);
+    const auto alone = cast(SceneView(mesh, scene.view), grid).triangles.pixels;
+    (void)drawn.parts().occluders(Excluded::edge_on);
+    CHECK(cast(drawn, grid).triangles.pixels == alone);
+    const ViewParts& parts = drawn.parts().with(grid.bit_range());
+    if (&parts.occluders(Excluded::edge_on) == &drawn.parts().occluders(Excluded::edge_on)) ++shared;
+    CHECK(&parts == &drawn.parts().with(grid.bit_range()));
+  }
+  CHECK(shared > 10);
 }
 
 TEST_CASE("the parts of a view are made once, whatever threads ask", "[scene]") {
