@@ -56,7 +56,7 @@ std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const Su
   return ConstructedPoint::meet(s, t, plane).exact();
 }
 
-Rational parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut) {
+Rational exact_parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut) {
   if (cut.kind == Cut::Kind::start) return 0.0;
   if (cut.kind == Cut::Kind::end) return 1.0;
   if (support.is_edge()) return parameter_of_cut(plane_of(mesh, view, cut), mesh.points[support.a], mesh.points[support.b]);
@@ -66,7 +66,7 @@ Rational parameter(const Mesh& mesh, const View& view, const SupportingLine& sup
              p = exact_point(mesh, view, support, cut);
   for (std::size_t k = 0; k < 3; ++k)
     if (a[k] != b[k]) return (p[k] - a[k]) / (b[k] - a[k]);
-  throw InvariantError("parameter: an empty intersection");
+  throw InvariantError("exact_parameter: an empty intersection");
 }
 
 }  // namespace hsr

@@ -88,7 +88,7 @@ SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, c
 Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut);
 
 /// The parameter t of a cut, exactly: 0 at the first end of the carrier, 1 at the second.
-Rational parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
+Rational exact_parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
 
 /// The planes of the two faces of an intersection. @pre the carrier is one
 std::array<Plane, 2> planes_of(const Mesh& mesh, const View& view, const SupportingLine& support);

@@ -41,7 +41,7 @@ struct FragmentOptions {
 };
 
 /// A point of a fragment in space, exactly: the point of the facet's plane that is seen there.
-std::array<Rational, 3> point_of(const Mesh& mesh, const View& view, TriangleId facet, const MapPoint& p);
+std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, TriangleId facet, const MapPoint& p);
 
 /// The area of each fragment's image, in coordinates of the frame (View::frame: right by up, which are unit lengths but for
 /// rounding), exactly. Perspective: in the plane of the frame.

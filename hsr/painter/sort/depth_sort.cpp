@@ -440,7 +440,7 @@ std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& vie
   for (std::size_t k = 0; k < found.size(); ++k) {
     const Rational count(static_cast<double>(cycle.common[k].size()));
     for (const MapPoint& p : cycle.common[k]) {
-      const auto at = point_of(mesh, view, cycle.facets[k], p);
+      const auto at = exact_point(mesh, view, cycle.facets[k], p);
       for (std::size_t i = 0; i < 3; ++i) found[k][i] = found[k][i] + at[i] / count;
     }
   }
