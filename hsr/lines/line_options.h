@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <stop_token>
 
 #include "hsr/view/view.h"
 
@@ -22,9 +23,10 @@ struct LineOptions {
 
   /// Which classes to compute; by default all but smooth.
   std::array<bool, 6> classes = {true, true, true, true, true, false};
-  double crease = 30;                         ///< degrees; edges that deviate more from flat are sharp
-  bool why = false;                           ///< name the faces that hide each hidden interval; roberts only
-  std::function<void(double done)> progress;  ///< called now and then with the share done, 0 ... 1; may throw to cancel
+  double crease = 30;                              ///< degrees; edges that deviate more from flat are sharp
+  bool why = false;                                ///< name the faces that hide each hidden interval; roberts only
+  std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel
+  std::stop_token stop = {};                       ///< once it is asked to stop, the work ends in a CancelledError
 };
 
 }  // namespace hsr

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -38,6 +39,7 @@ struct FragmentOptions {
   /// For visible_fragments() only; changes no ring.
   const VisibleLines* lines = nullptr;
   std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel
+  std::stop_token stop = {};                       ///< once it is asked to stop, the work ends in a CancelledError
 };
 
 /// A point of a fragment in space, exactly: the point of the facet's plane that is seen there.
