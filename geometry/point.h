@@ -10,6 +10,13 @@ struct Point3 {
   friend constexpr bool operator==(const Point3&, const Point3&) = default;
 };
 
+/// A point of the plane of the paper.
+struct Point2 {
+  double x = 0, y = 0;
+
+  friend constexpr bool operator==(const Point2&, const Point2&) = default;
+};
+
 /// The homogeneous viewpoint: w = 1, an eye at (x, y, z); w = 0, an eye at infinity in the direction (x, y, z), which points
 /// from the scene toward the viewer.
 struct Viewpoint {

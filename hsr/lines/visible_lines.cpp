@@ -56,6 +56,12 @@ std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const Su
   return ConstructedPoint::meet(s, t, plane).exact();
 }
 
+std::array<Rational, 3> exact_point(const SceneView& scene, const VisibleLines& lines, const Line& line, std::uint32_t k) {
+  const auto cuts = lines.cuts_of(line);
+  require(k < cuts.size(), "exact_point: the line has fewer cuts");
+  return exact_point(scene.mesh(), scene.view(), supporting_line_of(scene.mesh(), lines, line), cuts[k]);
+}
+
 Rational exact_parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut) {
   if (cut.kind == Cut::Kind::start) return 0.0;
   if (cut.kind == Cut::Kind::end) return 1.0;
