@@ -43,7 +43,7 @@ std::string difference(const Mesh& mesh, const View& view, const VisibleLines& x
     if (a.intervals() > 0 && a.starts_hidden != b.starts_hidden) return where + "starts hidden, or not";
     for (std::size_t k = 0; k < x.cuts_of(a).size(); ++k) {
       const Cut &c = x.cuts_of(a)[k], &d = y.cuts_of(b)[k];
-      if (!(c == d) && !(parameter(mesh, view, support, c) == parameter(mesh, view, support, d)))
+      if (!(c == d) && !(exact_parameter(mesh, view, support, c) == exact_parameter(mesh, view, support, d)))
         return where + "another parameter";
     }
   }

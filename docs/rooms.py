@@ -29,6 +29,7 @@ WORDS = {
     "painter": "orders from far to near",
     "raster": "methods of image space",
     "drawing": "results on a page",
+    "coordinates": "results as numbers",
     "check": "results against results",
     "io": "files in, files out",
     "study": "methods compared",

@@ -1,29 +1,25 @@
-// A tree of planes built once, and the faces of a model ordered from far to near for a whole turn around it.
-#include <chrono>
-#include <cmath>
-#include <cstdlib>
-#include <iostream>
-#include <numbers>
+// turntable MODEL: a turn around a model in four views that share one Scene. Prints of each view its visible segments and, by a
+// tree of planes that is built once, the nearest of the pieces to paint.
+#include <hsr/hsr.h>
+#include <hsr/io.h>
 
-#include "hsr/io/read/read.h"
-#include "hsr/painter/bsp/bsp.h"
+#include <algorithm>
+#include <cstdio>
+#include <exception>
 
 int main(int argc, char** argv) try {
   const hsr::Model model = hsr::read_model(argc > 1 ? argv[1] : "part.obj");
-  const hsr::Mesh mesh = hsr::make_mesh(model.points, model.polygons);
-  const auto start = std::chrono::steady_clock::now();
-  const hsr::BspTree tree(mesh);
-  const auto built = std::chrono::steady_clock::now();
-  constexpr int frames = 36;
-  std::vector<std::uint32_t> far_to_near;  // numbers of pieces; draw them in this order
-  for (int frame = 0; frame < frames; ++frame) {
-    const double angle = 2 * std::numbers::pi * frame / frames;
-    tree.walk(hsr::parallel_view({std::cos(angle), std::sin(angle), 0.5}, {0, 0, 1}), far_to_near);
+  const hsr::Scene scene(hsr::make_mesh(model.points, model.polygons));
+  const hsr::BspTree tree(scene.mesh());
+  for (const hsr::Point3& direction : {hsr::Point3{4, 0, 3}, {3, 3, 3}, {0, 4, 3}, {-3, 3, 3}}) {
+    const hsr::SceneView view(scene, hsr::parallel_view(direction, {0, 0, 1}, hsr::centre(scene.mesh())));
+    const std::vector<hsr::Segment> all = hsr::segments(view, hsr::visible_lines(view));
+    const auto visible = std::count_if(all.begin(), all.end(), [](const hsr::Segment& s) { return !s.is_hidden; });
+    const hsr::PaintersOrder order = tree.order(view);
+    std::printf("from %g,%g,%g: %td visible segments; of %zu pieces the last is of face %u\n", direction.x, direction.y,
+                direction.z, visible, order.pieces.size(), scene.mesh().face_of[order.pieces.back().facet].value);
   }
-  const auto seconds = [](auto from, auto to) { return std::chrono::duration<double>(to - from).count(); };
-  std::cout << tree.pieces() << " pieces of " << mesh.faces.size() << " faces: built in " << seconds(start, built)
-            << " s, ordered " << frames << " times in " << seconds(built, std::chrono::steady_clock::now()) << " s\n";
 } catch (const std::exception& error) {
-  std::cerr << error.what() << '\n';
+  std::fprintf(stderr, "%s\n", error.what());
   return 2;
 }

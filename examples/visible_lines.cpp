@@ -1,24 +1,18 @@
-// visible_lines MODEL: how much of a model's lines can be seen from the corner that the view `iso` looks from.
-#include "hsr/lines/visible_lines.h"
+// Prints the ends of the nine segments of a cube that are visible from the corner that the view `iso` looks from.
+#include <hsr/hsr.h>
 
-#include <exception>
-#include <iostream>
+#include <cstdio>
 
-#include "geometry/mesh.h"
-#include "hsr/io/read/read.h"
-#include "hsr/view/view.h"
-
-int main(int argc, char** argv) try {
-  const hsr::Model model = hsr::read_model(argc > 1 ? argv[1] : "part.obj");
-  const hsr::Mesh mesh = hsr::make_mesh(model.points, model.polygons);
-  const hsr::View view = hsr::named_view("iso", hsr::centre(mesh));
-  const hsr::VisibleLines result = hsr::visible_lines(mesh, view);
-
-  std::size_t visible = 0, hidden = 0;
-  for (const hsr::Line& line : result.lines)
-    for (std::uint32_t k = 0; k < line.intervals(); ++k) ++(line.hidden(k) ? hidden : visible);
-  std::cout << visible << " visible and " << hidden << " hidden segments on " << result.lines.size() << " lines\n";
-} catch (const std::exception& error) {
-  std::cerr << error.what() << '\n';
-  return 2;
+int main() {
+  const std::vector<hsr::Point3> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                           {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  const std::vector<std::uint32_t> corners = {0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7};
+  const std::vector<std::uint32_t> first = {0,  4,  8, 12,
+                                            16, 20, 24};  // face f has corners[first[f]] ... corners[first[f + 1] - 1]
+  const hsr::Mesh mesh = hsr::make_mesh(points, corners, first);
+  const hsr::SceneView scene(mesh, hsr::named_view("iso", hsr::centre(mesh)));
+  for (const hsr::Segment& s : hsr::segments(scene, hsr::visible_lines(scene)))
+    if (!s.is_hidden)
+      std::printf("%g,%g,%g - %g,%g,%g\n", s.from.space.x, s.from.space.y, s.from.space.z, s.to.space.x, s.to.space.y,
+                  s.to.space.z);
 }

@@ -88,6 +88,7 @@ EdgeId Mesh::find_edge(VertexId a, VertexId b) const {
 }
 
 Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons) {
+  require(!polygons.first.empty(), "make_mesh: Polygons::first must begin with 0");
   check_countable(points.size(), "points");
   check_countable(polygons.size(), "faces");
   check(polygons, points.size());
@@ -128,6 +129,24 @@ Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons) {
   });
   connect_edges(mesh, ring_sides, polygons.segments);
   return mesh;
+}
+
+Mesh make_mesh(std::span<const Point3> points, std::span<const std::uint32_t> corners, std::span<const std::uint32_t> first) {
+  Polygons polygons;
+  polygons.first.assign(first.begin(), first.end());
+  polygons.corners.assign(corners.begin(), corners.end());
+  return make_mesh({points.begin(), points.end()}, polygons);
+}
+
+Mesh make_mesh(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles) {
+  check_countable(3 * triangles.size(), "corners");
+  Polygons polygons;
+  polygons.corners.reserve(3 * triangles.size());
+  for (const auto& t : triangles) {
+    polygons.corners.insert(polygons.corners.end(), t.begin(), t.end());
+    polygons.first.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
+  }
+  return make_mesh({points.begin(), points.end()}, polygons);
 }
 
 }  // namespace hsr

@@ -10,7 +10,7 @@ struct Point3 {
   friend constexpr bool operator==(const Point3&, const Point3&) = default;
 };
 
-/// A point of an image, in doubles.
+/// A point of a plane: of an image, or of the paper.
 struct Point2 {
   double x = 0, y = 0;
 

@@ -13,7 +13,7 @@ Answer answer(const Mesh& mesh, const View& view, const VisibleLines& lines, con
   if (line == lines.lines.end() || line->edge != probe.edge) return Answer::none;
   const auto cuts = lines.cuts_of(*line);
   for (std::uint32_t k = 0; k < line->intervals(); ++k)
-    if (Rational(probe.t) < parameter(mesh, view, supporting_line_of(mesh, lines, *line), cuts[k + 1]))
+    if (Rational(probe.t) < exact_parameter(mesh, view, supporting_line_of(mesh, lines, *line), cuts[k + 1]))
       return line->hidden(k) ? Answer::hidden : Answer::visible;
   return Answer::none;
 }

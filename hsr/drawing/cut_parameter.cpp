@@ -46,7 +46,7 @@ double rounded_parameter(const Mesh& mesh, const View& view, const SupportingLin
   if (cut.kind == Cut::Kind::start) return 0;
   if (cut.kind == Cut::Kind::end) return 1;
   if (const auto t = rounded(enclosed_parameter(mesh, view, support, cut))) return *t;
-  return parameter(mesh, view, support, cut).to_double();
+  return exact_parameter(mesh, view, support, cut).to_double();
 }
 
 }  // namespace hsr

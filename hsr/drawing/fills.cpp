@@ -41,7 +41,7 @@ class CornerPlacer {
   }
   HomogeneousPoint line(const MapLine& l) const { return cross(projection_.at(VertexId(l.u)), projection_.at(VertexId(l.v))); }
   std::array<Rational, 2> exact(const MapPoint& p, TriangleId facet) const {
-    return projection_.exact(point_of(projection_.mesh(), projection_.view(), facet, p));
+    return projection_.exact(exact_point(projection_.mesh(), projection_.view(), facet, p));
   }
 
   const Projection& projection_;

@@ -43,6 +43,7 @@ struct Painting {
 
 /// Places each corner, correctly rounded to 0.001 mm. A side is a line where it lies on an edge of the face that is of the
 /// classes asked for, whole or in part: sides that cuts made never are.
+/// @throws InputError as draw() does
 Painting paint_on_page(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours,
                        const LineOptions& lines, const DrawingOptions& options);
 /// Of a scene that nothing else looks at.

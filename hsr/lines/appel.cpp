@@ -52,7 +52,7 @@ class Appel {
         counts_(projected.mesh().points.size()) {}
 
   VisibleLines lines() {
-    LineProgress progress(options_.progress, 2 * order_.size());
+    LineProgress progress(options_.progress, options_.stop, 2 * order_.size());
     for_each_part([&](std::size_t part, std::size_t begin, std::size_t end) {
       find_courses(parts_[part], begin, end);
       progress.advance(end - begin);

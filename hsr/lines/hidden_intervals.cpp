@@ -300,7 +300,7 @@ VisibleLines intervals_in_blocks(const ProjectedMesh& projected, const LineOptio
                                  const std::function<void(HiddenIntervals&, std::uint32_t)>& add) {
   std::vector<VisibleLines> parts((order.size() + edges_of_block - 1) / edges_of_block);
   std::vector<std::array<std::uint32_t, 2>> place(order.size());
-  LineProgress progress(options.progress, order.size());
+  LineProgress progress(options.progress, options.stop, order.size());
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {

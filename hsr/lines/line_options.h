@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <stop_token>
 
 #include "hsr/view/view.h"
 
@@ -25,9 +26,10 @@ struct LineOptions {
   /// Also every diagonal of a face that is cut into triangles, as a smooth line where it is no outline: no drawing has them, but
   /// fragments are bounded by them.
   bool diagonals = false;
-  double crease = 30;                         ///< degrees; edges that deviate more from flat are sharp
-  bool why = false;                           ///< name the faces that hide each hidden interval; roberts only
-  std::function<void(double done)> progress;  ///< called now and then with the share done, 0 ... 1; may throw to cancel
+  double crease = 30;                              ///< degrees; edges that deviate more from flat are sharp
+  bool why = false;                                ///< name the faces that hide each hidden interval; roberts only
+  std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel
+  std::stop_token stop = {};                       ///< once it is asked to stop, the work ends in a CancelledError
 };
 
 }  // namespace hsr

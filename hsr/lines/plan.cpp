@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "geometry/cancel.h"
 #include "geometry/error.h"
 #include "geometry/parallel.h"
 #include "hsr/lines/appel.h"
@@ -267,6 +268,7 @@ LinePlan plan_lines(const SceneView& scene, const LineOptions& options) { return
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options) {
   require(options.method != LineMethod::appel || !options.why,
           "visible_lines: appel counts layers and does not say which faces they are; roberts does");
+  throw_if_stopped(options.stop);
   return Plan(scene, options).run();
 }
 

@@ -38,7 +38,13 @@ std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const Su
   return ConstructedPoint::meet(s, t, plane).exact();
 }
 
-Rational parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut) {
+std::array<Rational, 3> exact_point(const SceneView& scene, const VisibleLines& lines, const Line& line, std::uint32_t k) {
+  const auto cuts = lines.cuts_of(line);
+  require(k < cuts.size(), "exact_point: the line has fewer cuts");
+  return exact_point(scene.mesh(), scene.view(), supporting_line_of(scene.mesh(), lines, line), cuts[k]);
+}
+
+Rational exact_parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut) {
   if (cut.kind == Cut::Kind::start) return 0.0;
   if (cut.kind == Cut::Kind::end) return 1.0;
   if (support.is_edge()) return parameter_of_cut(plane_of(mesh, view, cut), mesh.points[support.a], mesh.points[support.b]);
@@ -48,7 +54,7 @@ Rational parameter(const Mesh& mesh, const View& view, const SupportingLine& sup
              p = exact_point(mesh, view, support, cut);
   for (std::size_t k = 0; k < 3; ++k)
     if (a[k] != b[k]) return (p[k] - a[k]) / (b[k] - a[k]);
-  throw InvariantError("parameter: an empty intersection");
+  throw InvariantError("exact_parameter: an empty intersection");
 }
 
 }  // namespace hsr

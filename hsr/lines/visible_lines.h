@@ -63,7 +63,8 @@ struct VisibleLines {
 ///   (2) removing a face never removes a visible point
 ///   (3) the result does not depend on the order of the faces, on the number of threads, nor on the method or the stages
 ///
-/// @throws PreconditionError if appel is asked for with `options.why`
+/// @throws PreconditionError if appel is asked for with `options.why`, CancelledError if asked to stop by `options.stop`, InputError
+/// beyond 2^32 - 1 interval ends
 /// Exact: yes. Degenerate: docs/conventions.md. Cost: O(n log n + k log k) for k pairs that overlap in the image, parallel: of an
 /// edge and a face (Roberts 1963), or, where it pays, of an edge and an occluding edge (Appel 1967).
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options = {});
@@ -85,12 +86,15 @@ struct SupportingLine {
 SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, const Line& line);
 
 /// The parameter t of a cut, exactly: 0 at the first end of the carrier, 1 at the second.
-Rational parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
+Rational exact_parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
 
 /// The planes of the two faces of an intersection. @pre the carrier is one
 std::array<Plane, 2> planes_of(const Mesh& mesh, const View& view, const SupportingLine& support);
 
 /// The point of a cut, exactly.
 std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
+/// Of the cut number k of a line of the scene: interval k runs from here to the cut k + 1.
+/// @throws PreconditionError if the line has no such cut
+std::array<Rational, 3> exact_point(const SceneView& scene, const VisibleLines& lines, const Line& line, std::uint32_t k);
 
 }  // namespace hsr

@@ -38,7 +38,7 @@ VisibleFragments fragments_in_blocks(const Mesh& mesh, const FragmentOptions& op
   constexpr std::size_t block = 256;
   const std::size_t n = mesh.triangles.size();
   std::vector<FragmentParts> parts((n + block - 1) / block);
-  LineProgress progress(options.progress, n);
+  LineProgress progress(options.progress, options.stop, n);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {

@@ -15,7 +15,7 @@ std::vector<Rational> visible_areas(const Mesh& mesh, const View& view, const Vi
     for (std::uint32_t ring = f.first_ring; ring < f.end_ring; ++ring) {
       std::vector<std::array<Rational, 2>> at;
       for (const MapCorner& c : fragments.ring(ring)) {
-        at.push_back(image(point_of(mesh, view, f.facet, c.at)));
+        at.push_back(image(exact_point(mesh, view, f.facet, c.at)));
       }
       for (std::size_t i = 0; i < at.size(); ++i) {
         const auto &p = at[i], &q = at[(i + 1) % at.size()];

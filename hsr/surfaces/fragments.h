@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -39,6 +40,7 @@ struct FragmentOptions {
   /// For visible_fragments() only; changes no ring.
   const VisibleLines* lines = nullptr;
   std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel
+  std::stop_token stop = {};                       ///< once it is asked to stop, the work ends in a CancelledError
 };
 
 /// The area of each fragment's image, in coordinates of the frame (View::frame: right by up, which are unit lengths but for

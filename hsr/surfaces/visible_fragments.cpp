@@ -6,13 +6,14 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/cancel.h"
 #include "geometry/parallel.h"
 #include "hsr/lines/appel.h"
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/roberts.h"
 #include "hsr/scene/facet.h"
-#include "hsr/scene/view_parts.h"
 #include "hsr/scene/segment_filter.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/line_envelope.h"
@@ -379,7 +380,8 @@ void FragmentFinder::find_own_lines(bool is_soup) {
     }
   });
   const ClassifiedEdges requested(projected_, std::move(edges));
-  const LineOptions line_options;
+  LineOptions line_options;
+  line_options.stop = options_.stop;
   const bool may_count = projected_.arithmetic() == Arithmetic::staged && !is_soup;
   const bool appel_pays =
       may_count && parts_.occluding_edges(Excluded::hidden_and_edge_on).edges().size() <= occluders_->triangles.size();
@@ -503,6 +505,7 @@ VisibleFragments FragmentFinder::fragments() {
 bool fragments_use_lines(const SceneView& scene) { return !scene.parts().has_edge_on(); }
 
 VisibleFragments visible_fragments(const SceneView& scene, const FragmentOptions& options) {
+  throw_if_stopped(options.stop);
   return FragmentFinder(scene, options).fragments();
 }
 

@@ -12,6 +12,8 @@ namespace hsr {
 ///   (4) the result does not depend on the number of threads; roberts_surfaces(), and other stages, give the same rings, but in
 ///       each facet perhaps in another order, from another corner on, and with corners by other names
 ///
+/// @throws CancelledError if asked to stop by `options.stop`, InputError beyond 2^32 - 1 corners
+///
 /// Built from the visible lines: each visible part of an edge, of a line where two faces pierce and of a cut by the near plane
 /// bounds what is seen just to its left and just to its right (LineEnvelope); where these differ it is a side of both fragments.
 /// Exact: yes. Degenerate: docs/conventions.md, "Visible fragments". Cost: O((n + k) log n) on meshes, n edges, k overlaps of

@@ -276,7 +276,7 @@ TEST_CASE("A fitted page is the drawing and its margins", "[drawing][page]") {
 }
 
 TEST_CASE("Nothing to draw is an empty page; a straight line is drawn; neither has a scale of infinity", "[drawing][page]") {
-  const Mesh nothing = make_mesh({}, {});
+  const Mesh nothing = make_mesh({}, Polygons{});
   const Drawing empty = draw(nothing, named_view("iso"), {});
   CHECK(empty.polylines.empty());
   CHECK(empty.width == 210);

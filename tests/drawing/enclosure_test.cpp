@@ -86,7 +86,7 @@ TEST_CASE("Parameters and places are the exact ones rounded, on random scenes", 
     for (const Line& line : lines.lines) {
       const SupportingLine support = supporting_line_of(mesh, lines, line);
       for (const Cut& cut : lines.cuts_of(line)) {
-        const Rational t = parameter(mesh, view, support, cut);
+        const Rational t = exact_parameter(mesh, view, support, cut);
         REQUIRE(rounded_parameter(mesh, view, support, cut) == t.to_double());
         const auto seen = image(view, exact_point(mesh, view, support, cut));
         const Rational x = Rational(105.0) + Rational(7.25) * (seen[0] - Rational(0.125));

@@ -157,7 +157,7 @@ TEST_CASE("Segments are wires, on an edge too, and none if they have no length",
 }
 
 TEST_CASE("A mesh may be empty", "[geometry][mesh]") {
-  const Mesh mesh = make_mesh({}, {});
+  const Mesh mesh = make_mesh({}, Polygons{});
   CHECK(mesh.edges.empty());
   CHECK(mesh.first_side.size() == 1);
   CHECK(mesh.first_triangle.size() == 1);

@@ -99,7 +99,7 @@ UnhiddenShare left_out(const scenes::TestScene& scene) {
     for (std::uint32_t k = 0; k < line.intervals(); ++k) {
       if (line.hidden(k)) continue;
       const auto share = [&](const Cut& cut) {
-        const double t = parameter(mesh, scene.view, supporting_line_of(mesh, lines, line), cut).to_double();
+        const double t = exact_parameter(mesh, scene.view, supporting_line_of(mesh, lines, line), cut).to_double();
         return t * n / (m + t * (n - m));
       };
       constexpr double rounding = 1e-9;

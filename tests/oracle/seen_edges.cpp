@@ -81,7 +81,7 @@ std::string occluders_text(const Mesh& mesh, const View& view, const VisibleLine
   std::string text;
   for (const Occluder& o : lines.occluders_of(line)) {
     const SupportingLine support = supporting_line_of(mesh, lines, line);
-    const Q from = exact(parameter(mesh, view, support, o.from)), to = exact(parameter(mesh, view, support, o.to));
+    const Q from = exact(exact_parameter(mesh, view, support, o.from)), to = exact(exact_parameter(mesh, view, support, o.to));
     text += " face " + std::to_string(o.face.value) + " " + from.get_str() + " " + to.get_str();
   }
   return text;
@@ -181,7 +181,7 @@ std::vector<SeenEdge> seen_edges(const Mesh& mesh, const View& view, const Visib
       e.from = point(support.meet.from);
       e.to = point(support.meet.to);
     }
-    for (const Cut& cut : lines.cuts_of(line)) e.cuts.push_back(exact(parameter(mesh, view, support, cut)));
+    for (const Cut& cut : lines.cuts_of(line)) e.cuts.push_back(exact(exact_parameter(mesh, view, support, cut)));
     out.push_back(std::move(e));
   }
   return out;
@@ -229,8 +229,8 @@ std::vector<std::string> compare_with_oracle(const Mesh& mesh, const View& view,
                                                           : oracle.visibility(line.edge);
       Interval part;
       if (line.intervals() > 0) {
-        part.from = exact(parameter(mesh, view, support, lines.cuts_of(line).front()));
-        part.to = exact(parameter(mesh, view, support, lines.cuts_of(line).back()));
+        part.from = exact(exact_parameter(mesh, view, support, lines.cuts_of(line).front()));
+        part.to = exact(exact_parameter(mesh, view, support, lines.cuts_of(line).back()));
       }
       const std::string found = occluders_text(mesh, view, lines, line);
       const std::string expected = occluders_by_oracle(mesh, whole, part);

@@ -236,7 +236,7 @@ std::vector<std::size_t> SurfacesOracle::count_regions() const {
 std::vector<Place> SurfacesOracle::ring(const VisibleFragments& found, TriangleId facet, std::uint32_t r) const {
   std::vector<Place> out;
   for (const MapCorner& c : found.ring(r)) {
-    const auto at = point_of(mesh_, view_, facet, c.at);
+    const auto at = exact_point(mesh_, view_, facet, c.at);
     out.push_back(image({exact(at[0]), exact(at[1]), exact(at[2])}));
   }
   return out;

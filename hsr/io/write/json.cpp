@@ -105,7 +105,7 @@ class LineWriter {
     if (is_end || cut.kind == Cut::Kind::start) {
       out += numbers_ == Numbers::exact ? (is_end ? "\"1\"" : "\"0\"") : (is_end ? "1" : "0");
     } else if (numbers_ == Numbers::exact) {
-      append_rational(out, parameter(mesh_, view_, support_, cut), numbers_);
+      append_rational(out, exact_parameter(mesh_, view_, support_, cut), numbers_);
     } else {
       append_number(out, rounded_parameter(mesh_, view_, support_, cut), numbers_);
     }
@@ -137,7 +137,7 @@ FragmentText fragment_text(const Mesh& mesh, const View& view, const VisibleFrag
   out.text += ", \"rings\": [";
   for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
     std::vector<std::array<Rational, 3>> ring;
-    for (const MapCorner& c : all.ring(r)) ring.push_back(point_of(mesh, view, f.facet, c.at));
+    for (const MapCorner& c : all.ring(r)) ring.push_back(exact_point(mesh, view, f.facet, c.at));
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
     if (r == f.first_ring) out.start = ring.front();
     out.text += r == f.first_ring ? "[" : ", [";

@@ -4,6 +4,7 @@
 #include <deque>
 #include <string>
 
+#include "geometry/cancel.h"
 #include "geometry/error.h"
 #include "geometry/ragged.h"
 #include "hsr/painter/sort/components.h"
@@ -94,15 +95,15 @@ std::vector<std::uint32_t> by_cluster(const std::vector<std::uint32_t>& items, s
 OverlapGraph Sorter::relate_whole() {
   const ImageTriangles images = image_triangles(projected_, faces_);
   const ClusterBoxes boxes(projected_, faces_, clusters_, InDepth::touching);
-  OverlapGraph found = overlap_graph(projected_, faces_, boxes, images, options_.classic);
+  OverlapGraph found = overlap_graph(projected_, faces_, boxes, images, options_.classic, options_.stop);
   if (found.piercing.empty()) {
     if (const auto order = depth_order(projected_, faces_, boxes, images, found)) {
       order_whole(*order);
       return found;
     }
   }
-  found.add(
-      overlap_graph(projected_, faces_, ClusterBoxes(projected_, faces_, clusters_, InDepth::apart), images, options_.classic));
+  found.add(overlap_graph(projected_, faces_, ClusterBoxes(projected_, faces_, clusters_, InDepth::apart), images,
+                          options_.classic, options_.stop));
   if (!found.piercing.empty()) return found;
   const std::vector<std::uint32_t> order =
       topological_order(make_graph(faces_.size(), [&](const auto& visit) { found.for_each_pair(visit); }));
@@ -202,6 +203,7 @@ bool Sorter::split(std::uint32_t piece, const MapHalfPlane& line) {
   PieceOfFacet inside = shaped(piece);
   auto outside = cut(overlaps_.map(), inside.shape, line);
   if (!outside || inside.shape.points.empty()) return false;
+  throw_if_stopped(options_.stop);
   count_pieces(1);
   ++cuts_;
   const auto first = static_cast<std::uint32_t>(pieces_.size());
@@ -435,7 +437,7 @@ std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& vie
   for (std::size_t k = 0; k < found.size(); ++k) {
     const Rational count(static_cast<double>(cycle.common[k].size()));
     for (const MapPoint& p : cycle.common[k]) {
-      const auto at = point_of(mesh, view, cycle.facets[k], p);
+      const auto at = exact_point(mesh, view, cycle.facets[k], p);
       for (std::size_t i = 0; i < 3; ++i) found[k][i] = found[k][i] + at[i] / count;
     }
   }
@@ -443,6 +445,7 @@ std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& vie
 }
 
 DepthSort depth_sort(const SceneView& scene, const DepthSortOptions& options) {
+  throw_if_stopped(options.stop);
   if (scene.mesh().triangles.empty()) return {};
   return Sorter(scene, options).sort();
 }

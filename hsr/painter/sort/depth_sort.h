@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
+#include <stop_token>
 #include <vector>
 
 #include "hsr/painter/painters_order.h"
@@ -39,7 +39,7 @@ struct DepthSort {
 struct DepthSortOptions {
   bool classic = false;         ///< cut every pair that the planes of the two do not separate, as the paper does
   std::size_t most_pieces = 0;  ///< beyond it the scene is refused; 0: 250 000, or 64 a face
-  std::function<void(double done)> progress;
+  std::stop_token stop = {};    ///< once it is asked to stop, the work ends in a CancelledError
 };
 
 /// Depth sort: the faces from far to near, with as few cuts as needed.
@@ -54,7 +54,7 @@ struct DepthSortOptions {
 ///   (3) a face that is in no cycle and pierces none is one piece, if it is convex
 ///   (4) the result does not depend on the number of threads
 ///
-/// @throws InputError beyond the most pieces
+/// @throws InputError beyond the most pieces, CancelledError if asked to stop by `options.stop`
 /// Exact: yes. Cost: O(n log n + k) for k pairs whose boxes overlap in the image, and the cuts.
 /// Source: Newell, Newell & Sancha 1972; the graph: de Berg, van Kreveld & Schwarzkopf 1992.
 DepthSort depth_sort(const SceneView& scene, const DepthSortOptions& options = {});

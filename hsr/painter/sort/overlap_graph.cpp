@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/cancel.h"
 #include "hsr/painter/sort/piece_relations.h"
 
 namespace hsr {
@@ -59,7 +60,7 @@ void OverlapGraph::add(OverlapGraph&& more) {
 }
 
 OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
-                           const ImageTriangles& images, bool classic) {
+                           const ImageTriangles& images, bool classic, const std::stop_token& stop) {
   constexpr std::size_t block = 64, leaves = 64;  // block: of small clusters
   const Clusters& clusters = boxes.clusters();
   const bool touching = boxes.looked_for() == InDepth::touching;
@@ -77,6 +78,7 @@ OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pie
   std::vector<OverlapGraph> parts(work.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), 1), [&](const auto& range) {
     for (std::size_t part = range.begin(); part != range.end(); ++part) {
+      throw_if_stopped(stop);
       const Work& w = work[part];
       Finder finder(projected, pieces, images, classic);
       const auto look_at = [&](std::size_t i, std::size_t k) { finder.look_at(clusters.pieces[i], clusters.pieces[k]); };

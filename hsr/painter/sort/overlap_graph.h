@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "hsr/painter/sort/cluster_boxes.h"
@@ -35,6 +36,6 @@ struct OverlapGraph {
 /// @param classic call piercing every pair that no plane of the two separates
 /// Exact: yes. Cost: O(n + k log n) for k pairs of boxes, parallel.
 OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
-                           const ImageTriangles& images, bool classic);
+                           const ImageTriangles& images, bool classic, const std::stop_token& stop);
 
 }  // namespace hsr

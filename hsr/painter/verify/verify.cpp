@@ -291,6 +291,17 @@ std::optional<std::uint64_t> Verifier::cuts(const std::vector<std::uint32_t>& co
 
 }  // namespace
 
+std::vector<PaintedPolygon> painted_polygons(const SceneView& scene, const PaintersOrder& order) {
+  std::vector<PaintedPolygon> polygons(order.pieces.size());
+  tbb::parallel_for(std::size_t{0}, polygons.size(), [&](std::size_t k) {
+    const OrderedPiece& piece = order.pieces[k];
+    polygons[k].face = scene.mesh().face_of[piece.facet].value;
+    for (const PieceCorner& corner : order.corners_of(piece))
+      polygons[k].corners.push_back(exact_point(scene.mesh(), scene.view(), piece.facet, corner));
+  });
+  return polygons;
+}
+
 Verdict verify(const std::vector<PaintedPolygon>& far_to_near, const View& view, const VerifyOptions& options) {
   return Verifier(far_to_near, view, options).verdict();
 }

@@ -8,6 +8,8 @@
 
 #include "geometry/mesh.h"
 #include "geometry/number.h"
+#include "hsr/painter/painters_order.h"
+#include "hsr/scene/scene.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -63,6 +65,9 @@ struct Verdict {
 
   bool is_correct() const { return wrong == 0 && covered_twice == 0; }
 };
+
+/// The pieces of an order, to be verified as anyone's. Exact: yes.
+std::vector<PaintedPolygon> painted_polygons(const SceneView& scene, const PaintersOrder& order);
 
 struct VerifyOptions {
   std::size_t limit = 10;  ///< violations to describe

@@ -1,0 +1,53 @@
+#include "hsr/coordinates/segments.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "hsr/coordinates/rounded_coordinates.h"
+
+namespace hsr {
+
+namespace {
+
+std::vector<FaceId> faces_at(const Mesh& mesh, const Line& line, const SupportingLine& support) {
+  std::vector<FaceId> faces;
+  if (support.is_edge()) {
+    for (const TriangleId t : mesh.triangles_at(line.edge)) faces.push_back(mesh.face_of[t]);
+  } else {
+    faces = {mesh.face_of[support.meet.s], mesh.face_of[support.meet.t]};
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+}  // namespace
+
+std::vector<Segment> segments(const SceneView& scene, const VisibleLines& lines) {
+  const Mesh& mesh = scene.mesh();
+  const RoundedCoordinates coordinates(mesh, scene.view());
+  std::vector<std::size_t> first(lines.lines.size() + 1, 0);
+  for (std::size_t i = 0; i < lines.lines.size(); ++i) first[i + 1] = first[i] + lines.lines[i].intervals();
+  std::vector<Segment> all(first.back());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines.lines.size(), 64), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const Line& line = lines.lines[i];
+      if (line.intervals() == 0) continue;
+      const SupportingLine support = supporting_line_of(mesh, lines, line);
+      const std::vector<FaceId> faces = faces_at(mesh, line, support);
+      const auto cuts = lines.cuts_of(line);
+      PlacedPoint from = coordinates.at(support, cuts[0]);
+      for (std::uint32_t k = 0; k < line.intervals(); ++k) {
+        const PlacedPoint to = coordinates.at(support, cuts[k + 1]);
+        all[first[i] + k] = {
+            from, to, line.edge_class, line.hidden(k), support.a, support.b, faces, static_cast<std::uint32_t>(i), k};
+        from = to;
+      }
+    }
+  });
+  return all;
+}
+
+}  // namespace hsr

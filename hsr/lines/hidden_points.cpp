@@ -1,0 +1,132 @@
+#include "hsr/lines/hidden_points.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "geometry/bit_range.h"
+#include "geometry/constructed_point.h"
+#include "geometry/error.h"
+#include "geometry/rational_vector.h"
+#include "hsr/scene/view_parts.h"
+
+namespace hsr {
+
+namespace {
+
+/// Tells what hides one point after the other. One object per thread.
+class PointOcclusion {
+ public:
+  PointOcclusion(const ProjectedMesh& projected, const Occluders& occluders)
+      : projected_(projected), occluders_(occluders), exact_(projected.predicates()) {}
+
+  /// @param p scaled
+  bool is_hidden(const Point3& p) {
+    if (projected_.is_perspective() && exact_.side(projected_.near_plane(), p) != Sign::positive) return false;
+    bool found = false;
+    occluders_.tree.visit(projected_.box(p), [&](std::uint32_t i) {
+      found = hides(occluders_.triangles[i], p);
+      return !found;
+    });
+    return found;
+  }
+
+ private:
+  /// See TriangleOcclusion: p is strictly beyond the plane of the triangle, in the closed cone of the eye and the triangle, and
+  /// where the near plane cuts the triangle, the line of sight meets it beyond that.
+  bool hides(TriangleId t, const Point3& p) {
+    const Sign facing = projected_.facing(t), beyond = exact_.side(projected_.face_plane(t), p);
+    if (facing == Sign::zero) return beyond == Sign::zero && hides_edge_on(t, p);
+    if (beyond * facing != Sign::positive) return false;
+    const auto& c = projected_.mesh().triangles[t];
+    for (std::size_t k = 0; k < 3; ++k)
+      if (exact_.side(projected_.sight_plane(c[k], c[(k + 1) % 3]), p) * facing == Sign::negative) return false;
+    return !projected_.reaches_before_near(t) ||
+           exact_.side(projected_.near_line(projected_.face_plane(t)), p) * facing != Sign::positive;
+  }
+
+  /// For a triangle whose plane contains the line of sight. The part of this line that is in the triangle goes from one end to
+  /// another: corners on the line, or where it cuts sides. It hides p iff one end is nearer than p, and one is beyond the near
+  /// plane, or in it: the line goes through p, then the near plane, then the eye.
+  bool hides_edge_on(TriangleId t, const Point3& p) {
+    const auto& c = projected_.mesh().triangles[t];
+    const int axis = flat_axis(t);
+    const Plane sight = Plane::of_sight_along_axis(projected_.eye(), p, axis);
+    std::array<Sign, 3> side;
+    for (std::size_t k = 0; k < 3; ++k) side[k] = exact_.side(sight, projected_.point(c[k]));
+    bool is_nearer = false, is_beyond_near = false;
+    const auto add = [&](const RationalVector& q) {
+      is_nearer = is_nearer || nearer(q, p);
+      is_beyond_near = is_beyond_near || !projected_.is_perspective() || beyond_near(q);
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3;
+      if (side[k] == Sign::zero) add(rational(projected_.point(c[k])));
+      if (side[k] * side[next] == Sign::negative)
+        add(ConstructedPoint::on_edge(projected_.point(c[k]), projected_.point(c[next]), sight).exact());
+    }
+    return is_nearer && is_beyond_near;
+  }
+
+  /// An axis along which the triangle's plane is not seen edge-on.
+  int flat_axis(TriangleId t) {
+    const auto& c = projected_.mesh().triangles[t];
+    for (int axis = 0; axis < 2; ++axis)
+      if (exact_.side(Plane::along_axis(projected_.point(c[0]), projected_.point(c[1]), axis), projected_.point(c[2])) !=
+          Sign::zero)
+        return axis;
+    return 2;
+  }
+
+  /// Whether q, which is on the line of sight of p, is on the viewer's side of it.
+  bool nearer(const RationalVector& q, const Point3& p) const {
+    const Point3& e = projected_.eye().at;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Sign toward = projected_.is_perspective() ? sign_of(e[axis] < p[axis]   ? -1
+                                                                : e[axis] > p[axis] ? 1
+                                                                                    : 0)
+                                                      : sign_of(e[axis]);
+      if (toward == Sign::zero) continue;
+      const Rational change = q[static_cast<std::size_t>(axis)] - Rational(p[axis]);
+      return change.sign() == toward;
+    }
+    return false;
+  }
+
+  /// Whether q is beyond the near plane, or in it.
+  bool beyond_near(const RationalVector& q) const {
+    const Plane near = projected_.near_plane();
+    const RationalVector eye = rational(near.eye), axis = minus(rational(near.target), eye);
+    return (dot(minus(q, eye), axis) - Rational(near.k) * dot(axis, axis)).sign() != Sign::negative;
+  }
+
+  const ProjectedMesh& projected_;
+  const Occluders& occluders_;
+  Predicates exact_;
+};
+
+}  // namespace
+
+std::vector<bool> hidden_points(const SceneView& scene, std::span<const Point3> points) {
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (!std::isfinite(points[k].x) || !std::isfinite(points[k].y) || !std::isfinite(points[k].z))
+      throw InputError("point " + std::to_string(k) + ": found a coordinate that is not finite, expected three finite numbers");
+  const ViewParts& parts = scene.parts().with(bit_range(points));
+  const ProjectedMesh& projected = parts.projected();
+  const Occluders& occluders = parts.occluders(Excluded::none);
+  std::vector<std::uint8_t> hidden(points.size());  // two threads may not write into one word of bits
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
+    PointOcclusion occlusion(projected, occluders);
+    for (std::size_t k = range.begin(); k != range.end(); ++k) {
+      const Point3& p = points[k];
+      hidden[k] = occlusion.is_hidden(projected.scaled({p.x + 0.0, p.y + 0.0, p.z + 0.0})) ? 1 : 0;  // -0 + 0 = 0
+    }
+  });
+  return {hidden.begin(), hidden.end()};
+}
+
+}  // namespace hsr
