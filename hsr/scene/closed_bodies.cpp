@@ -194,8 +194,8 @@ ClosedBodies::ClosedBodies(const ProjectedMesh& projected)
     if (c.is_body() && count_++ == 0) inside_ = c.inside();
   parallel_for_each(far_sides_.size(), [&](std::size_t i) {
     const Component* const c = components.at(TriangleId(i));
-    // The eye is on the side -facing: the triangle is on the far side iff the middle is there, too.
-    if (c != nullptr && c->is_body() && projected.facing(TriangleId(i)) == -c->inside()) far_sides_[i] = 1;
+    // The eye is on the side `facing`: the triangle is on the far side iff the middle is there, too.
+    if (c != nullptr && c->is_body() && projected.facing(TriangleId(i)) == c->inside()) far_sides_[i] = 1;
   });
 }
 
