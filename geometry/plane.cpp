@@ -25,8 +25,8 @@ Plane Plane::of_face(const Point3& a, const Point3& b, const Point3& c) {
 }
 
 Plane Plane::of_sight(const Viewpoint& e, const Point3& c, const Point3& d) {
-  return e.is_direction ? span(c, d, Support::point, e.at, Support::direction)
-                        : span(e.at, c, Support::point, d, Support::point);
+  return e.is_direction ? span(c, e.at, Support::direction, d, Support::point)
+                        : span(e.at, d, Support::point, c, Support::point);
 }
 
 Plane Plane::along_axis(const Point3& c, const Point3& d, int axis) {

@@ -25,8 +25,9 @@ struct Plane {
   /// The plane of a face. Positive where orientation(a, b, c, p) is.
   static Plane of_face(const Point3& a, const Point3& b, const Point3& c);
 
-  /// The view plane of the viewpoint and of c and d. O(c, d, p) of the literature: with an eye det(c - e, d - e, p - e), with a
-  /// direction D toward the viewer its limit det(d - c, D, p - c).
+  /// The view plane of the viewpoint and of c and d. Its value O(c, d, p) is positive where p is to the left of c -> d as seen
+  /// from the viewpoint: where c, d, p turn counter-clockwise, and the viewpoint is on the positive side of their plane. With
+  /// an eye det(d - e, c - e, p - e), with a direction D toward the viewer its limit det(D, d - c, p - c).
   static Plane of_sight(const Viewpoint& e, const Point3& c, const Point3& d);
 
   /// The plane through c and d parallel to a coordinate axis: the line cd in the coordinates other than `axis`.

@@ -147,12 +147,12 @@ Sign Predicates::crossing_weight(const Camera& camera, const ViewPlane& l, const
                 degree(l) + degree(m));
 }
 
-/// For l through the images of a and b, running from a to b, and m through a: with an eye l x m = -a' m(b), a' the ray of a;
-/// with a direction (l x m)_k = D_k m(b).
+/// For l through the images of a and b, running from a to b, and m through a: with an eye l x m = a' m(b), a' the ray of a;
+/// with a direction (l x m)_k = -D_k m(b).
 Sign Predicates::turn(const Camera& camera, const ViewPlane& l, const ViewPlane& m) {
   const Sign w = crossing_weight(camera, l, m);
-  if (!camera.eye.is_direction) return w;
-  return -w * sign_of(camera.eye.at[largest_axis(camera.eye.at)]);
+  if (!camera.eye.is_direction) return -w;
+  return w * sign_of(camera.eye.at[largest_axis(camera.eye.at)]);
 }
 
 Sign Predicates::side(const Camera& camera, const ViewPlane& n, const ViewPlane& l, const ViewPlane& m) {

@@ -60,7 +60,7 @@ class Predicates {
   /// On which side of `x` the common point of a, b and c lies. @pre a is a span; they meet in one point. Degree 9 for spans.
   Sign side(const Plane& x, const Plane& a, const Plane& b, const Plane& c);
 
-  /// On which side of the line l of the image the image of p lies. Degree 3; of a meet 6.
+  /// On which side of the line l of the image the image of p lies: positive, to its left as seen. Degree 3; of a meet 6.
   Sign side(const Camera& camera, const ViewPlane& l, const Point3& p);
   /// How m turns against l, where each runs with its positive side on its left: positive, to the left, so that the values of m
   /// fall along l; zero, they are parallel in the image. Degree 4 and up (of the planes' own degrees).

@@ -44,7 +44,7 @@ Sign slope(const Camera& camera, const ViewPlane& l, const Point3& p, const Poin
   return sign_of_change([&](const auto& a) {
     using N = typename std::remove_cvref_t<decltype(a)>::Number;
     const N at_x = polynomials::plane_at_eye(a, camera, l.x).at_eye, at_y = polynomials::plane_at_eye(a, camera, l.y).at_eye;
-    return N(at_y * change(a, l.x, p, q) - at_x * change(a, l.y, p, q));
+    return N(at_x * change(a, l.y, p, q) - at_y * change(a, l.x, p, q));
   });
 }
 

@@ -18,11 +18,11 @@ struct Camera {
 /// A plane through the viewpoint, which is seen as a line: a plane that contains the viewpoint by construction, or the plane of
 /// the viewpoint and the line where two other planes meet.
 ///
-/// Its value at p is x(p), or y(E) x(p) - x(E) y(p), where x(E) is x at the eye; for a direction D the limit n . D. The line
+/// Its value at p is x(p), or x(E) y(p) - y(E) x(p), where x(E) is x at the eye; for a direction D the limit n . D. The line
 /// runs so that the positive side is on its left, as seen.
 ///
 /// For a meet this tells which of two planes is nearer: x is nearer than y on the line of sight of p iff the sign of the value
-/// at p is -x(E) y(E).
+/// at p is x(E) y(E). So where both are positive at the eye, the value is positive where x is nearer.
 /// @pre neither x nor y of a meet contains the viewpoint
 struct ViewPlane {
   Plane x, y;

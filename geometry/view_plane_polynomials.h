@@ -29,7 +29,7 @@ template <class A>
 typename A::Number view_value(const A& a, const Camera& camera, const ViewPlane& l, const Point3& p) {
   if (!l.is_meet) return value(a, l.x, p);
   const auto x = plane_at_eye(a, camera, l.x), y = plane_at_eye(a, camera, l.y);
-  return y.at_eye * value(a, l.x, p) - x.at_eye * value(a, l.y, p);
+  return x.at_eye * value(a, l.y, p) - y.at_eye * value(a, l.x, p);
 }
 
 /// The line as a vector l: an image point with the homogeneous coordinates q lies on the side sign(l . q).
@@ -48,18 +48,18 @@ auto line(const A& a, const Camera& camera, const ViewPlane& l, const Point3& or
     const int k = largest_axis(camera.eye.at);
     return k == 0 ? V{n.y, n.z, c} : k == 1 ? V{n.z, n.x, c} : V{n.x, n.y, c};
   }
-  Plane nearer = l.x, base = l.y;
-  if (!l.is_meet) {  // a near_line is the meet of the near plane and its span
-    nearer.kind = Plane::Kind::near;
-    base = l.x;
-    base.kind = Plane::Kind::span;
+  Plane first = l.x, second = l.y;
+  if (!l.is_meet) {  // a near_line is the meet of its span and the near plane
+    first.kind = Plane::Kind::span;
+    second = l.x;
+    second.kind = Plane::Kind::near;
   }
-  const auto x = plane_at_eye(a, camera, nearer), y = plane_at_eye(a, camera, base);
-  V n = {y.at_eye * x.normal.x - x.at_eye * y.normal.x, y.at_eye * x.normal.y - x.at_eye * y.normal.y,
-         y.at_eye * x.normal.z - x.at_eye * y.normal.z};
+  const auto x = plane_at_eye(a, camera, first), y = plane_at_eye(a, camera, second);
+  V n = {x.at_eye * y.normal.x - y.at_eye * x.normal.x, x.at_eye * y.normal.y - y.at_eye * x.normal.y,
+         x.at_eye * y.normal.z - y.at_eye * x.normal.z};
   if (!is_parallel) return n;
   const auto c =
-      y.at_eye * dot(x.normal, difference(a, origin, nearer.o)) - x.at_eye * dot(y.normal, difference(a, origin, base.o));
+      x.at_eye * dot(y.normal, difference(a, origin, second.o)) - y.at_eye * dot(x.normal, difference(a, origin, first.o));
   const int k = largest_axis(camera.eye.at);
   return k == 0 ? V{n.y, n.z, c} : k == 1 ? V{n.z, n.x, c} : V{n.x, n.y, c};
 }

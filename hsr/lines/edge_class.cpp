@@ -87,10 +87,10 @@ class HalfPlanes {
     return true;
   }
 
-  /// Both on one side of the view plane: the eye lies on the side -facing of a triangle's plane, and what is farther on the
+  /// Both on one side of the view plane: the eye lies on the side `facing` of a triangle's plane, and what is farther on the
   /// other.
   bool is_nearer(const HalfPlane& x, const HalfPlane& y) const {
-    return side(x, y) * projected_.facing(x.triangle) == Sign::positive;
+    return side(x, y) * projected_.facing(x.triangle) == Sign::negative;
   }
 
  private:

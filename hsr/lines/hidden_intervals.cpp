@@ -199,11 +199,11 @@ void HiddenIntervals::cast_all(const LineTask& line, const ImageBox& box, const 
   add(line, cast_);
 }
 
-/// In perspective a share s of the way along the image is t = s m / (n + s (m - n)) along the edge, m and n the depths of its
-/// ends. @pre shares from 0 to 1, or infinite
+/// In perspective a share s of the way along the image is t = s m / (n + s (m - n)) along the edge, m and n the nearness of its
+/// ends, which is minus their depth. @pre shares from 0 to 1, or infinite
 HiddenIntervals::Stretch HiddenIntervals::stretch(const Edge& edge, double from_share, double to_share) const {
   if (!projected_.is_perspective()) return {from_share, to_share};
-  const ErrorBounded m = projected_.depth(projected_.point(edge.a), 0), n = projected_.depth(projected_.point(edge.b), 0);
+  const ErrorBounded m = projected_.nearness(projected_.point(edge.a), 0), n = projected_.nearness(projected_.point(edge.b), 0);
   const auto t = [&](double share) {
     if (std::isinf(share)) return ErrorBounded{share, 0};
     const ErrorBounded s{share, 0};

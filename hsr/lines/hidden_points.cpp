@@ -41,12 +41,12 @@ class PointOcclusion {
   bool hides(TriangleId t, const Point3& p) {
     const Sign facing = projected_.facing(t), beyond = exact_.side(projected_.face_plane(t), p);
     if (facing == Sign::zero) return beyond == Sign::zero && hides_edge_on(t, p);
-    if (beyond * facing != Sign::positive) return false;
+    if (beyond * facing != Sign::negative) return false;
     const auto& c = projected_.mesh().triangles[t];
     for (std::size_t k = 0; k < 3; ++k)
       if (exact_.side(projected_.sight_plane(c[k], c[(k + 1) % 3]), p) * facing == Sign::negative) return false;
     return !projected_.reaches_before_near(t) ||
-           exact_.side(projected_.near_line(projected_.face_plane(t)), p) * facing != Sign::positive;
+           exact_.side(projected_.near_line(projected_.face_plane(t)), p) * facing != Sign::negative;
   }
 
   /// For a triangle whose plane contains the line of sight. The part of this line that is in the triangle goes from one end to

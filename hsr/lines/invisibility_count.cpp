@@ -4,9 +4,9 @@
 
 namespace hsr {
 
-/// p lies strictly beyond the plane of t: the eye is on the side -facing.
+/// p lies strictly beyond the plane of t: the eye is on the side `facing`.
 bool InvisibilityCount::hides(TriangleId t, VertexId p) {
-  return projected_.side(projected_.face_plane(t), p, exact_) == projected_.facing(t);
+  return projected_.side(projected_.face_plane(t), p, exact_) == -projected_.facing(t);
 }
 
 std::int32_t InvisibilityCount::at_vertex(VertexId v, VertexId to, Sign side) {

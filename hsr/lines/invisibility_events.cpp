@@ -94,7 +94,7 @@ void InvisibilityEvents::cross(const Edge& edge, const OccludingEdge& occluding,
   const bool by_first = s0 != Sign::zero;
   const VertexId c = by_first ? f.a : f.b, d = by_first ? f.b : f.a;
   const Plane plane = Plane::of_face(projected_.point(edge.a), projected_.point(edge.b), projected_.point(c));
-  const Sign behind = projected_.side(plane, d, exact_) * (by_first ? s0 : s1);
+  const Sign behind = -(projected_.side(plane, d, exact_) * (by_first ? s0 : s1));
   if (behind == Sign::positive) return;
   if (sa == Sign::zero) course_.start_is_clean = false;
   if (sb == Sign::zero) course_.end_is_clean = false;
@@ -140,8 +140,8 @@ void InvisibilityEvents::pierce(const Edge& edge, TriangleId t, std::vector<Invi
     course_.is_degenerate = true;
     return;
   }
-  // The eye lies on the side -facing.
-  const std::int32_t change = at_b == facing ? 1 : -1;
+  // The eye lies on the side `facing`.
+  const std::int32_t change = at_b == -facing ? 1 : -1;
   add({t.value, true, change, change}, changes);
 }
 

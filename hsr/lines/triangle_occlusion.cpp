@@ -191,11 +191,11 @@ void TriangleOcclusion::cast(const TriangleFilter& face, std::vector<HiddenInter
   }
   if (face.is_beside(image_)) return;
   const ErrorBounded at_a = face.plane(a_.at.p), at_b = face.plane(b_.at.p);
-  const bool before_a = face.facing * at_a.value < -at_a.error, before_b = face.facing * at_b.value < -at_b.error;
+  const bool before_a = face.facing * at_a.value > at_a.error, before_b = face.facing * at_b.value > at_b.error;
   if (before_a && before_b) return;
   const TriangleFilter::Overlap overlap = face.overlap(image_);
   if (overlap.is_none) return;
-  const bool is_behind = face.facing * at_a.value > at_a.error && face.facing * at_b.value > at_b.error;
+  const bool is_behind = face.facing * at_a.value < -at_a.error && face.facing * at_b.value < -at_b.error;
   cast(face.triangle, {false, is_behind, &overlap}, occlusion);
 }
 
@@ -213,7 +213,7 @@ void TriangleOcclusion::cast(TriangleId triangle, const Prefilter& prefilter, st
   }
   begin();
   if (!prefilter.is_behind &&
-      !clip(cut_of(Cut::Kind::face, triangle.value), projected_.face_plane(triangle), a_on, b_on, facing, true))
+      !clip(cut_of(Cut::Kind::face, triangle.value), projected_.face_plane(triangle), a_on, b_on, -facing, true))
     return;
   for (std::size_t k = 0; k < 3; ++k) {
     if (prefilter.image != nullptr && (prefilter.image->is_within >> k & 1U) != 0) continue;
@@ -240,7 +240,7 @@ void TriangleOcclusion::cast(TriangleId triangle, const Prefilter& prefilter, st
   }
   if (projected_.reaches_before_near(triangle) &&
       !clip(cut_of(Cut::Kind::near_line, triangle.value), projected_.near_line(projected_.face_plane(triangle)), false, false,
-            -facing, false))
+            facing, false))
     return;
   if (order(from_, to_) == Sign::negative) occlusion.push_back({from_, to_, projected_.mesh().face_of[triangle]});
 }

@@ -29,9 +29,9 @@ struct HiddenInterval {
 /// one end a to the other b. One object per thread.
 ///
 /// A point p is in the shadow of a triangle T that is not seen edge-on iff
-///   p is strictly beyond the plane of T: facing * T(p) > 0;
+///   p is strictly beyond the plane of T: facing * T(p) < 0;
 ///   p is in the closed cone of the eye and T: facing * O(t_i, t_i+1, p) >= 0 for its three sides;
-///   if the near plane cuts T, the line of sight meets T beyond the near plane: -facing * near_line(p) >= 0.
+///   if the near plane cuts T, the line of sight meets T beyond the near plane: facing * near_line(p) >= 0.
 /// All of these are linear along the line, so the shadow is an interval. A T seen edge-on hides only in its own plane, where it
 /// acts by its three sides and its interior (see edge_on).
 class TriangleOcclusion {

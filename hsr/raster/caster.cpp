@@ -88,18 +88,17 @@ class Tile {
     const std::size_t count = projected_.reaches_before_near(t) ? 4 : 3;
     if (count == 4) {
       sides[3] = {projected_.filter(near_plane()), signs_.grid()};
-      if (is_apart(sides[3], -facing)) return;
+      if (is_apart(sides[3], facing)) return;
     }
     const SampleFunction depth = nearness(projected_.filter(projected_.face_plane(t)), projected_, signs_.grid());
     bool changed = false;
     for (int j = top_; j < bottom_; ++j) {
       int begin = left_, end = right_;
       for (std::size_t k = 0; k < count && begin < end; ++k) {
-        const Sign wanted = k == 3 ? -facing : facing;
         const RowCut cut = signs_.cut(
             sides[k], sides[k].on_row(j), j, begin, end, [&] { return ViewPlane::of(k == 3 ? near_plane() : side_plane(k)); },
             exact_);
-        (cut.first == wanted ? end : begin) = cut.change;
+        (cut.first == facing ? end : begin) = cut.change;
       }
       for (int i = begin; i < end; ++i) changed |= compare(t, depth, i, j);
     }
@@ -139,16 +138,16 @@ class Tile {
     return Sign::zero;
   }
 
-  /// The eye is on the side -facing of a face, and n.D has that sign, too. With the formulas of `nearness`: from an eye,
+  /// The eye is on the side `facing` of a face, and n.D has that sign, too. With the formulas of `nearness`: from an eye,
   /// z_t - z_g = (T(e) G(p) - T(p) G(e)) / T(e) G(e); in a direction, T is at the point where g is seen (z_g - z_t) n.D.
   Sign nearer_at(TriangleId t, TriangleId g, const Point3& p) {
     const Plane of_t = projected_.face_plane(t), of_g = projected_.face_plane(g);
     const Viewpoint& e = projected_.eye();
     if (projected_.is_perspective()) return exact_.cross(of_t, of_g, e.at, p) * projected_.facing(t) * projected_.facing(g);
     const int axis = e.at.x != 0 ? 0 : e.at.y != 0 ? 1 : 2;
-    return exact_.side(of_t, of_g, Plane::of_sight_along_axis(e, p, (axis + 1) % 3),
-                       Plane::of_sight_along_axis(e, p, (axis + 2) % 3)) *
-           projected_.facing(t);
+    return -(exact_.side(of_t, of_g, Plane::of_sight_along_axis(e, p, (axis + 1) % 3),
+                         Plane::of_sight_along_axis(e, p, (axis + 2) % 3)) *
+             projected_.facing(t));
   }
 
   /// All samples are covered: what is farther than the farthest of them need not be looked at. The nearness of boxes is that of

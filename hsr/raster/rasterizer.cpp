@@ -145,7 +145,7 @@ void Rasterizer::cut_rows(TriangleId t) {
     for (std::size_t k = 0; k < count && begin < end; ++k) {
       const RowCut cut = signs_.cut(
           functions[k], functions[k].on_row(j), j, begin, end, [&] { return ViewPlane::of(planes[k]); }, exact_);
-      (cut.first == (k < 3 ? facing : -facing) ? end : begin) = cut.change;
+      (cut.first == facing ? end : begin) = cut.change;
     }
     if (begin < end) spans_.push_back({j, begin, end});
   }

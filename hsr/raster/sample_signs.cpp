@@ -57,13 +57,13 @@ Sign SampleSigns::side(const ViewPlane& plane, int i, int j, Predicates& exact) 
 SampleFunction SampleSigns::function(const ViewPlane& plane) const {
   const PlaneFilter x = projected_->filter(plane.x);
   if (!plane.is_meet) return {x, grid_};
-  // y(E) x(p) - x(E) y(p)
+  // x(E) y(p) - y(E) x(p)
   const PlaneFilter y = projected_->filter(plane.y);
   const Point3& e = projected_->eye().at;
   const auto at_eye = [&](const PlaneFilter& f) { return projected_->is_perspective() ? f(e) : f.change(e); };
   const ErrorBounded xe = at_eye(x), ye = at_eye(y);
-  const auto change = [&](const Point3& d) { return ye * x.change(d) - xe * y.change(d); };
-  return {ye * x(grid_.origin) - xe * y(grid_.origin), change(grid_.right), change(grid_.down), grid_};
+  const auto change = [&](const Point3& d) { return xe * y.change(d) - ye * x.change(d); };
+  return {xe * y(grid_.origin) - ye * x(grid_.origin), change(grid_.right), change(grid_.down), grid_};
 }
 
 Plane SampleSigns::row_plane(int j) const {
@@ -73,22 +73,22 @@ Plane SampleSigns::row_plane(int j) const {
 
 bool SampleSigns::is_in_front(VertexId v, Predicates& exact) const {
   if (!projected_->is_perspective()) return true;
-  // det(V, U, p - e), which turns as rows do.
+  // det(V, U, p - e) = O of two samples of row 0, at row 1, if p is beyond the eye as they are.
   const ErrorBounded x = row_.next(projected_->point(v));
-  if (x.is_certain()) return sign_of(x.value) == -turn_;
+  if (x.is_certain()) return sign_of(x.value) == turn_;
   const Plane paper = Plane::of_face(at(0, 0), at(1, 0), at(0, 1));
   return slope(paper, projected_->eye().at, projected_->point(v)) == -exact.side(paper, projected_->eye().at);
 }
 
 bool SampleSigns::is_in_front(const std::array<Rational, 3>& p) const {
   const RationalVector n = cross(rational(grid_.down), rational(grid_.right));
-  return dot(n, minus(p, rational(projected_->eye().at))).sign() == -turn_;
+  return dot(n, minus(p, rational(projected_->eye().at))).sign() == turn_;
 }
 
 Sign SampleSigns::certain_front(const BoundedPoint3& p) const {
   if (!projected_->is_perspective()) return Sign::positive;
   const ErrorBounded x = row_.next(p);
-  return x.is_certain() ? -(sign_of(x.value) * turn_) : Sign::zero;
+  return x.is_certain() ? sign_of(x.value) * turn_ : Sign::zero;
 }
 
 int SampleSigns::rows_above(VertexId v, const ErrorBounded& row, Predicates& exact) const {

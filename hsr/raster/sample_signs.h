@@ -129,7 +129,7 @@ class SampleSigns {
 
   const ProjectedMesh* projected_;
   SampleGrid grid_;
-  Sign turn_ = Sign::positive;  // negative: rows as given would be positive above
+  Sign turn_ = Sign::positive;  // of right and down as seen; negative: rows as given would be positive above
   SampleCoordinate row_, column_;
 };
 

@@ -21,8 +21,8 @@ ClosedBodies::ClosedBodies(const ProjectedMesh& projected, const StarShapedBodie
   if (count_ == 0) return;
   parallel_for_each(far_sides_.size(), [&](std::size_t i) {
     const std::uint32_t body = bodies.body_of(TriangleId(i));
-    // The eye is on the side -facing: the triangle is on the far side iff the inside is there, too.
-    if (body != StarShapedBodies::none && is_cut[body] == 0 && projected.facing(TriangleId(i)) == -bodies.inside(body))
+    // The viewpoint is on the side facing() of the plane: the triangle is on the far side iff the inside is there, too.
+    if (body != StarShapedBodies::none && is_cut[body] == 0 && projected.facing(TriangleId(i)) == bodies.inside(body))
       far_sides_[i] = 1;
   });
 }

@@ -8,8 +8,8 @@
 
 namespace hsr {
 
-/// The line through the images of two vertices a and b, prepared for many points: the sign of O(a, b, p), by the bound of
-/// SegmentFilter.
+/// The line through the images of two vertices a and b, prepared for many points: the sign of O(a, b, p), positive to the left
+/// of a -> b, by the bound of SegmentFilter.
 class LineFilter {
  public:
   LineFilter(const ProjectedMesh& projected, VertexId a, VertexId b) : projected_(projected), a_(a), b_(b) {

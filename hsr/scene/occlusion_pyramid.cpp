@@ -51,7 +51,7 @@ OcclusionPyramid::OcclusionPyramid(const ProjectedMesh& projected, bool always) 
 OcclusionPyramid::Rectangle OcclusionPyramid::rectangle(std::span<const VertexId> vertices) const {
   Rectangle r = {{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
   for (const VertexId v : vertices) {
-    const ImagePoint& p = projected_.image(v);
+    const ImagePoint p = on_grid(projected_.image(v));
     r.low = {std::min(r.low[0], p.x), std::min(r.low[1], p.y)};
     r.high = {std::max(r.high[0], p.x), std::max(r.high[1], p.y)};
   }
@@ -91,7 +91,7 @@ AffineDepth OcclusionPyramid::plane_nearness(TriangleId t, const Rectangle& arou
   corners.image_error = projected_.image_error();
   for (std::size_t k = 0; k < 3; ++k) {
     const ImageBox& box = projected_.box(c[k]);
-    corners.image[k] = projected_.image(c[k]);
+    corners.image[k] = on_grid(projected_.image(c[k]));
     corners.low[k] = affine(box.farthest);
     corners.high[k] = affine(box.nearest);
     if (projected_.is_perspective()) {  // reciprocals, which are positive
@@ -239,7 +239,8 @@ bool OcclusionPyramid::is_before(const ImagePoint& p, double nearness) const {
 bool OcclusionPyramid::hides(TriangleId t) const {
   if (levels_.empty() || projected_.reaches_before_near(t)) return false;
   const auto& c = projected_.mesh().triangles[t];
-  const ImagePoint &a = projected_.image(c[0]), &b = projected_.image(c[1]), &d = projected_.image(c[2]);
+  const ImagePoint a = on_grid(projected_.image(c[0])), b = on_grid(projected_.image(c[1])),
+                   d = on_grid(projected_.image(c[2]));
   const auto farthest = [&](VertexId v) { return affine(projected_.box(v).farthest); };
   if (is_before({(a.x + b.x + d.x) / 3, (a.y + b.y + d.y) / 3}, (farthest(c[0]) + farthest(c[1]) + farthest(c[2])) / 3))
     return false;
@@ -256,7 +257,7 @@ bool OcclusionPyramid::hides(TriangleId t) const {
   };
   std::array<Side, 3> sides;
   for (std::size_t k = 0; k < 3; ++k) {
-    const ImagePoint &p = projected_.image(c[k]), &q = projected_.image(c[(k + 1) % 3]);
+    const ImagePoint p = on_grid(projected_.image(c[k])), q = on_grid(projected_.image(c[(k + 1) % 3]));
     const double slope = (q.x - p.x) / (q.y - p.y);
     sides[k] = {p,
                 std::min(p.x, q.x) - error,
@@ -353,15 +354,15 @@ class OcclusionPyramid::AlongSegment {
 bool OcclusionPyramid::hides(const Edge& e) const {
   if (levels_.empty() || projected_.beyond_near(e.a) == Sign::negative || projected_.beyond_near(e.b) == Sign::negative)
     return false;
-  return hides(projected_.image(e.a), projected_.box(e.a).nearest, projected_.image(e.b), projected_.box(e.b).nearest,
-               projected_.image_error());
+  return hides(on_grid(projected_.image(e.a)), projected_.box(e.a).nearest, on_grid(projected_.image(e.b)),
+               projected_.box(e.b).nearest, projected_.image_error());
 }
 
 bool OcclusionPyramid::hides(const BoundedPoint3& a, const BoundedPoint3& b) const {
   const BoundedPoint2 p = projected_.image(a.p, 3 * a.error), q = projected_.image(b.p, 3 * b.error);
   const double error = std::max(p.error, q.error);
-  return error < HUGE_VAL &&
-         hides(p.p, projected_.box(a.p, 3 * a.error).nearest, q.p, projected_.box(b.p, 3 * b.error).nearest, error);
+  return error < HUGE_VAL && hides(on_grid(p.p), projected_.box(a.p, 3 * a.error).nearest, on_grid(q.p),
+                                   projected_.box(b.p, 3 * b.error).nearest, error);
 }
 
 /// @param error of each coordinate @param nearness_of_p at most, as boxes have it
@@ -412,7 +413,8 @@ bool OcclusionPyramid::unhidden(const Edge& e, std::vector<UnhiddenInterval>& pa
   };
   double widest = 0, error = 0;
   const bool is_known = walk_along(
-      std::min<std::size_t>(coarse, levels_.size() - 1), projected_.image(e.a), projected_.image(e.b), projected_.image_error(),
+      std::min<std::size_t>(coarse, levels_.size() - 1), on_grid(projected_.image(e.a)), on_grid(projected_.image(e.b)),
+      projected_.image_error(),
       [&](const auto& shares) {
         end_column();
         const Shares here = shares();
@@ -451,8 +453,8 @@ float OcclusionPyramid::hidden_from(const ImagePoint& p, const ImagePoint& q, do
   // Beside a segment on a border are the tiles on both sides of it.
   // Larger tiles say nearly as much, and there are fewer.
   const bool is_known = walk_along(
-      std::min<std::size_t>(coarse, levels_.size() - 1), p, q, error + 0x1p-20 * (axes_[0].width + axes_[1].width),
-      [](const auto&) {},
+      std::min<std::size_t>(coarse, levels_.size() - 1), on_grid(p), on_grid(q),
+      error + 0x1p-20 * (axes_[0].width + axes_[1].width), [](const auto&) {},
       [&](float tile, const auto&) {
         least = std::min(least, tile);
         return least > no_occluder;

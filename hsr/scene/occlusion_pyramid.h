@@ -94,6 +94,9 @@ class OcclusionPyramid {
   class Region;
   class AlongSegment;
 
+  /// Where an image lies on the grid. Columns are counted from the right to the left of the image, so the grid is its mirror
+  /// image: what turns counter-clockwise as seen turns clockwise there.
+  static ImagePoint on_grid(const ImagePoint& image) { return {-image.x, image.y}; }
   double affine(float nearness) const;
   Rectangle rectangle(std::span<const VertexId> vertices) const;
   Rectangle rectangle(TriangleId t, TriangleId s) const;

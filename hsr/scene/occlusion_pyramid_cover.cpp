@@ -29,7 +29,7 @@ std::optional<Edge> common_side(const std::array<VertexId, 3>& t, const std::arr
 
 }  // namespace
 
-/// What lies to the left of some lines, each through two images.
+/// What lies to the left of some lines on the grid, each through two places there.
 class OcclusionPyramid::Region {
  public:
   /// With images off by at most E, det(q - p, c - p) is off by at most 2.1 E (|q - p|_1 + |c - p|_1) + 9 E^2, and its roundings
@@ -138,11 +138,11 @@ void OcclusionPyramid::cover_by_triangle(TriangleId t, const Tiles& rows) {
   const auto& c = projected_.mesh().triangles[t];
   const Rectangle around = rectangle(c);
   const double reach = around.high[0] - around.low[0] + around.high[1] - around.low[1];
-  // The images turn as O says: with a positive sign the inside lies to the left.
-  const bool left = projected_.facing(t) == Sign::positive;
+  // Seen clockwise, the inside lies to the left on the grid.
+  const bool left = projected_.facing(t) == Sign::negative;
   Region region;
   for (std::size_t k = 0; k < 3; ++k)
-    region.add(projected_.image(c[left ? k : (k + 1) % 3]), projected_.image(c[left ? (k + 1) % 3 : k]),
+    region.add(on_grid(projected_.image(c[left ? k : (k + 1) % 3])), on_grid(projected_.image(c[left ? (k + 1) % 3 : k])),
                projected_.image_error(), reach);
   cover(region, around, rows, std::array{plane_nearness(t, around)});
 }
@@ -159,13 +159,13 @@ void OcclusionPyramid::cover_by_pair(TriangleId t, TriangleId s, const Tiles& ro
   for (const std::size_t k : {0U, 1U}) {
     const TriangleId x = k == 0 ? t : s;
     const auto& c = mesh.triangles[x];
-    const bool left = projected_.facing(x) == Sign::positive;
+    const bool left = projected_.facing(x) == Sign::negative;
     for (std::size_t m = 0; m < 3; ++m) {
       const VertexId from = c[left ? m : (m + 1) % 3], to = c[left ? (m + 1) % 3 : m];
       if (from == edge.a && to == edge.b)
         is_left[k] = true;
       else if (!(from == edge.b && to == edge.a))
-        region.add(projected_.image(from), projected_.image(to), projected_.image_error(), reach);
+        region.add(on_grid(projected_.image(from)), on_grid(projected_.image(to)), projected_.image_error(), reach);
     }
   }
   // In each of them the tile's part of the triangle is no farther than the plane is in the tile.

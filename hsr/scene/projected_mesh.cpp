@@ -137,10 +137,10 @@ void ProjectedMesh::choose_rows(const View& view) {
 
 /// The images of all vertices in use that are beyond the near plane.
 ///
-/// Parallel, with D toward the viewer and k the axis of its largest entry: rows u', v' of det(u, D, v) = O without the share of
-/// D leave -D_k (u'_i v'_j - u'_j v'_i), so the image is mirrored where D_k > 0.
-/// Perspective, with M the matrix of the rows and the depth: det(M) O = m_c m_d m_p times the turn of the images, and the
-/// depths m are positive; so it is mirrored where det(M) < 0. The rows are orthogonal but for rounding: |det| is far from zero,
+/// Parallel, with D toward the viewer and k the axis of its largest entry: rows u', v' of det(D, u, v) = O without the share of
+/// D leave D_k (u'_i v'_j - u'_j v'_i), so the rows are mirrored where D_k < 0.
+/// Perspective, with M the matrix of the rows and the depth: -det(M) O = m_c m_d m_p times the turn of the images, and the
+/// depths m are positive; so they are mirrored where det(M) > 0. The rows are orthogonal but for rounding: |det| is far from zero,
 /// or the images are given up.
 void ProjectedMesh::compute_images(const std::vector<char>& is_used) {
   image_error_ = HUGE_VAL;
@@ -149,9 +149,9 @@ void ProjectedMesh::compute_images(const std::vector<char>& is_used) {
     const Point3 &r = row_[0], &s = row_[1], &t = depth_;
     const double det = r.x * (s.y * t.z - s.z * t.y) + r.y * (s.z * t.x - s.x * t.z) + r.z * (s.x * t.y - s.y * t.x);
     if (!(std::fabs(det) > 0x1p-20)) return;
-    image_mirror_ = det > 0 ? 1 : -1;
+    image_mirror_ = det > 0 ? -1 : 1;
   } else {
-    image_mirror_ = dot(depth_, eye_.at) * dot(depth_, {1, 1, 1}) > 0 ? -1 : 1;
+    image_mirror_ = dot(depth_, eye_.at) * dot(depth_, {1, 1, 1}) > 0 ? 1 : -1;
   }
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   image_.resize(points_.size(), {nan, nan});
@@ -256,11 +256,11 @@ void ProjectedMesh::add_to(ImageBox& box, const Point3& p, double error) const {
 }
 
 /// The bounds of add_to().
-ErrorBounded ProjectedMesh::depth(const Point3& p, double error) const {
+ErrorBounded ProjectedMesh::nearness(const Point3& p, double error) const {
   if (!is_perspective())
     return {dot(depth_, p) - middle_[2], (5 * u * (norm_one(p) + std::fabs(middle_[2])) + error) * 1.01 + 0x1p-1000};
   const Point3 v = minus(p, eye_.at);
-  return {dot(depth_, v), 6 * u * norm_one(v) + error * 1.01 + 0x1p-1000};
+  return {-dot(depth_, v), 6 * u * norm_one(v) + error * 1.01 + 0x1p-1000};
 }
 
 /// Adds the point where ab crosses the near plane: a + t (b - a), t = near(a) / (near(a) - near(b)).

@@ -14,6 +14,14 @@ using ImagePoint = Point2;
 
 /// A mesh as one view sees it: what every method needs first.
 ///
+/// Signs, here and wherever something is seen:
+///   (1) left of a -> b, as seen, is positive: of a point that is seen there, O(a, b, p) > 0 (Plane::of_sight)
+///   (2) a triangle whose corners are seen counter-clockwise is positive: it has its inside to the left of its sides, and the
+///       viewpoint is on the positive side of its plane, from which the corners run counter-clockwise
+///   (3) the image is as seen, up to a map that keeps every turn
+///   (4) nearness grows toward the viewer, in parallel views and in perspectives
+///   (5) beyond the near plane is positive
+///
 /// Points, eye and target are multiplied by one power of two, and the direction by another, so that the largest coordinate is
 /// near 1: no predicate and no parameter along an edge changes by that, and scenes of any size pass the filters alike. Where
 /// the scaling would round (numbers about 2^1000 apart), it is left out.
@@ -48,8 +56,8 @@ class ProjectedMesh {
   Plane near_plane() const { return Plane::near(eye_.at, target_, near_); }
   Plane near_line(const Plane& line) const { return Plane::near_line(eye_.at, target_, near_, line); }
 
-  /// The image of a vertex beyond the near plane, rounded: within image_error() in each coordinate. The exact images turn as O
-  /// says: O(c, d, p) > 0 iff c, d, p is a left turn.
+  /// The image of a vertex beyond the near plane, rounded: within image_error() in each coordinate. The exact images turn as
+  /// they are seen: O(c, d, p) > 0 iff c, d, p is a left turn.
   const ImagePoint& image(VertexId v) const { return image_[v]; }
   /// Zero: every image is exact. Infinite: images decide nothing.
   double image_error() const { return image_error_; }
@@ -57,9 +65,10 @@ class ProjectedMesh {
   /// error where doubles do not tell.
   BoundedPoint2 image(const Point3& p, double error) const;
 
-  /// The sign of O(t0, t1, t2): zero, the triangle is seen edge-on. The eye lies on the side -facing of its plane.
+  /// The sign of O(t0, t1, t2): positive, the corners are seen counter-clockwise; zero, the triangle is seen edge-on. It is the
+  /// side of the triangle's plane on which the viewpoint lies.
   Sign facing(TriangleId t) const { return facing_[t]; }
-  /// On which side of the view plane of one of its edges a triangle lies: positive, to the left of a -> b as seen.
+  /// On which side of the view plane of one of its edges a triangle lies: positive, to the left of a -> b.
   Sign side_of_edge(TriangleId t, const Edge& e) const { return mesh_->runs_along(t, e) ? facing_[t] : -facing_[t]; }
   /// On which side of `plane` a vertex lies: the filter first. Exact.
   Sign side(const Plane& plane, VertexId p, Predicates& exact) const;
@@ -81,8 +90,9 @@ class ProjectedMesh {
     add_to(box, p, error);
     return box;
   }
-  /// What the nearness of such a point is: parallel, this; perspective, the negative of this, the depth.
-  ErrorBounded depth(const Point3& p, double error) const;
+  /// The nearness of such a point, as boxes have it. Parallel: how far it is toward the viewer, along one axis and from some
+  /// point of the mesh; perspective: minus its distance from the eye in the direction of view, over the largest entry of that.
+  ErrorBounded nearness(const Point3& p, double error) const;
 
  private:
   void choose_rows(const View& view);
@@ -105,7 +115,7 @@ class ProjectedMesh {
   IndexedVector<VertexId, ImagePoint> image_;
   IndexedVector<VertexId, ImageBox> vertex_boxes_;  // of nothing: before the near plane, or not used
   double image_error_ = 0;
-  double image_mirror_ = 1;  // 1 or -1: the x of the images is that of the boxes, times this, and moved
+  double image_mirror_ = 1;  // 1 or -1: the x of the images is that of the rows times this
   // The image: rows of a fixed map; parallel, u = p[i] - ratio p[k]; perspective, u = row . (p - eye) / (depth . (p - eye)).
   std::array<Point3, 2> row_;
   Point3 depth_;

@@ -18,7 +18,7 @@ struct TriangleFilter {
   TriangleId triangle;
   std::array<VertexId, 3> corners;
   std::array<double, 3> x = {}, y = {};  ///< of the corners' images
-  double facing = 0;                     ///< 1 or -1: times O, positive within
+  double facing = 0;                     ///< ProjectedMesh::facing, 1 or -1: times O of its sides, positive within
   PlaneFilter plane;
   ErrorBounded per_eye;  ///< -1 / plane(E), E the viewpoint: times plane(p), how far toward the viewer from p the plane is
 

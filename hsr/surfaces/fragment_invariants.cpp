@@ -150,8 +150,7 @@ class Invariants {
         sides_.push_back({{corners[i].line, corners[i].reversed, corners[i].at, corners[next].at}, r, middle(p, q)});
         add(box, corners[i].at);
       }
-      const Sign turn = twice_area(ring).sign(), turns = map_.mirrored() ? -turn : turn;
-      expect(turns == (r == f.first_ring ? Sign::positive : Sign::negative), "a ring turns the wrong way");
+      expect(twice_area(ring).sign() == (r == f.first_ring ? Sign::positive : Sign::negative), "a ring turns the wrong way");
       if (r != f.first_ring)
         expect(where(middle(ring[0], ring[1]), std::span(rings).first(1)) != Where::outside, "a hole is outside");
     }

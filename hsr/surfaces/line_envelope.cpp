@@ -37,7 +37,8 @@ void LineEnvelope::start(const MapStretch& stretch, Sign side) {
     }
   }
   image_ = {ends[0], ends[1], error};
-  depth_ = {projected_.depth(stretch.a.p, 3 * stretch.a.error), projected_.depth(stretch.b.p, 3 * stretch.b.error)};
+  own_nearness_ = {projected_.nearness(stretch.a.p, 3 * stretch.a.error),
+                   projected_.nearness(stretch.b.p, 3 * stretch.b.error)};
   least_ = -HUGE_VAL;
   query_.farthest = pyramid_ != nullptr ? pyramid_->hidden_from(ends[0], ends[1], error) : -unknown;
 }
@@ -109,12 +110,12 @@ void LineEnvelope::bound(Part& part) const {
   if (part.farthest != unknown) return;
   double farthest = HUGE_VAL;
   for (const Place* end : {&part.from, &part.to}) {
-    const ErrorBounded depth = at(depth_, *end), n = at(part.nearness, *end);
+    const ErrorBounded own = at(own_nearness_, *end), n = at(part.nearness, *end);
     part.least = std::min(part.least, n.error < HUGE_VAL ? n.value - n.error : -HUGE_VAL);
     // The hit is p + n D, or e + (p - e) / (1 + n).
     const Point3& e = projected_.eye().at;
     const ErrorBounded hit =
-        projected_.is_perspective() ? -quotient(depth, ErrorBounded{1, 0} + n) : depth + n * ErrorBounded{norm_max(e), 0};
+        projected_.is_perspective() ? quotient(own, ErrorBounded{1, 0} + n) : own + n * ErrorBounded{norm_max(e), 0};
     farthest = std::min(farthest, hit.error < HUGE_VAL ? hit.value - hit.error : -HUGE_VAL);
   }
   part.farthest = farthest > -HUGE_VAL ? float_below(farthest) : projected_.box(part.seen).farthest;
@@ -168,10 +169,9 @@ bool LineEnvelope::clip(const MapHalfPlane& h, const Linear& value, Place& from,
   }
   const auto sign = [&](const Place& place) {
     const ErrorBounded x = at(value, place);
-    // Values have the sign of O, which is negative to the left.
     if (!x.is_certain()) return map_.side(h.line, place.p) * h.inner;
     ++map_.exact().counts().filter;
-    return -sign_of(x.value) * h.inner;
+    return sign_of(x.value) * h.inner;
   };
   const Sign a = sign(from), b = sign(to);
   if (a == Sign::negative && b != Sign::positive) return false;

@@ -116,7 +116,7 @@ class LineEnvelope {
   double least_ = 0;              // a face whose `nearness` stays below this changes nothing
   bool is_meeting_ = false;       // both sides are looked at in one pass
   bool depends_on_side_ = false;  // some answer of this pass holds for the left side only
-  Linear depth_;                  // of the stretch: ProjectedMesh::depth
+  Linear own_nearness_;           // of the stretch: ProjectedMesh::nearness
   Sign side_ = Sign::positive;
   std::vector<Part> parts_, next_;
   std::vector<SeenPart> result_;

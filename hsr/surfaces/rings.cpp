@@ -54,9 +54,8 @@ class RingLinker::Linker {
  public:
   explicit Linker(MapPredicates& map) : map_(map) {}
 
-  const Rings& link(std::span<const PlacedSide> sides, bool mirrored) {
+  const Rings& link(std::span<const PlacedSide> sides) {
     clear();
-    mirrored_ = mirrored;
     find_points(sides);
     cut_sides();
     cancel();
@@ -94,7 +93,6 @@ class RingLinker::Linker {
   Rational exact_area(std::span<const std::uint32_t> pieces) const;
 
   MapPredicates& map_;
-  bool mirrored_ = false;
   std::vector<const MapPoint*> end_points_;  // of both ends of each side
   std::vector<MapPlace> end_places_;
   DisjointSets same_;  // of these ends, those at one point
@@ -374,7 +372,7 @@ Rational RingLinker::Linker::exact_area(std::span<const std::uint32_t> pieces) c
     const auto &p = at[k], &q = at[(k + 1) % at.size()];
     twice = twice + (p[0] * q[1] - p[1] * q[0]);
   }
-  return map_.mirrored() ? -twice : twice;
+  return twice;
 }
 
 bool RingLinker::Linker::turns_left(std::span<const std::uint32_t> pieces) {
@@ -389,7 +387,7 @@ bool RingLinker::Linker::turns_left(std::span<const std::uint32_t> pieces) {
     const auto p = relative(pieces[k]), q = relative(pieces[k + 1]);
     twice = twice + (p[0] * q[1] - p[1] * q[0]);
   }
-  const Sign s = twice.is_certain() ? sign_of(mirrored_ ? -twice.value : twice.value) : exact_area(pieces).sign();
+  const Sign s = twice.is_certain() ? sign_of(twice.value) : exact_area(pieces).sign();
   if (s == Sign::zero) throw InvariantError("link_rings: a ring without area");
   return s == Sign::positive;
 }
@@ -483,13 +481,13 @@ void RingLinker::Linker::make_result() {
 RingLinker::RingLinker(MapPredicates& map) : linker_(std::make_unique<Linker>(map)) {}
 RingLinker::~RingLinker() = default;
 
-const Rings& RingLinker::link(std::span<const PlacedSide> sides, bool mirrored) { return linker_->link(sides, mirrored); }
+const Rings& RingLinker::link(std::span<const PlacedSide> sides) { return linker_->link(sides); }
 
 Rings link_rings(MapPredicates& map, std::span<const MapSide> sides) {
   std::vector<PlacedSide> placed;
   placed.reserve(sides.size());
   for (const MapSide& s : sides) placed.push_back({s, map.place(s.from), map.place(s.to)});
-  return RingLinker(map).link(placed, map.mirrored());
+  return RingLinker(map).link(placed);
 }
 
 }  // namespace hsr

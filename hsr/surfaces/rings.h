@@ -16,8 +16,7 @@ struct Rings {
   std::vector<std::uint32_t> first_ring = {0};    ///< region k has the rings first_ring[k] ... ; one more than regions
 };
 
-/// A side and the places of its ends in some coordinates of the image: those in which left turns are left turns to the viewer,
-/// or, as `mirrored` says, those in which they are right turns.
+/// A side and the places of its ends in some coordinates of the image, in which turns are as they are seen.
 struct PlacedSide {
   MapSide side;
   MapPlace from, to;
@@ -41,8 +40,8 @@ class RingLinker {
   explicit RingLinker(MapPredicates& map);
   ~RingLinker();
 
-  /// @param mirrored whether the places are those of the mirror image. The answer holds until the next call
-  const Rings& link(std::span<const PlacedSide> sides, bool mirrored);
+  /// The answer holds until the next call.
+  const Rings& link(std::span<const PlacedSide> sides);
 
  private:
   class Linker;

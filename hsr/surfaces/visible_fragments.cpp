@@ -88,7 +88,7 @@ TriangleId SideFinder::only_triangle(EdgeId e, Sign side) const {
   if (projected_.beyond_near(edge.a) == Sign::zero && projected_.beyond_near(edge.b) == Sign::zero) return {};
   TriangleId only;
   for (const TriangleId t : mesh_.triangles_at(e)) {
-    if (-projected_.side_of_edge(t, edge) != side) continue;
+    if (projected_.side_of_edge(t, edge) != side) continue;
     if (only.is_valid()) return {};
     only = t;
   }
@@ -168,8 +168,7 @@ void SideFinder::add_intersection(const Intersection& crossing) {
 }
 
 /// Whether the ends of an intersection are in the order of its line, along its image. Where a corner of s is before the plane
-/// of t, MapPredicates::nearer(s, t) tells on which side of the line it is seen: to the left iff facing(s) t(corner) < 0. To the
-/// left O is negative.
+/// of t, MapPredicates::nearer(s, t) tells on which side of the line it is seen: to the left iff facing(s) t(corner) > 0.
 Sign SideFinder::runs_along(const Intersection& crossing, const MapStretch& stretch) {
   const BoundedPoint2 a = projected_.image(stretch.a.p, 3 * stretch.a.error),
                       b = projected_.image(stretch.b.p, 3 * stretch.b.error);
@@ -486,10 +485,9 @@ VisibleFragments FragmentFinder::fragments() {
       [&](Worker& worker, TriangleId facet, FragmentParts& parts) {
         const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
         if (begin == end) return;
-        // Images turn as O says, which is not as they are seen.
         worker.sides.clear();
         for (std::size_t k = begin; k < end; ++k) worker.sides.push_back(*sides_[k]);
-        parts.add(facet, worker.linker.link(worker.sides, true));
+        parts.add(facet, worker.linker.link(worker.sides));
       });
   all.decisions += decisions_;
   all.decisions += own_lines_.decisions;

@@ -13,7 +13,7 @@ ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId t) {
 
 ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId facet, std::span<const VertexId> ring) {
   ConvexPiece piece;
-  const bool forward = projected.facing(facet) == Sign::negative;
+  const bool forward = projected.facing(facet) == Sign::positive;
   const std::size_t n = ring.size();
   for (std::size_t k = 0; k < n; ++k) {
     const VertexId u = ring[forward ? k : n - 1 - k], v = ring[forward ? (k + 1) % n : (2 * n - 2 - k) % n];

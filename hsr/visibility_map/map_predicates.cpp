@@ -13,11 +13,11 @@ MapPredicates::MapPredicates(const ProjectedMesh& projected)
     : projected_(projected), exact_(projected.predicates()), camera_(projected.camera()) {
   const Point3& e = camera_.eye.at;
   if (camera_.eye.is_direction) {
-    mirrored_ = e[largest_axis(e)] < 0;
+    is_mirrored_ = e[largest_axis(e)] < 0;
     return;
   }
   const RationalVector axis = minus(rational(camera_.target), rational(e));
-  mirrored_ = dot(cross(rational(projected.rows()[0]), rational(projected.rows()[1])), axis).sign() == Sign::positive;
+  is_mirrored_ = dot(cross(rational(projected.rows()[0]), rational(projected.rows()[1])), axis).sign() == Sign::positive;
 }
 
 ViewPlane MapPredicates::plane(const MapLine& line) const {
@@ -33,20 +33,20 @@ ViewPlane MapPredicates::plane(const MapLine& line) const {
 }
 
 Sign MapPredicates::side(const MapLine& line, VertexId v) {
-  if (line.kind != MapLine::Kind::edge) return -exact_.side(camera_, plane(line), projected_.point(v));
+  if (line.kind != MapLine::Kind::edge) return exact_.side(camera_, plane(line), projected_.point(v));
   if (line.u == v.value || line.v == v.value) return Sign::zero;
-  return -LineFilter(projected_, VertexId(line.u), VertexId(line.v)).side(v, exact_);
+  return LineFilter(projected_, VertexId(line.u), VertexId(line.v)).side(v, exact_);
 }
 
 Sign MapPredicates::side(const MapLine& line, const MapPoint& p) {
   if (p.is_vertex) return side(line, p.vertex);
   if (p.l == line || p.m == line) return Sign::zero;
-  return -exact_.side(camera_, plane(line), plane(p.l), plane(p.m));
+  return exact_.side(camera_, plane(line), plane(p.l), plane(p.m));
 }
 
 Sign MapPredicates::turn(const MapLine& l, const MapLine& m) {
   if (l == m) return Sign::zero;
-  return -exact_.turn(camera_, plane(l), plane(m));
+  return exact_.turn(camera_, plane(l), plane(m));
 }
 
 Sign MapPredicates::same_way(const MapLine& l, const MapLine& m) {
@@ -128,6 +128,7 @@ MapPlace MapPredicates::place(const MapPoint& p) const {
   const auto at = p.is_vertex ? image_of_point(camera_, projected_.point(p.vertex), origin(), projected_.rows())
                               : image_of_crossing(camera_, plane(p.l), plane(p.m), origin(), projected_.rows());
   MapPlace place = to_place(at);
+  if (is_mirrored_) place.x = -place.x;
   // The rows and errors hold only where the filter is proven.
   if (!exact_.filter_is_proven() || exact_.arithmetic() != Arithmetic::staged) place.error_x = place.error_y = HUGE_VAL;
   return place;
@@ -146,8 +147,10 @@ BoundedPoint3 MapPredicates::point(const MapPoint& p, TriangleId t) const {
 }
 
 std::array<Rational, 2> MapPredicates::exact_place(const MapPoint& p) const {
-  return p.is_vertex ? exact_image_of_point(camera_, projected_.point(p.vertex), origin(), projected_.rows())
-                     : exact_image_of_crossing(camera_, plane(p.l), plane(p.m), origin(), projected_.rows());
+  auto at = p.is_vertex ? exact_image_of_point(camera_, projected_.point(p.vertex), origin(), projected_.rows())
+                        : exact_image_of_crossing(camera_, plane(p.l), plane(p.m), origin(), projected_.rows());
+  if (is_mirrored_) at[0] = -at[0];
+  return at;
 }
 
 }  // namespace hsr

@@ -28,7 +28,7 @@ class MapPredicates {
 
   ViewPlane plane(const MapLine& line) const;
 
-  /// On which side of the line the point lies: positive, to its left as seen, where O is negative.
+  /// On which side of the line the point lies: positive, to its left as seen.
   Sign side(const MapLine& line, const MapPoint& p);
   Sign side(const MapLine& line, VertexId v);
   /// How m turns against l: positive, to the left. Zero: parallel in the image, or one line.
@@ -44,13 +44,11 @@ class MapPredicates {
   Sign nearer(TriangleId s, TriangleId t, const MapPoint& p);
   bool coplanar(TriangleId s, TriangleId t);
 
-  /// Where the point is seen, relative to the first vertex of the mesh.
+  /// Where the point is seen, relative to the first vertex of the mesh: coordinates that turn as they are seen.
   MapPlace place(const MapPoint& p) const;
   /// The point of the triangle's plane that is seen there.
   BoundedPoint3 point(const MapPoint& p, TriangleId t) const;
   std::array<Rational, 2> exact_place(const MapPoint& p) const;
-  /// Whether these coordinates are the mirror image of what is seen.
-  bool mirrored() const { return mirrored_; }
 
  private:
   /// A line through q across `line`.
@@ -60,7 +58,7 @@ class MapPredicates {
   const ProjectedMesh& projected_;
   Predicates exact_;
   Camera camera_;
-  bool mirrored_;
+  bool is_mirrored_;  // the rows are: then x is negated
 };
 
 }  // namespace hsr

@@ -16,9 +16,8 @@ struct MapHalfPlane {
 inline MapHalfPlane side_of_triangle(const ProjectedMesh& projected, TriangleId t, std::size_t k) {
   const auto& c = projected.mesh().triangles[t];
   const VertexId u = c[k], v = c[(k + 1) % 3];
-  // Seen counter-clockwise, where O is negative, a triangle has its inside to the left of u -> v.
-  const Sign left = -projected.facing(t);
-  return {MapLine::edge(u, v), u < v ? left : -left};
+  const Sign facing = projected.facing(t);
+  return {MapLine::edge(u, v), u < v ? facing : -facing};
 }
 
 /// What is beyond the near plane, in the plane of a triangle that is not parallel to it.

@@ -93,8 +93,8 @@ UnhiddenShare left_out(const scenes::TestScene& scene) {
     for (const UnhiddenInterval& part : parts) left -= std::min(part.to, 1.0) - std::max(part.from, 0.0);
     found.share += left;
     const Edge& edge = mesh.edges[line.edge];
-    const double m = projected.is_perspective() ? projected.depth(projected.point(edge.a), 0).value : 1,
-                 n = projected.is_perspective() ? projected.depth(projected.point(edge.b), 0).value : 1;
+    const double m = projected.is_perspective() ? projected.nearness(projected.point(edge.a), 0).value : 1,
+                 n = projected.is_perspective() ? projected.nearness(projected.point(edge.b), 0).value : 1;
     const auto cuts = lines.cuts_of(line);
     for (std::uint32_t k = 0; k < line.intervals(); ++k) {
       if (line.hidden(k)) continue;

@@ -93,7 +93,7 @@ TEST_CASE("front and back are the same in world, eye and projection space", "[im
       const ProjectedMesh projected(mesh, scene.view, Arithmetic::staged);
       INFO(family.name << " " << seed << "\n" << scenes::to_text(scene));
       for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-        const Sign expected = -projected.facing(TriangleId(k));  // the side of its plane that the eye is on
+        const Sign expected = projected.facing(TriangleId(k));  // the side of its plane that the eye is on
         zero += expected == Sign::zero ? 1 : 0;
         for (const FacingSpace space : {FacingSpace::world, FacingSpace::eye, FacingSpace::projection})
           CHECK(facing(mesh, scene.view, TriangleId(k), space) == expected);

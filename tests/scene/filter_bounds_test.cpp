@@ -393,7 +393,7 @@ class ExactView {
     if (projected_->is_perspective()) {
       const Exact3 q = minus(p, exact(e));
       const Rational m = polynomials::dot(exact(depth_row()), q);
-      const Rational mirror = determinant() > 0 ? 1 : -1;
+      const Rational mirror = determinant() > 0 ? -1 : 1;
       return {mirror * polynomials::dot(exact(projected_->rows()[0]), q) / m,
               polynomials::dot(exact(projected_->rows()[1]), q) / m};
     }
@@ -402,11 +402,11 @@ class ExactView {
     const auto row = [&](int i) {
       return at[static_cast<std::size_t>(i % 3)] - Rational(e[i % 3]) / Rational(e[k]) * at[static_cast<std::size_t>(k)];
     };
-    return {Rational(e[k] > 0 ? -1 : 1) * row(k + 1), row(k + 2)};
+    return {Rational(e[k] > 0 ? 1 : -1) * row(k + 1), row(k + 2)};
   }
-  Rational depth(const Exact3& p) const {
+  Rational nearness(const Exact3& p) const {
     const Point3& e = projected_->eye().at;
-    if (projected_->is_perspective()) return polynomials::dot(exact(depth_row()), minus(p, exact(e)));
+    if (projected_->is_perspective()) return -polynomials::dot(exact(depth_row()), minus(p, exact(e)));
     const Exact3 d = minus(p, exact(projected_->point(mesh_.edges.front().a)));
     return Rational(e[axis()] > 0 ? 1 : -1) * (axis() == 0 ? d.x : axis() == 1 ? d.y : d.z);
   }
@@ -448,11 +448,11 @@ std::optional<ExactView> random_view(Numbers& x, bool is_perspective, const Layo
 
 }  // namespace
 
-TEST_CASE("the bounds of images and depths are above the errors, and not far above", "[scene][filters]") {
+TEST_CASE("the bounds of images and nearness are above the errors, and not far above", "[scene][filters]") {
   const auto all = layouts({0, 60, -60, 700, -700});
   for (const bool is_perspective : {false, true})
     for (const double relative : {0.0, 0x1p-40, 0x1p-10}) {
-      const auto search = [&](Numbers& x, const Layout& layout, bool is_depth) {
+      const auto search = [&](Numbers& x, const Layout& layout, bool is_nearness) {
         const auto view = random_view(x, is_perspective, layout);
         if (!view || view->is_empty()) return 0.0;
         const ProjectedMesh& projected = **view;
@@ -466,9 +466,9 @@ TEST_CASE("the bounds of images and depths are above the errors, and not far abo
           const Rational sum = magnitude(by.x) + magnitude(by.y) + magnitude(by.z);
           const Rational part = sum > Rational(error) ? Rational(error) / sum : Rational(1);
           const Exact3 at = {Rational(p.x) + part * by.x, Rational(p.y) + part * by.y, Rational(p.z) + part * by.z};
-          if (is_depth) {
-            if (is_perspective && view->depth(at).sign() != Sign::positive) continue;
-            most = std::fmax(most, share(projected.depth(p, error), view->depth(at)));
+          if (is_nearness) {
+            if (is_perspective && view->nearness(at).sign() != Sign::negative) continue;
+            most = std::fmax(most, share(projected.nearness(p, error), view->nearness(at)));
             continue;
           }
           const BoundedPoint2 image = projected.image(p, error);
@@ -483,12 +483,12 @@ TEST_CASE("the bounds of images and depths are above the errors, and not far abo
         }
         return most;
       };
-      for (const bool is_depth : {false, true})
+      for (const bool is_nearness : {false, true})
         for (const Layout& layout : all)
-          check_bound(21, std::span(&layout, 1), 0, 15, [&](Numbers& x) { return search(x, layout, is_depth); });
-      for (const bool is_depth : {false, true})
+          check_bound(21, std::span(&layout, 1), 0, 15, [&](Numbers& x) { return search(x, layout, is_nearness); });
+      for (const bool is_nearness : {false, true})
         check_bound(21, std::span(all).first(1), relative > 0 ? 0.3 : 0.1, 300,
-                    [&](Numbers& x) { return search(x, all[0], is_depth); });
+                    [&](Numbers& x) { return search(x, all[0], is_nearness); });
     }
 }
 

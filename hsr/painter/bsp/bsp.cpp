@@ -61,9 +61,9 @@ class EyeSide {
     const PlaneFilter& f = filters_[filter];
     const ErrorBounded x = eye_.is_direction ? f.change(e) : f(e);
     if (x.is_certain() && exact_.filter_is_proven()) return sign_of(x.value);
-    // O(a, b, c) is negative where the eye lies on the positive side of the plane of a, b and c.
+    // O(a, b, c) is positive where the eye lies on the positive side of the plane of a, b and c.
     const auto& c = mesh_.triangles[TriangleId(plane.u)];
-    return -exact_.side(Plane::of_sight(eye_, mesh_.points[c[0]], mesh_.points[c[1]]), mesh_.points[c[2]]);
+    return exact_.side(Plane::of_sight(eye_, mesh_.points[c[0]], mesh_.points[c[1]]), mesh_.points[c[2]]);
   }
 
  private:
@@ -139,7 +139,7 @@ class PieceWriter {
   void append(TriangleId facet, std::vector<PieceCorner>& ring) {
     if (projected_.facing(facet) == Sign::zero) return;
     ring_.swap(ring);
-    if (projected_.facing(facet) == Sign::positive) reverse();
+    if (projected_.facing(facet) == Sign::negative) reverse();
     if (projected_.is_perspective() && !clip_near(facet)) return;
     const auto first = static_cast<std::uint32_t>(order_.corners.size());
     order_.corners.insert(order_.corners.end(), ring_.begin(), ring_.end());

@@ -26,7 +26,7 @@ class Divider {
       if (!p.is_vertex)
         nearer = map_.nearer(piece.facet, plane, p);
       else if (p.vertex != c[0] && p.vertex != c[1] && p.vertex != c[2])
-        nearer = -(projected_.side(projected_.face_plane(plane), p.vertex, map_.exact()) * projected_.facing(plane));
+        nearer = projected_.side(projected_.face_plane(plane), p.vertex, map_.exact()) * projected_.facing(plane);
       near = near || nearer == Sign::positive;
       far = far || nearer == Sign::negative;
     }

@@ -64,7 +64,7 @@ void append(const ProjectedMesh& projected, const FacePieces& pieces, std::size_
     append(mesh, {facet, pieces.shape(projected, piece)}, order);
     return;
   }
-  const bool forward = projected.facing(facet) == Sign::negative;
+  const bool forward = projected.facing(facet) == Sign::positive;
   const std::size_t n = ring.size();
   const bool is_face = goes_around_face(mesh, facet, n);
   OrderedPiece out{facet, static_cast<std::uint32_t>(order.corners.size()), 0};

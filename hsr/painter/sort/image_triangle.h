@@ -10,13 +10,13 @@
 
 namespace hsr {
 
-/// A triangle in the image in floats, its corners so that O is positive within. The last place is the third corner again: four
+/// A triangle in the image in floats, its corners counter-clockwise, so that O is positive within. The last place is the third corner again: four
 /// make a vector. Not a number: no triangle, or its image is not known.
 struct alignas(64) ImageTriangle {
   std::array<float, 4> x, y;
   std::array<std::uint32_t, 4> vertex;
   float size = 0;                   // the width and the height of its box, or more
-  float farthest = 0, nearest = 0;  // its depths lie between, as those of ImageBox
+  float farthest = 0, nearest = 0;  // its nearness lies between, as that of ImageBox
 };
 
 /// The images of the pieces that are triangles, moved and multiplied so that all fit into a square from -1 to 1.

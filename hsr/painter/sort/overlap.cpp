@@ -37,8 +37,7 @@ std::vector<NearCorner> Overlaps::near_corners(const PieceOfFacet& piece) const 
 /// Positive where p is on the inner side of side k, as far as doubles tell; in units of the image.
 ErrorBounded Overlaps::side(const PieceOfFacet& piece, std::size_t k, const NearCorner& p) const {
   const NearCorner &a = piece.near[k], &b = piece.near[k + 1 == piece.near.size() ? 0 : k + 1];
-  const ErrorBounded turn = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-  return map_.mirrored() ? -turn : turn;
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
 /// The value of a facet's plane at a corner; positive if the facet is in front of the corner.
@@ -46,7 +45,7 @@ ErrorBounded Overlaps::beyond(TriangleId facet, const NearCorner& p) const {
   ErrorBounded x = projected_.filter(projected_.face_plane(facet))(p.on_facet);
   // Only images with a bound come with a filter that is proven.
   if (!(p.x.error < HUGE_VAL)) x.error = HUGE_VAL;
-  return projected_.facing(facet) == Sign::positive ? x : -x;
+  return projected_.facing(facet) == Sign::negative ? x : -x;
 }
 
 /// Whether a side of a has all of b beyond it. (Of two convex regions without a common inside, a side of one or the other has.)
@@ -86,10 +85,10 @@ Sign Overlaps::nearer(const PieceOfFacet& a, const PieceOfFacet& b, std::size_t 
     }
     return map_.nearer(a.facet, b.facet, p);
   }
-  // The eye lies on the side -facing of a plane.
+  // The eye lies on the side `facing` of a plane.
   if (map_.mesh().has_corner(plane, p.vertex)) return Sign::zero;
-  const Sign behind = projected_.side(projected_.face_plane(plane), p.vertex, map_.exact()) * projected_.facing(plane);
-  return is_of_a ? -behind : behind;
+  const Sign before = projected_.side(projected_.face_plane(plane), p.vertex, map_.exact()) * projected_.facing(plane);
+  return is_of_a ? before : -before;
 }
 
 Sides Overlaps::sides(const PieceOfFacet& a, const PieceOfFacet& b, bool are_of_a) {

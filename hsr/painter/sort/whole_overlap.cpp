@@ -90,7 +90,7 @@ Sides WholeOverlaps::sides(const Whole& plane, const Whole& corners) {
     const ErrorBounded x = plane.filter(projected_.point(v));
     if (x.is_certain()) ++exact_.counts().filter;
     const Sign s = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(plane.plane, projected_.point(v));
-    found.add(s * projected_.facing(plane.facet));
+    found.add(-(s * projected_.facing(plane.facet)));
     if (found.nearer && found.farther) break;
   }
   return found;

@@ -9,7 +9,7 @@ ImageRows::ImageRows(const View& view) : parallel(!view.is_perspective()), eye(r
     unit[k] = 1.0;
     const RationalVector c = cross(away, unit);
     if (dot(c, c).sign() == Sign::zero) continue;
-    across = {c, cross(away, c)};
+    across = {c, cross(c, away)};
     break;
   }
   if (!parallel) near = Rational(view.near) * dot(away, away);

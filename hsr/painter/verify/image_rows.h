@@ -11,7 +11,7 @@ namespace hsr {
 using ImagePlace = std::array<Rational, 2>;
 
 /// An image as two linear functions over a third (in parallel views: over 1), in rationals. It is that of the view's frame up
-/// to a projective map, and needs no frame that is exact.
+/// to a projective map that keeps every turn, and needs no frame that is exact.
 struct ImageRows {
   bool parallel = true;
   RationalVector eye;  ///< or the direction toward the viewer

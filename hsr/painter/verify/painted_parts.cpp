@@ -203,8 +203,8 @@ std::vector<ImageBox> PaintedParts::boxes() const {
 }
 
 Sign before_plane(PaintedSides& sides, const PaintedPart& part, std::uint32_t p) {
-  // turn(a, b, c) is orientation(eye, a, b, c), and orientation(a, b, c, eye) its negative: the eye is on the negative side.
-  return -sides.side(part.plane[0], part.plane[1], part.plane[2], p);
+  // The corners are counter-clockwise as seen: the viewpoint is on the positive side.
+  return sides.side(part.plane[0], part.plane[1], part.plane[2], p);
 }
 
 namespace {
@@ -244,8 +244,8 @@ void add_crossings(PaintedSides& sides, Corners a, Corners b, Nearer& found) {
       const Sign at_r = sides.turn(p, q, r);
       if (at_r == Sign::zero || at_r * sides.turn(p, q, s) != Sign::negative) continue;
       if (sides.turn(r, s, p) * sides.turn(r, s, q) != Sign::negative) continue;
-      // rs leaves the plane of p, q and r toward s, and the eye is on the side of -at_r.
-      const Sign second = -(sides.side(p, q, r, s) * at_r);
+      // rs leaves the plane of p, q and r toward s, and the eye is on the side of at_r.
+      const Sign second = sides.side(p, q, r, s) * at_r;
       found.second = found.second || second == Sign::positive;
       found.first = found.first || second == Sign::negative;
       if (found.first && found.second) return;

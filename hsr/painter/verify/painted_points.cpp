@@ -176,11 +176,11 @@ Sign PaintedSides::turn_in_space(std::uint32_t a, std::uint32_t b, std::uint32_t
   const Point3& e = view_.viewpoint.at;
   const std::array<ErrorBounded, 3> eye = {ErrorBounded{e.x, 0}, ErrorBounded{e.y, 0}, ErrorBounded{e.z, 0}};
   const auto &c = points_.near(a), &d = points_.near(b), &at = points_.near(p);
-  const ErrorBounded near = rows_.parallel ? determinant(minus(d, c), Near{eye[0], eye[1], eye[2]}, minus(at, c))
-                                           : determinant(minus(c, eye), minus(d, eye), minus(at, eye));
+  const ErrorBounded near = rows_.parallel ? determinant(Near{eye[0], eye[1], eye[2]}, minus(d, c), minus(at, c))
+                                           : determinant(minus(d, eye), minus(c, eye), minus(at, eye));
   if (near.is_certain()) return sign_of(near.value);
   const HomogeneousPoint3 from = points_.whole(a), to = points_.whole(b), whole = points_.whole(p);
-  return rows_.parallel ? orientation(from, to, whole_eye_, whole) : orientation(whole_eye_, from, to, whole);
+  return rows_.parallel ? orientation(from, whole_eye_, to, whole) : orientation(whole_eye_, to, from, whole);
 }
 
 Sign PaintedSides::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p) {

@@ -72,7 +72,7 @@ class PaintedSides {
  public:
   PaintedSides(const PaintedPoints& points, const ImageRows& rows, const View& view);
 
-  /// Of the view plane of a and b: where the image of p lies beside the line of theirs.
+  /// Of the view plane of a and b: where the image of p lies beside the line of theirs; positive, to the left of a -> b.
   Sign turn(std::uint32_t a, std::uint32_t b, std::uint32_t p);
   /// Of the plane of a, b and c.
   Sign side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p);
