@@ -5,7 +5,7 @@
 #include <functional>
 #include <mutex>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Calls the progress function from one thread at a time, each time another hundredth is done.
 class LineProgress {
@@ -27,4 +27,4 @@ class LineProgress {
   std::mutex mutex_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "geometry/vector3.h"
 #include "geometry/weighted_disjoint_sets.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -222,4 +222,4 @@ bool ClosedBodies::is_one_convex_body() const {
   return is_convex;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The bodies of a scene that certainly hide their own far sides.
 ///
@@ -43,4 +43,4 @@ class ClosedBodies {
   std::vector<std::uint8_t> far_sides_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

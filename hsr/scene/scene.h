@@ -11,7 +11,9 @@
 
 namespace hsr {
 
+namespace internal {
 class SceneParts;
+}  // namespace internal
 
 /// A stage that leaves out what the scene does not need. None changes a result.
 enum class Stage : unsigned char {
@@ -76,11 +78,11 @@ class SceneView {
   const View& view() const;
   const SceneOptions& options() const;
   /// What the methods share; not for users of the library.
-  const SceneParts& parts() const { return *parts_; }
+  const internal::SceneParts& parts() const { return *parts_; }
 
  private:
   Scene scene_;
-  std::shared_ptr<const SceneParts> parts_;
+  std::shared_ptr<const internal::SceneParts> parts_;
 };
 
 }  // namespace hsr

@@ -6,6 +6,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 Scene::Scene(Mesh mesh) : mesh_(std::make_shared<const Mesh>(std::move(mesh))) {}
 
 Scene Scene::of(const Mesh& mesh) { return Scene(std::shared_ptr<const Mesh>(std::shared_ptr<const Mesh>(), &mesh)); }

@@ -17,7 +17,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/scene.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A value that is made when it is first asked for, once; threads that ask meanwhile help to make it.
 template <class T>
@@ -108,4 +108,4 @@ class SceneParts {
   mutable std::vector<std::unique_ptr<const SceneParts>> with_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

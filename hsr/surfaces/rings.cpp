@@ -10,7 +10,7 @@
 #include "geometry/ragged.h"
 #include "hsr/scene/segment_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -492,4 +492,4 @@ Rings link_rings(MapPredicates& map, std::span<const MapSide> sides) {
   return RingLinker(map).link(placed, map.mirrored());
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

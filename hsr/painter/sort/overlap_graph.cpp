@@ -6,7 +6,7 @@
 
 #include "hsr/painter/sort/piece_relations.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -103,4 +103,4 @@ OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pie
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal
