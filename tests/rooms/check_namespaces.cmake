@@ -3,8 +3,8 @@
 # cmake -DSOURCE=... -P check_namespaces.cmake
 cmake_minimum_required(VERSION 3.23)
 
-# The one way from a public class to what the methods share. They are many, in all rooms, and cannot all be friends.
-set(allowed "  const internal::SceneParts& parts() const { return *parts_, }")  # with , for ;
+# SceneView::parts, the one way from a public class to what the methods share: they are many, in all rooms, and cannot all be friends.
+set(allowed "^hsr/scene/scene.h:  const internal::[A-Za-z]+Parts& parts\\(\\) const ")
 
 file(STRINGS ${SOURCE}/cmake/public_headers.txt public REGEX "^[a-z]+ ")
 list(TRANSFORM public REPLACE "^[a-z]+ " "")
@@ -47,7 +47,7 @@ function(check_public header)
     endif()
     if(line MATCHES "namespace" AND NOT line STREQUAL "namespace hsr {")
       string(APPEND wrong "${header} is public: ${line}\n")
-    elseif(line MATCHES "internal::" AND NOT is_private AND NOT line STREQUAL allowed)
+    elseif(line MATCHES "internal::" AND NOT is_private AND NOT "${header}:${line}" MATCHES "${allowed}")
       string(APPEND wrong "${header} is public and names what is private: ${line}\n")
     endif()
   endforeach()
