@@ -63,6 +63,12 @@ struct Mesh {
   std::span<const TriangleId> triangles_at(EdgeId e) const {
     return {sides.data() + first_side[e], sides.data() + first_side[EdgeId(e.value + 1U)]};
   }
+  /// Whether a triangle has one of its edges as a -> b, not as b -> a.
+  bool runs_along(TriangleId t, const Edge& e) const {
+    const auto& c = triangles[t];
+    const std::size_t k = c[0] == e.a ? 0 : c[1] == e.a ? 1 : 2;
+    return c[(k + 1) % 3] == e.b;
+  }
   /// The edge between two vertices; invalid if there is none. Cost: O(log n).
   EdgeId find_edge(VertexId a, VertexId b) const;
   bool has_corner(TriangleId t, VertexId v) const { return is_one_of(v, triangles[t]); }

@@ -11,7 +11,7 @@
 #include "hsr/raster/sample_signs.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/projected_mesh.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr::internal {

@@ -8,7 +8,7 @@
 #include "geometry/parallel.h"
 #include "hsr/drawing/placement.h"
 #include "hsr/lines/edge_class.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/symbols/constructions.h"
 
 namespace hsr {

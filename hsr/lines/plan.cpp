@@ -16,7 +16,7 @@
 #include "hsr/lines/image_mask.h"
 #include "hsr/lines/roberts.h"
 #include "hsr/scene/line_filter.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/view/frustum.h"
 
 // What a scene does not need is left out here, before the methods, and the method is chosen.
@@ -58,7 +58,7 @@ class Plan {
   bool appel_pays() const;
 
   const LineOptions& options_;
-  const SceneParts& parts_;
+  const ViewParts& parts_;
   const ProjectedMesh& projected_;
   Excluded excluded_;  // which triangles are no candidates
   std::optional<ViewFrustum> outside_;

@@ -11,7 +11,7 @@
 #include "geometry/parallel.h"
 #include "hsr/raster/sample_signs.h"
 #include "hsr/scene/box_tree.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 
 namespace hsr {
 
@@ -188,7 +188,7 @@ class Tile {
 }  // namespace
 
 CastImage cast(const SceneView& scene, const SampleGrid& samples) {
-  const SceneParts& parts = scene.parts().with(samples.bit_range());
+  const ViewParts& parts = scene.parts().with(samples.bit_range());
   const ProjectedMesh& projected = parts.projected();
   const SampleSigns signs(projected, samples);
   const Occluders& occluders = parts.occluders(Excluded::edge_on);

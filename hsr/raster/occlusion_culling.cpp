@@ -2,7 +2,7 @@
 
 #include "hsr/scene/occlusion_pyramid.h"
 #include "hsr/scene/projected_mesh.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 
 namespace hsr::internal {
 

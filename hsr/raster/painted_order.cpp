@@ -9,7 +9,7 @@
 #include "geometry/error.h"
 #include "hsr/raster/compositing.h"
 #include "hsr/raster/rasterizer.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/symbols/cut_plane.h"
 
 namespace hsr {

@@ -5,26 +5,21 @@
 #include <vector>
 
 #include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/star_shaped_bodies.h"
 
 namespace hsr::internal {
 
-/// The bodies of a scene that certainly hide their own far sides.
-///
-/// A body is a component of faces, connected by edges of just two triangles, that is closed and consistently oriented, lies
-/// wholly on or beyond the near plane, and is star-shaped: some point inside sees all of it. So it meets itself nowhere, and a
-/// line of sight that leaves it through a far side has entered it through a near side. Which way its faces are turned does not
-/// matter. A component for which error bounds do not prove all this is no body.
+/// The bodies of a scene that certainly hide their own far sides: those star-shaped ones that lie wholly on or beyond the near
+/// plane. A line of sight that leaves one through a far side has entered it through a near side.
 ///
 ///   (1) without the far sides nothing else is hidden or visible
 ///   (2) what lies between far sides only is hidden all along
 ///   (3) the same for any number of threads
 ///
 /// Cost: O(n), parallel.
-/// Source: Mehlhorn, Näher, Seel et al. 1999, "Checking geometric programs or verification of geometric structures": one ray
-/// from inside that meets one face tells that a surface that turns everywhere the same way goes around once.
 class ClosedBodies {
  public:
-  explicit ClosedBodies(const ProjectedMesh& projected);
+  ClosedBodies(const ProjectedMesh& projected, const StarShapedBodies& bodies);
 
   std::size_t count() const { return count_; }
   const std::vector<std::uint8_t>& far_sides() const { return far_sides_; }  ///< by triangle: 1, on the far side of a body
@@ -33,13 +28,12 @@ class ClosedBodies {
   bool is_on_far_side(EdgeId e) const;
   /// All faces are those of one convex body, and there are no wires: an edge that is seen as a line is visible iff one of its
   /// faces is turned to the eye. Exact.
-  bool is_one_convex_body() const;
+  bool is_one_convex_body() const { return is_one_convex_body_; }
 
  private:
   const ProjectedMesh& projected_;
   std::size_t count_ = 0;
-  bool is_alone_ = false;     // the first body, with all triangles
-  Sign inside_ = Sign::zero;  // of the first body: on which side of its faces it lies
+  bool is_one_convex_body_ = false;
   std::vector<std::uint8_t> far_sides_;
 };
 

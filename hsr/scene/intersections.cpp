@@ -25,7 +25,7 @@ namespace {
 
 class Finder {
  public:
-  Finder(const ProjectedMesh& projected, const Occluders& occluders, const OcclusionPyramid* pyramid,
+  Finder(const ProjectedMesh& projected, const Occluders* occluders, const OcclusionPyramid* pyramid,
          std::vector<std::uint8_t>& has_contact)
       : projected_(projected),
         mesh_(projected.mesh()),
@@ -36,6 +36,8 @@ class Finder {
 
   /// Looks at the triangles of a leaf of the tree, with those that come later.
   void look_around(std::uint32_t leaf, std::vector<Intersection>& found);
+  /// Clips the line in which both planes meet to both triangles. @pre the face of each passes through the other's plane
+  std::optional<Intersection> segment(TriangleId s, TriangleId t);
   const DecisionCounts& decisions() { return exact_.counts(); }
 
  private:
@@ -50,11 +52,10 @@ class Finder {
   bool cross_beyond_common_corner(TriangleId s, TriangleId t);
   std::array<BoundedPoint3, 2> chord(TriangleId t, const std::array<Sign, 3>& at, const PlaneFilter& plane) const;
   bool certainly_no_segment(const std::array<BoundedPoint3, 2>& x, const std::array<BoundedPoint3, 2>& y) const;
-  std::optional<Intersection> segment(TriangleId s, TriangleId t);
 
   const ProjectedMesh& projected_;
   const Mesh& mesh_;
-  const Occluders& occluders_;
+  const Occluders* occluders_;  // null: only segment() is asked for
   const OcclusionPyramid* pyramid_;
   Predicates exact_;
   std::vector<std::uint8_t>& has_contact_;
@@ -63,8 +64,8 @@ class Finder {
 
 /// The plane of an occluder.
 PlaneFilter Finder::filter(std::uint32_t i) const {
-  return !occluders_.is_prepared() ? projected_.filter(projected_.face_plane(occluders_.triangles[i]))
-                                   : occluders_.face(i).plane;
+  return !occluders_->is_prepared() ? projected_.filter(projected_.face_plane(occluders_->triangles[i]))
+                                    : occluders_->face(i).plane;
 }
 
 /// On which sides of the plane of s the corners of t are.
@@ -91,8 +92,8 @@ bool straddles(const std::array<Sign, 3>& at) {
 void Finder::look_around(std::uint32_t leaf, std::vector<Intersection>& found) {
   TriangleId turned_to;
   PlaneFilter of_s;
-  occluders_.tree.visit_pairs(leaf, search_, [&](std::uint32_t i, std::uint32_t k) {
-    const TriangleId s = occluders_.triangles[i], t = occluders_.triangles[k];
+  occluders_->tree.visit_pairs(leaf, search_, [&](std::uint32_t i, std::uint32_t k) {
+    const TriangleId s = occluders_->triangles[i], t = occluders_->triangles[k];
     if (facet_of(mesh_, s) == facet_of(mesh_, t)) return;
     if (s != turned_to) {
       turned_to = s;
@@ -116,7 +117,7 @@ bool Finder::meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId
 }
 
 void Finder::look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<Intersection>& found) {
-  const TriangleId t = occluders_.triangles[k];
+  const TriangleId t = occluders_->triangles[k];
   if (meet_in_an_edge(s, of_s, t)) return;
   const std::array<Sign, 3> at_t = sides(of_s, s, t);
   const auto zeros = [](const std::array<Sign, 3>& at) { return std::count(at.begin(), at.end(), Sign::zero); };
@@ -247,7 +248,6 @@ Sign order(const PlaneIntersection& line, const Crossing& x, const Crossing& y) 
   return x.cut == y.cut ? Sign::zero : line.order(x.place, y.place);
 }
 
-/// Clips the line in which both planes meet to both triangles. @pre the face of each passes through the other's plane
 std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
   const PlaneIntersection line(projected_.face_plane(s), projected_.face_plane(t), exact_);
   struct Bound {
@@ -298,7 +298,7 @@ Intersections find_intersections(const ProjectedMesh& projected, const Occluders
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      Finder finder(projected, occluders, pyramid, all.has_contact);
+      Finder finder(projected, &occluders, pyramid, all.has_contact);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t leaf = part * block; leaf < end; ++leaf)
         finder.look_around(static_cast<std::uint32_t>(leaf), parts[part]);
@@ -311,6 +311,39 @@ Intersections find_intersections(const ProjectedMesh& projected, const Occluders
   }
   std::sort(all.segments.begin(), all.segments.end(),
             [](const Intersection& x, const Intersection& y) { return std::pair(x.s, x.t) < std::pair(y.s, y.t); });
+  return all;
+}
+
+MeetingFaces meeting_faces(const Intersections& all) {
+  MeetingFaces known{{}, all.has_contact};
+  known.pairs.reserve(all.segments.size());
+  for (const Intersection& x : all.segments) known.pairs.push_back({x.s, x.t});
+  return known;
+}
+
+Intersections intersections_of(const ProjectedMesh& projected, const MeetingFaces& known,
+                               const std::vector<std::uint8_t>& left_out) {
+  Intersections all;
+  all.has_contact = known.has_contact;
+  constexpr std::size_t block = 256;
+  std::vector<std::vector<Intersection>> parts((known.pairs.size() + block - 1) / block);
+  std::vector<DecisionCounts> counts(parts.size());
+  const auto is_wanted = [&](TriangleId t) {
+    return projected.reaches_beyond_near(t) && (left_out.empty() || left_out[t.value] == 0);
+  };
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+    Finder finder(projected, nullptr, nullptr, all.has_contact);
+    for (std::size_t k = part * block; k < std::min((part + 1) * block, known.pairs.size()); ++k) {
+      const auto [s, t] = known.pairs[k];
+      if (!is_wanted(s) || !is_wanted(t)) continue;
+      if (const auto found = finder.segment(s, t)) parts[part].push_back(*found);
+    }
+    counts[part] = finder.decisions();
+  });
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    all.segments.insert(all.segments.end(), parts[part].begin(), parts[part].end());
+    all.decisions += counts[part];
+  }
   return all;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,20 @@ struct Intersections {
 /// Source: Guigue & Devillers 2003 (signs of degree 3 first).
 Intersections find_intersections(const ProjectedMesh& projected, const Occluders& occluders,
                                  const OcclusionPyramid* pyramid = nullptr);
+
+/// Which faces meet other than in common edges; no view changes it.
+struct MeetingFaces {
+  std::vector<std::array<TriangleId, 2>> pairs;  ///< triangles that pierce each other, ascending
+  std::vector<std::uint8_t> has_contact;         ///< by EdgeId, as Intersections has it
+};
+/// @pre `all` is complete: found without tiles, and among triangles none of which is cut by the near plane
+MeetingFaces meeting_faces(const Intersections& all);
+
+/// What find_intersections() finds where it is known which faces meet, and perhaps more contacts.
+/// @param left_out triangles whose intersections are not wanted; empty: none
+/// Exact: yes. Cost: O(pairs), parallel.
+Intersections intersections_of(const ProjectedMesh& projected, const MeetingFaces& known,
+                               const std::vector<std::uint8_t>& left_out);
 
 /// The pieces of one line in which two facets meet as one where they abut, named by the first triangles of the facets; each
 /// from the lexicographically smaller end to the other. Ascending by (s, t), then by place.

@@ -10,6 +10,7 @@
 
 #include "geometry/vector3.h"
 #include "hsr/scene/line_filter.h"
+#include "hsr/scene/scaled_mesh.h"
 
 namespace hsr::internal {
 
@@ -17,15 +18,6 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 constexpr double u = ErrorBounded::u;
-
-/// The power of two that brings the largest number near 1, or 2^0 if that would round the smallest away.
-int scale_of(const BitRange& c) { return c.is_zero() || c.lowest - c.highest < -1000 ? 0 : -c.highest; }
-
-Point3 scaled(const Point3& p, int power) {
-  return {std::ldexp(p.x, power) + 0.0, std::ldexp(p.y, power) + 0.0, std::ldexp(p.z, power) + 0.0};
-}
-
-BitRange scaled(const BitRange& c, int power) { return c.is_zero() ? c : BitRange{c.lowest + power, c.highest + power}; }
 
 }  // namespace
 

@@ -57,14 +57,8 @@ class ProjectedMesh {
 
   /// The sign of O(t0, t1, t2): zero, the triangle is seen edge-on. The eye lies on the side -facing of its plane.
   Sign facing(TriangleId t) const { return facing_[t]; }
-  /// Whether a triangle has one of its edges as a -> b, not as b -> a.
-  bool runs_along(TriangleId t, const Edge& e) const {
-    const auto& c = mesh_->triangles[t];
-    const std::size_t k = c[0] == e.a ? 0 : c[1] == e.a ? 1 : 2;
-    return c[(k + 1) % 3] == e.b;
-  }
   /// On which side of the view plane of one of its edges a triangle lies: positive, to the left of a -> b as seen.
-  Sign side_of_edge(TriangleId t, const Edge& e) const { return runs_along(t, e) ? facing_[t] : -facing_[t]; }
+  Sign side_of_edge(TriangleId t, const Edge& e) const { return mesh_->runs_along(t, e) ? facing_[t] : -facing_[t]; }
   /// On which side of `plane` a vertex lies: the filter first. Exact.
   Sign side(const Plane& plane, VertexId p, Predicates& exact) const;
   /// On which side of the near plane: positive, beyond it. Parallel views have no near plane: positive.

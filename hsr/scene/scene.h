@@ -13,6 +13,7 @@ namespace hsr {
 
 namespace internal {
 class SceneParts;
+class ViewParts;
 }  // namespace internal
 
 /// A stage that leaves out what the scene does not need. None changes a result.
@@ -44,22 +45,23 @@ struct SceneOptions {
   When when(Stage stage) const { return stages[static_cast<std::size_t>(stage)]; }
 };
 
-/// The faces that are looked at, and what of them no view changes: the views of a sheet or of a turntable share it.
+/// The faces that are looked at, and what of them no view changes: which of them bound bodies, and which meet other than in
+/// their edges, once a view has looked for all of these. The views of a sheet or of a turntable share it.
 ///
-/// Immutable. Copies are cheap and share everything.
+/// Immutable for all who see it; parts are made on first use, whatever thread asks. Copies are cheap and share everything.
 class Scene {
  public:
   explicit Scene(Mesh mesh);
   /// @pre `mesh` outlives every copy of the scene and of its views
   static Scene of(const Mesh& mesh);
 
-  const Mesh& mesh() const { return *mesh_; }
+  const Mesh& mesh() const;
 
  private:
   friend class SceneView;
-  explicit Scene(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
+  explicit Scene(std::shared_ptr<const internal::SceneParts> parts);
 
-  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const internal::SceneParts> parts_;
 };
 
 /// A scene as one view sees it, prepared for every method: the projected points, the tree of the faces, closed bodies, the tiles
@@ -78,11 +80,11 @@ class SceneView {
   const View& view() const;
   const SceneOptions& options() const;
   /// What the methods share; not for users of the library.
-  const internal::SceneParts& parts() const { return *parts_; }
+  const internal::ViewParts& parts() const { return *parts_; }
 
  private:
   Scene scene_;
-  std::shared_ptr<const internal::SceneParts> parts_;
+  std::shared_ptr<const internal::ViewParts> parts_;
 };
 
 }  // namespace hsr

@@ -6,7 +6,7 @@
 #include "geometry/disjoint_sets.h"
 #include "hsr/scene/box_tree.h"
 #include "hsr/scene/facet.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/surfaces/rings.h"
 #include "hsr/visibility_map/map_predicates.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "hsr/scene/facet.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/rings.h"

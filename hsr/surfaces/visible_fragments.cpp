@@ -11,7 +11,7 @@
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/roberts.h"
 #include "hsr/scene/facet.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/scene/segment_filter.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
@@ -320,7 +320,7 @@ class FragmentFinder {
   void collect(std::span<const std::uint32_t> order, const F& visit);
 
   const FragmentOptions& options_;
-  const SceneParts& parts_;
+  const ViewParts& parts_;
   const ProjectedMesh& projected_;
   const Mesh& mesh_;
   const std::vector<std::uint8_t>* left_out_ = nullptr;  // hidden or seen edge-on, by triangle

@@ -57,7 +57,8 @@ std::ostream& operator<<(std::ostream& out, const Found& f) {
 Found found(const TestScene& scene) {
   const Mesh mesh = scene.mesh();
   const ProjectedMesh projected(mesh, scene.view, Arithmetic::staged);
-  const ClosedBodies bodies(projected);
+  const StarShapedBodies star_shaped{ScaledMesh(mesh)};
+  const ClosedBodies bodies(projected, star_shaped);
   Found f{bodies.count(), 0, bodies.is_one_convex_body()};
   for (const std::uint8_t far : bodies.far_sides()) f.far_triangles += far;
   return f;

@@ -9,7 +9,7 @@
 #include "geometry/parallel.h"
 #include "hsr/painter/bsp/bsp_nodes.h"
 #include "hsr/scene/projected_mesh.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/symbols/cut_plane.h"
 
 namespace hsr {

@@ -12,7 +12,7 @@
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/painter/sort/near_box.h"
 #include "hsr/painter/sort/overlap_graph.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/symbols/constructions.h"
 
 namespace hsr {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hsr/painter/sort/image_pieces.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 
 namespace hsr::internal {
 

@@ -1,0 +1,179 @@
+#include "hsr/scene/view_parts.h"
+
+#include <algorithm>
+
+#include "geometry/parallel.h"
+
+namespace hsr {
+
+using namespace internal;
+
+SceneView::SceneView(const Scene& scene, const View& view, const SceneOptions& options)
+    : scene_(scene), parts_(std::make_shared<const ViewParts>(scene.parts_, view, options)) {}
+
+const View& SceneView::view() const { return parts_->view(); }
+
+const SceneOptions& SceneView::options() const { return parts_->options(); }
+
+ViewParts::ViewParts(std::shared_ptr<const SceneParts> scene, const View& view, const SceneOptions& options,
+                     const BitRange& others)
+    : scene_(std::move(scene)), view_(view), options_(options), others_(others) {}
+
+const ProjectedMesh& ViewParts::projected() const {
+  return projected_.get([&] { return ProjectedMesh(mesh(), view_, options_.arithmetic, others_); });
+}
+
+const std::vector<ImageBox>& ViewParts::boxes() const {
+  const ProjectedMesh& mesh = projected();
+  return boxes_.get([&] {
+    std::vector<ImageBox> boxes(this->mesh().triangles.size());
+    parallel_for_each(boxes.size(), [&](std::size_t i) { boxes[i] = mesh.box(TriangleId(i)); });
+    return boxes;
+  });
+}
+
+const ClosedBodies* ViewParts::bodies() const {
+  const ProjectedMesh& mesh = projected();
+  const auto& bodies = bodies_.get([&]() -> std::optional<ClosedBodies> {
+    const bool is_needed = options_.when(Stage::back_faces) != When::never || options_.when(Stage::convex_body) != When::never;
+    if (options_.arithmetic != Arithmetic::staged || !is_needed) return std::nullopt;
+    return std::optional<ClosedBodies>(std::in_place, mesh, scene_->bodies());
+  });
+  return bodies ? &*bodies : nullptr;
+}
+
+bool ViewParts::is_one_convex_body() const {
+  if (options_.when(Stage::convex_body) == When::never) return false;
+  const ClosedBodies* const all = bodies();
+  return all != nullptr && all->is_one_convex_body();
+}
+
+const OcclusionPyramid* ViewParts::pyramid() const {
+  const ProjectedMesh& mesh = projected();
+  return pyramid_
+      .get([&]() -> std::unique_ptr<const OcclusionPyramid> {
+        const When when = options_.when(Stage::hidden_tiles);
+        if (options_.arithmetic != Arithmetic::staged || when == When::never) return nullptr;
+        auto pyramid = std::make_unique<const OcclusionPyramid>(mesh, when == When::always);
+        return pyramid->is_empty() ? nullptr : std::move(pyramid);
+      })
+      .get();
+}
+
+const std::vector<std::uint8_t>& ViewParts::hidden() const {
+  const ClosedBodies* const closed = bodies();
+  const OcclusionPyramid* const tiles = pyramid();
+  return hidden_.get([&] {
+    std::vector<std::uint8_t> hidden;
+    if (closed != nullptr && closed->count() > 0 && options_.when(Stage::back_faces) != When::never)
+      hidden = closed->far_sides();
+    if (tiles != nullptr) {
+      hidden.resize(this->mesh().triangles.size(), 0);
+      tiles->mark_hidden(hidden);
+    }
+    if (std::find(hidden.begin(), hidden.end(), std::uint8_t{1}) == hidden.end()) hidden.clear();
+    return hidden;
+  });
+}
+
+const std::vector<std::uint8_t>& ViewParts::flags(Excluded excluded) const {
+  static const std::vector<std::uint8_t> none;
+  switch (excluded) {
+    case Excluded::hidden:
+      return hidden();
+    case Excluded::edge_on: {
+      const ProjectedMesh& mesh = projected();
+      return edge_on_.get([&] {
+        std::vector<std::uint8_t> edge_on(this->mesh().triangles.size());
+        parallel_for_each(edge_on.size(),
+                          [&](std::size_t i) { edge_on[i] = mesh.facing(TriangleId(i)) == Sign::zero ? 1 : 0; });
+        if (std::find(edge_on.begin(), edge_on.end(), std::uint8_t{1}) == edge_on.end()) edge_on.clear();
+        return edge_on;
+      });
+    }
+    case Excluded::hidden_and_edge_on: {
+      const auto &hidden = flags(Excluded::hidden), &edge_on = flags(Excluded::edge_on);
+      if (hidden.empty()) return edge_on;
+      if (edge_on.empty()) return hidden;
+      return hidden_or_edge_on_.get([&] {
+        std::vector<std::uint8_t> either = hidden;
+        parallel_for_each(either.size(), [&](std::size_t i) { either[i] |= edge_on[i]; });
+        return either;
+      });
+    }
+    case Excluded::none:
+      break;
+  }
+  return none;
+}
+
+const std::vector<std::uint8_t>& ViewParts::hidden_or_edge_on() const { return flags(Excluded::hidden_and_edge_on); }
+
+bool ViewParts::has_edge_on() const { return !flags(Excluded::edge_on).empty(); }
+
+/// The name under which the same set is kept: a tree is made once for all that come to the same.
+Excluded ViewParts::needed(Excluded excluded) const {
+  const bool hidden = (excluded == Excluded::hidden || excluded == Excluded::hidden_and_edge_on) && !this->hidden().empty();
+  const bool edge_on = (excluded == Excluded::edge_on || excluded == Excluded::hidden_and_edge_on) && has_edge_on();
+  return hidden && edge_on ? Excluded::hidden_and_edge_on
+         : hidden          ? Excluded::hidden
+         : edge_on         ? Excluded::edge_on
+                           : Excluded::none;
+}
+
+const Occluders& ViewParts::occluders(Excluded excluded) const {
+  excluded = needed(excluded);
+  const ProjectedMesh& mesh = projected();
+  const auto& left_out = flags(excluded);
+  const auto& boxes = this->boxes();
+  return occluders_[static_cast<std::size_t>(excluded)].get([&] { return Occluders(mesh, boxes, left_out); });
+}
+
+bool ViewParts::is_cut_by_near_plane() const {
+  if (!view_.is_perspective()) return false;
+  for (std::size_t t = 0; t < mesh().triangles.size(); ++t)
+    if (projected().reaches_before_near(TriangleId(t))) return true;
+  return false;
+}
+
+/// Of the faces that another view has found to meet, or else by a search; what a complete search finds is kept for other views.
+Intersections ViewParts::find(Excluded excluded, const OcclusionPyramid* tiles) const {
+  const bool is_exact = options_.arithmetic != Arithmetic::double_only;
+  if (const auto known = is_exact ? scene_->meeting_faces() : nullptr)
+    return intersections_of(projected(), *known, flags(excluded));
+  Intersections found = find_intersections(projected(), occluders(excluded), tiles);
+  if (is_exact && excluded == Excluded::none && !is_cut_by_near_plane()) scene_->keep(meeting_faces(found));
+  return found;
+}
+
+const Intersections& ViewParts::intersections() const {
+  const Excluded excluded = options_.hidden_lines ? Excluded::none : Excluded::hidden;
+  const OcclusionPyramid* const tiles = options_.hidden_lines ? nullptr : pyramid();
+  return intersections_.get([&] { return find(excluded, tiles); });
+}
+
+const Intersections& ViewParts::visible_intersections() const {
+  if (!options_.hidden_lines || intersections_.is_made()) return intersections();
+  const OcclusionPyramid* const tiles = pyramid();
+  return visible_intersections_.get([&] { return find(Excluded::hidden_and_edge_on, tiles); });
+}
+
+const OccludingEdges& ViewParts::occluding_edges(Excluded excluded) const {
+  excluded = needed(excluded);
+  const ProjectedMesh& mesh = projected();
+  const auto& left_out = flags(excluded);
+  return occluding_edges_[static_cast<std::size_t>(excluded)].get([&] { return OccludingEdges(mesh, left_out); });
+}
+
+const ViewParts& ViewParts::with(const BitRange& others) const {
+  BitRange both = others_;
+  both.add(others);
+  if (both == others_ || projected().covers(others)) return *this;
+  const std::lock_guard lock(mutex_);
+  for (const auto& parts : with_)
+    if (parts->others_ == both) return *parts;
+  with_.push_back(std::make_unique<const ViewParts>(scene_, view_, options_, both));
+  return *with_.back();
+}
+
+}  // namespace hsr

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "hsr/scene/closed_bodies.h"
+#include "hsr/scene/intersections.h"
+#include "hsr/scene/made_once.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/occluding_edges.h"
+#include "hsr/scene/occlusion_pyramid.h"
+#include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/scene.h"
+#include "hsr/scene/scene_parts.h"
+
+namespace hsr::internal {
+
+/// Which triangles a tree of occluders does without.
+enum class Excluded : unsigned char {
+  none,
+  hidden,              ///< far sides of closed bodies, and what tiles hide
+  edge_on,             ///< those seen edge-on
+  hidden_and_edge_on,  ///< both
+};
+
+/// What all methods share of one view of a scene, each part made on first use. The stages come in one order: projection, closed
+/// bodies, tiles, the tree, intersections, occluding edges.
+class ViewParts {
+ public:
+  /// @param others what else predicates and filters will meet: the samples of a picture
+  ViewParts(std::shared_ptr<const SceneParts> scene, const View& view, const SceneOptions& options,
+            const BitRange& others = {});
+  ViewParts(const ViewParts&) = delete;
+  ViewParts& operator=(const ViewParts&) = delete;
+
+  const Mesh& mesh() const { return scene_->mesh(); }
+  const View& view() const { return view_; }
+  const SceneOptions& options() const { return options_; }
+
+  const ProjectedMesh& projected() const;
+  /// Conservative boxes in the image, by triangle.
+  const std::vector<ImageBox>& boxes() const;
+  /// The closed bodies; null: not looked for.
+  const ClosedBodies* bodies() const;
+  bool is_one_convex_body() const;  ///< and its stage is not to be left out
+  /// What hides what is behind large faces; null: not looked for, or nothing is known to be hidden.
+  const OcclusionPyramid* pyramid() const;
+  /// By triangle: on the far side of a closed body, or hidden by tiles; whole faces only. Empty: nothing is known to be.
+  const std::vector<std::uint8_t>& hidden() const;
+  /// By triangle: hidden(), or seen edge-on. Empty: none is.
+  const std::vector<std::uint8_t>& hidden_or_edge_on() const;
+  bool has_edge_on() const;
+
+  const Occluders& occluders(Excluded excluded) const;
+  /// Whether some tree of occluders has been made; for tests.
+  bool has_tree() const {
+    for (const auto& tree : occluders_)
+      if (tree.is_made()) return true;
+    return false;
+  }
+  /// Where faces meet: with SceneOptions::hidden_lines all, else what tiles leave.
+  const Intersections& intersections() const;
+  /// Some that are hidden may be missing, and some of hidden faces may be there.
+  const Intersections& visible_intersections() const;
+  /// Where the number of layers changes: of faces that are not hidden.
+  const OccludingEdges& occluding_edges(Excluded excluded) const;
+
+  /// The same scene for predicates that meet other points, too.
+  const ViewParts& with(const BitRange& others) const;
+
+ private:
+  Intersections find(Excluded excluded, const OcclusionPyramid* tiles) const;
+  bool is_cut_by_near_plane() const;
+  Excluded needed(Excluded excluded) const;
+  const std::vector<std::uint8_t>& flags(Excluded excluded) const;
+
+  std::shared_ptr<const SceneParts> scene_;
+  View view_;
+  SceneOptions options_;
+  BitRange others_;
+
+  MadeOnce<ProjectedMesh> projected_;
+  MadeOnce<std::vector<ImageBox>> boxes_;
+  MadeOnce<std::optional<ClosedBodies>> bodies_;
+  MadeOnce<std::unique_ptr<const OcclusionPyramid>> pyramid_;
+  MadeOnce<std::vector<std::uint8_t>> hidden_, edge_on_, hidden_or_edge_on_;
+  MadeOnce<Occluders> occluders_[4];
+  MadeOnce<Intersections> intersections_, visible_intersections_;
+  MadeOnce<OccludingEdges> occluding_edges_[4];
+  mutable std::mutex mutex_;
+  mutable std::vector<std::unique_ptr<const ViewParts>> with_;
+};
+
+}  // namespace hsr::internal
