@@ -21,6 +21,9 @@
 #include "hsr/view/view.h"
 
 namespace hsr::bench {
+
+using namespace internal;
+
 namespace {
 
 struct Request {

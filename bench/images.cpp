@@ -18,6 +18,9 @@
 // Seconds of each way to make a picture of samples, on one scene.
 
 namespace hsr::bench {
+
+using namespace internal;
+
 namespace {
 
 int run(int argc, char** argv) {

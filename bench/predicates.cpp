@@ -18,6 +18,9 @@
 #include "geometry/plane_filter.h"
 
 namespace hsr::bench {
+
+using namespace internal;
+
 namespace {
 
 std::uint64_t splitmix64(std::uint64_t& state) {

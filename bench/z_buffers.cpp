@@ -20,6 +20,9 @@
 // Seconds of each z-buffer, beside the simplest loop in floats that one would write by hand.
 
 namespace hsr::bench {
+
+using namespace internal;
+
 namespace {
 
 /// A row of a matrix: w . (x, y, z, 1).

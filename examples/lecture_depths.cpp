@@ -30,8 +30,8 @@ class Scene {
 
   /// Rows of depths, 0 at the near and `far` at the far plane.
   void print_depths(double far, int digits = 0) const {
-    const hsr::DepthBuffer buffer =
-        depth_buffer(mesh(), view_, grid_, {.near = 0, .far = -far}, {.format = hsr::DepthFormat::fixed16});
+    const hsr::internal::DepthBuffer buffer = hsr::internal::depth_buffer(mesh(), view_, grid_, {.near = 0, .far = -far},
+                                                                          {.format = hsr::internal::DepthFormat::fixed16});
     for (int j = 0; j < grid_.height; ++j) {
       for (int i = 0; i < grid_.width; ++i)
         std::cout << std::fixed << std::setprecision(digits) << std::setw(5) << buffer.depths.at(i, j) * far;
@@ -70,7 +70,8 @@ void one_row() {
   Scene scene(10, 1);
   const auto add_and_print = [&](double left, double right, double at_left, double at_right) {
     scene.add({{left, 1, at_left}, {right, 1, at_right}, {right, 0, at_right}, {left, 0, at_left}});
-    const hsr::RowZBuffer<float> buffer = hsr::row_z_buffer<float>(scene.mesh(), scene.view(), scene.grid());
+    const hsr::internal::RowZBuffer<float> buffer =
+        hsr::internal::row_z_buffer<float>(scene.mesh(), scene.view(), scene.grid());
     for (const auto& pixel : buffer.image.pixels)
       std::cout << std::setw(4) << (pixel.triangle.is_valid() ? pixel.nearness : -1);
     std::cout << '\n';
@@ -82,7 +83,7 @@ void one_row() {
   std::cout << "The same with the colours behind, black and half transparent on white\n";
   const hsr::Mesh mesh = scene.mesh();
   const std::vector<hsr::Colour> black(3, {0, 0, 0, 255});
-  const hsr::AlphaBuffer buffer = alpha_buffer(mesh, scene.view(), scene.grid(), black, 0.5);
+  const hsr::internal::AlphaBuffer buffer = hsr::internal::alpha_buffer(mesh, scene.view(), scene.grid(), black, 0.5);
   for (const hsr::Colour& c : buffer.picture.pixels) std::cout << std::setw(4) << int{c[0]};
   std::cout << "\n\n";
 }
@@ -100,7 +101,7 @@ void compression() {
   std::cout << "z' = (c - z) / (z + z c), c = -n / f, for n = 0.1 and f = 1\n";
   for (const double z : {-0.1, -0.19, -0.5, -0.91, -1.0})
     std::cout << std::setprecision(2) << std::setw(6) << z << " -> " << std::setprecision(4)
-              << hsr::transformed_depth(z, 0.1, 1) + 0.0 << '\n';
+              << hsr::internal::transformed_depth(z, 0.1, 1) + 0.0 << '\n';
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 // The numbers over which the stages of a predicate evaluate the polynomials of polynomials.h. Not a public header: it costs
 // CGAL.
 
-namespace hsr {
+namespace hsr::internal {
 
 struct FilterArithmetic {
   using Number = ErrorBounded;
@@ -81,4 +81,4 @@ struct NarrowArithmetic {
   static Number scalar(double) { throw InvariantError("the near plane has no fixed-width stage"); }
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "geometry/point.h"
 #include "geometry/vector3.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A point that is known within `error` in each coordinate; infinite: not known.
 struct BoundedPoint2 {
@@ -32,4 +32,4 @@ inline BoundedPoint3 between(const Point3& a, const Point3& b, const ErrorBounde
   return {sum(a, v, d), (norm_max(d) * (t.error + 4 * u * (1 + std::fabs(v))) + 4 * u * norm_max(a)) * 1.01 + 0x1p-1000};
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -4,7 +4,7 @@
 #include "geometry/error.h"
 #include "geometry/polynomials.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -71,4 +71,4 @@ Point3 ConstructedPoint::rounded() const {
   return {p[0].to_double(), p[1].to_double(), p[2].to_double()};
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

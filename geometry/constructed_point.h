@@ -7,7 +7,7 @@
 #include "geometry/plane.h"
 #include "geometry/point.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The parameter t at which `x` cuts pq: 0 at p, 1 at q. @throws PreconditionError if x is parallel to pq. Exact.
 Rational parameter_of_cut(const Plane& x, const Point3& p, const Point3& q);
@@ -35,4 +35,4 @@ class ConstructedPoint {
 /// is a span
 std::array<ErrorBounded, 3> near_meet(const Plane& x, const Plane& y, const Plane& z);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Disjoint sets of the numbers 0 ... n - 1, joined two at a time; the least member stands for each (Tarjan 1975).
 class DisjointSets {
@@ -31,4 +31,4 @@ class DisjointSets {
   std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

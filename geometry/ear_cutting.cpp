@@ -5,7 +5,7 @@
 #include <numeric>
 #include <queue>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -348,4 +348,4 @@ bool is_free_of_overlap(const FlatPlane& plane, std::span<const VertexId> polygo
   });
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

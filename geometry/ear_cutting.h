@@ -6,7 +6,7 @@
 #include "geometry/flat_orientation.h"
 #include "geometry/triangulate.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The plane of the coordinates that are left when one is dropped, turned so that the polygon in hand runs counter-clockwise.
 struct FlatPlane {
@@ -32,4 +32,4 @@ EarCutting cut_ears(const FlatPlane& plane, std::span<const VertexId> polygon);
 /// Whether the insides of the triangles of a polygon that was cut by ears only are pairwise disjoint. Exact.
 bool is_free_of_overlap(const FlatPlane& plane, std::span<const VertexId> polygon, std::span<const FaceTriangle> triangles);
 
-}  // namespace hsr
+}  // namespace hsr::internal

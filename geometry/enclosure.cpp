@@ -1,6 +1,6 @@
 #include "geometry/enclosure.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 Rational power_of_two(long k) {
   Rational x = 1.0;
@@ -29,4 +29,4 @@ std::optional<double> rounded(const Enclosure& x) {
   return low + 0.0;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

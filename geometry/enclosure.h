@@ -6,7 +6,7 @@
 
 #include "geometry/number.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A real number known to lie within `error` of `middle`: decides almost every rounding and order of output coordinates; what
 /// it leaves open, rationals decide.
@@ -94,4 +94,4 @@ struct EnclosureArithmetic {
   static Number scalar(double k) { return {k}; }
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

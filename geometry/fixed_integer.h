@@ -7,7 +7,7 @@
 
 #include "geometry/number.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A signed integer of 64 L bits, two's complement. Sums and products wrap, so a polynomial is right whenever its final value
 /// fits, whatever its terms do. No allocation.
@@ -96,9 +96,10 @@ class FixedInteger {
   std::array<std::uint64_t, L> limbs_;
 };
 
+using hsr::sign_of;
 template <std::size_t L>
 Sign sign_of(const FixedInteger<L>& x) {
   return x.sign();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

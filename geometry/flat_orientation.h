@@ -7,7 +7,7 @@
 #include "geometry/point.h"
 #include "geometry/predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A sign of component `axis` of (b - a) x (c - a) that is certainly right, or zero where doubles cannot tell.
 ///
@@ -51,4 +51,4 @@ inline bool is_spike(const Point3& a, const Point3& b, const Point3& c, Predicat
   return false;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -2,7 +2,7 @@
 
 #include "geometry/arithmetics.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -47,4 +47,4 @@ Sign orientation(const HomogeneousPoint3& a, const HomogeneousPoint3& b, const H
   return -sign_of(static_cast<int>(CGAL::sign(sum)));
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include "geometry/number.h"
 #include "geometry/rational_vector.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A point of rationals in homogeneous whole numbers: (h[0], h[1], h[2]) / h[3], h[3] > 0; or a direction, h[3] = 0. Signs of
 /// such points need neither a division nor a greatest common divisor.
@@ -22,4 +22,4 @@ struct HomogeneousPoint3 {
 Sign orientation(const HomogeneousPoint3& a, const HomogeneousPoint3& b, const HomogeneousPoint3& c,
                  const HomogeneousPoint3& d);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -59,4 +59,4 @@ IndexedVector<VertexId, VertexId> merge_points(const IndexedVector<VertexId, Poi
   return merged;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -17,6 +17,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 void normalise(std::vector<Point3>& points) {

@@ -9,7 +9,7 @@
 
 #include "geometry/error.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -138,4 +138,4 @@ void connect_edges(Mesh& mesh, const std::vector<std::uint8_t>& ring_sides,
   mesh.first_side[EdgeId(mesh.edges.size())] = counts[blocks].sides;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 
 #include "geometry/mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Fills the edges and sides of a mesh whose points, merged vertices, faces and triangles are there.
 ///
@@ -17,4 +17,4 @@ namespace hsr {
 void connect_edges(Mesh& mesh, const std::vector<std::uint8_t>& ring_sides,
                    std::span<const std::array<std::uint32_t, 2>> segments);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Calls visit(i) for each i in [0, n), in parallel.
 template <class F>
@@ -38,4 +38,4 @@ std::vector<T> parallel_collect(std::size_t n, const F& visit) {
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include "geometry/plane.h"
 #include "geometry/predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A plane prepared for many points: its coefficients in doubles, with a proven bound of the error they cause.
 ///
@@ -49,4 +49,4 @@ struct PlaneFilter {
   double spread() const { return (std::fabs(nx) + std::fabs(ny) + std::fabs(nz) + 3 * slope) * 1.01; }
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "geometry/constructed_point.h"
 #include "geometry/polynomials.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::array<Rational, 3> PlaneIntersection::exact_point(const Place& place) const
   return ConstructedPoint::meet(s_, t_, place.plane).exact();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

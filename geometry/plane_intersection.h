@@ -9,7 +9,7 @@
 #include "geometry/plane.h"
 #include "geometry/predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The line in which two planes meet, and where other planes cut it. It runs along the cross product of their normals.
 ///
@@ -46,4 +46,4 @@ class PlaneIntersection {
   Sign direction_ = Sign::zero;  // of that coordinate along the line; zero: doubles do not tell
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

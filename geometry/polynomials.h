@@ -7,7 +7,7 @@
 // and converts: a.difference(p, q, axis) = p[axis] - q[axis], a.direction(d, axis), a.axis(d, axis) for entries 0 and 1,
 // a.scalar(k).
 
-namespace hsr::polynomials {
+namespace hsr::internal::polynomials {
 
 template <class N>
 struct Vector {
@@ -113,4 +113,4 @@ typename A::Number meet_side_value(const A& a, const Plane& x, const Plane& p, c
   return from_x ? -change : value(a, x, o) * dot(np, cross(nq, nr)) - change;
 }
 
-}  // namespace hsr::polynomials
+}  // namespace hsr::internal::polynomials

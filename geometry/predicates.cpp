@@ -13,6 +13,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 Sign to_sign(int s) { return static_cast<Sign>(s < 0 ? -1 : s > 0 ? 1 : 0); }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Rows of different lengths, one after the other in one array.
 template <class T, class Size = std::uint32_t>
@@ -43,4 +43,4 @@ class Ragged {
   std::vector<T> values_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

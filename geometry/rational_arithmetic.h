@@ -3,7 +3,7 @@
 #include "geometry/number.h"
 #include "geometry/point.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The polynomials of polynomials.h over the rationals.
 struct RationalArithmetic {
@@ -14,4 +14,4 @@ struct RationalArithmetic {
   static Number scalar(double k) { return {k}; }
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include "geometry/number.h"
 #include "geometry/point.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Three rationals: for what is written, and for frames.
 using RationalVector = std::array<Rational, 3>;
@@ -19,4 +19,4 @@ inline RationalVector cross(const RationalVector& a, const RationalVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

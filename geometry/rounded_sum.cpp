@@ -5,7 +5,7 @@
 
 #include "geometry/enclosure.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -42,4 +42,4 @@ double rounded_sum(const std::vector<const Rational*>& terms) {
   return sum.to_double();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

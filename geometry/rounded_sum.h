@@ -4,7 +4,7 @@
 
 #include "geometry/number.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The double nearest to the exact sum, ties to even.
 ///
@@ -12,4 +12,4 @@ namespace hsr {
 /// power of two first, and exactly only where the bounds of that sum round to two doubles. Exact: yes. Cost: O(n) mostly.
 double rounded_sum(const std::vector<const Rational*>& terms);
 
-}  // namespace hsr
+}  // namespace hsr::internal

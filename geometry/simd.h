@@ -14,7 +14,7 @@
 // A few numbers that are computed with at once. Each operation rounds as that of single numbers, so results are the same bits
 // with and without vectors. Code uses FourFloats, TwoDoubles and FourIndices; the test compares both kinds of each.
 
-namespace hsr::simd {
+namespace hsr::internal::simd {
 
 /// n numbers, one by one: for every processor. What a comparison gives is a mask in each place, of all bits or none.
 template <class T, std::size_t n>
@@ -161,9 +161,9 @@ struct IndexVector {
 
 #endif
 
-}  // namespace hsr::simd
+}  // namespace hsr::internal::simd
 
-namespace hsr {
+namespace hsr::internal {
 
 #if defined(__SSE2__)
 using FourFloats = simd::FloatVector;
@@ -175,4 +175,4 @@ using TwoDoubles = simd::Lanes<double, 2>;
 using FourIndices = simd::Lanes<std::uint32_t, 4>;
 #endif
 
-}  // namespace hsr
+}  // namespace hsr::internal

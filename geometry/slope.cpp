@@ -6,7 +6,7 @@
 #include "geometry/polynomials.h"
 #include "geometry/view_plane_polynomials.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -48,4 +48,4 @@ Sign slope(const Camera& camera, const ViewPlane& l, const Point3& p, const Poin
   });
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include "geometry/point.h"
 #include "geometry/view_plane.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The sign of x(q) - x(p): how a plane's value changes on the way from p to q.
 ///
@@ -16,4 +16,4 @@ Sign slope(const Plane& x, const Point3& p, const Point3& q);
 /// The sign of x(q) - x(p) for the view plane of a line in the image.
 Sign slope(const Camera& camera, const ViewPlane& x, const Point3& p, const Point3& q);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "geometry/ear_cutting.h"
 #include "geometry/flat_orientation.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -207,4 +207,4 @@ FaceUse triangulate(const Points& points, std::span<const VertexId> polygon, Pre
   return cut;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "geometry/mesh.h"
 #include "geometry/predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A triangle of a face. Bit k of `ring_sides`: its side from corner k to corner k + 1 is an edge of the polygon, not a
 /// diagonal.
@@ -41,4 +41,4 @@ struct FaceTriangle {
 FaceUse triangulate(const IndexedVector<VertexId, Point3>& points, std::span<const VertexId> polygon, Predicates& predicates,
                     std::vector<FaceTriangle>& triangles);
 
-}  // namespace hsr
+}  // namespace hsr::internal

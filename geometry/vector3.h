@@ -7,7 +7,7 @@
 
 // Vectors in doubles, each operation rounded as it is written. What is decided with them needs a bound of its own.
 
-namespace hsr {
+namespace hsr::internal {
 
 inline Point3 plus(const Point3& a, const Point3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -29,4 +29,4 @@ inline Point3 unit(const Point3& a) {
   return over(b, std::sqrt(dot(b, b)));
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

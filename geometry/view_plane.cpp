@@ -8,6 +8,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 using Vector = polynomials::Vector<ErrorBounded>;

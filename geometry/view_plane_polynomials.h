@@ -5,7 +5,7 @@
 
 // The polynomials of lines in the image, in homogeneous coordinates: see polynomials.h.
 
-namespace hsr::polynomials {
+namespace hsr::internal::polynomials {
 
 template <class N>
 struct PlaneAtEye {
@@ -78,4 +78,4 @@ typename A::Number lines_value(const A& a, const Camera& camera, const ViewPlane
   return dot(line(a, camera, n, o), cross(line(a, camera, l, o), line(a, camera, m, o)));
 }
 
-}  // namespace hsr::polynomials
+}  // namespace hsr::internal::polynomials

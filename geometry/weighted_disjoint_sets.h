@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Counts that are known only relative to one another: disjoint sets in which each member knows how far it lies above the one
 /// that stands for its set, the least of it (weighted union, Tarjan 1975).
@@ -62,4 +62,4 @@ class WeightedDisjointSets {
   std::vector<Place> places_;  // of each member: one above it in its tree, or itself
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 
 #include "geometry/error.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// How a piece of work ended that may be refused, or may contradict itself where plain doubles decide.
 enum class Ending : std::uint8_t { done, refused, broke_down };
@@ -28,4 +28,4 @@ Attempt attempt(const Work& work) {
   }
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

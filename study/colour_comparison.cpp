@@ -11,7 +11,7 @@
 #include "hsr/raster/supersampling.h"
 #include "hsr/raster/z_buffer.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::vector<ComparedColours> compare_transparency(const Mesh& mesh, const View& 
   return rows;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

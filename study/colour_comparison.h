@@ -8,7 +8,7 @@
 #include "hsr/painter/painters_order.h"
 #include "study/image_stages.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A picture in colours, against the exact one with many samples to a pixel.
 struct ComparedColours {
@@ -34,4 +34,4 @@ std::vector<ComparedColours> compare_transparency(const Mesh& mesh, const View& 
                                                   double order_seconds, const std::function<SampleGrid(int size)>& grid,
                                                   int size, const Timer& timed);
 
-}  // namespace hsr
+}  // namespace hsr::internal

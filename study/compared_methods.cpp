@@ -19,7 +19,7 @@
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -214,4 +214,4 @@ std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& v
   return methods;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

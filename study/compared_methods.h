@@ -11,7 +11,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What a method shows at each sample, and the depths it has there.
 struct ShownPicture {
@@ -38,4 +38,4 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
 /// All methods in object space, their pictures on the grid.
 std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -19,7 +19,7 @@
 #include "study/attempt.h"
 #include "study/compared_methods.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -93,7 +93,7 @@ class Comparer {
   /// @return whether it was done
   template <class Work>
   bool attempt(const std::string& what, bool is_exact, const Work& work) {
-    const Attempt tried = hsr::attempt(work);
+    const Attempt tried = hsr::internal::attempt(work);
     if (tried.ending == Ending::broke_down && is_exact) throw InvariantError(what + ", " + tried.why);
     if (tried.ending != Ending::done) result_.left_out.push_back({what, tried.why});
     return tried.ending == Ending::done;
@@ -273,4 +273,4 @@ Comparison compare(const Mesh& mesh, const View& view, const std::function<Sampl
   return Comparer(mesh, view, grid, options).run();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -14,7 +14,7 @@
 #include "study/colour_comparison.h"
 #include "study/image_stages.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// One method at one resolution, with one kind of numbers: a point of a work-precision diagram.
 struct ComparedMethod {
@@ -81,4 +81,4 @@ struct ComparisonOptions {
 Comparison compare(const Mesh& mesh, const View& view, const std::function<SampleGrid(int size)>& grid,
                    const ComparisonOptions& options = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

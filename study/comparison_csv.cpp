@@ -3,7 +3,7 @@
 #include <locale>
 #include <sstream>
 
-namespace hsr {
+namespace hsr::internal {
 
 std::string comparison_csv(const Comparison& c) {
   std::ostringstream text;
@@ -19,4 +19,4 @@ std::string comparison_csv(const Comparison& c) {
   return text.str();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "hsr/io/write/svg_text.h"
 #include "study/comparison_plots.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -182,4 +182,4 @@ std::string comparison_page(const Comparison& c, const std::vector<ComparisonIma
   return page.text();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

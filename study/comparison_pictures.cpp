@@ -4,7 +4,7 @@
 
 #include "hsr/io/write/image_png.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 Colour mistake_colour(Mistake mistake) {
   switch (mistake) {
@@ -44,4 +44,4 @@ ComparisonImages comparison_images(const Mesh& mesh, const ComparedPicture& pict
   return images;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

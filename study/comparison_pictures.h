@@ -6,7 +6,7 @@
 #include "hsr/model.h"
 #include "study/comparison.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A picture of a method in PNG files. What equals the truth is transparent in `changes` and `mistakes`, so these are small
 /// where a method is nearly right.
@@ -23,4 +23,4 @@ Colour mistake_colour(Mistake mistake);
 /// @param colours by face
 ComparisonImages comparison_images(const Mesh& mesh, const ComparedPicture& picture, const std::vector<Colour>& colours);
 
-}  // namespace hsr
+}  // namespace hsr::internal

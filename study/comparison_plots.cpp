@@ -6,7 +6,7 @@
 
 #include "study/html_page.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::vector<NamedPlot> comparison_plots(const Comparison& c) {
   return plots;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,9 +6,9 @@
 #include "study/comparison.h"
 #include "study/plot_svg.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Error against run time and the like, as diagrams.
 std::vector<NamedPlot> comparison_plots(const Comparison& comparison);
 
-}  // namespace hsr
+}  // namespace hsr::internal

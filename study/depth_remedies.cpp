@@ -6,7 +6,7 @@
 #include "geometry/mesh.h"
 #include "hsr/raster/depth_buffer.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -102,4 +102,4 @@ std::vector<MeasuredBias> measured_biases() {
   return rows;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

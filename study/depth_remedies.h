@@ -4,7 +4,7 @@
 
 #include "hsr/raster/depth_format.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// How near two walls that face the eye may be, one behind the other, in a depth buffer.
 struct MeasuredGap {
@@ -32,4 +32,4 @@ struct MeasuredBias {
 
 std::vector<MeasuredBias> measured_biases();
 
-}  // namespace hsr
+}  // namespace hsr::internal

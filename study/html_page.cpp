@@ -6,7 +6,7 @@
 
 #include "hsr/io/write/svg_text.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -129,4 +129,4 @@ std::string HtmlPage::text() const {
   return out + "</script></body></html>\n";
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// With so many digits, in the shortest form: "0.25", "1e-07"
 std::string rounded_text(double x, int digits);
@@ -51,4 +51,4 @@ class HtmlPage {
   std::string title_, body_, script_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

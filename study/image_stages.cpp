@@ -13,7 +13,7 @@
 #include "hsr/raster/scanline.h"
 #include "hsr/raster/tiled_z_buffer.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::vector<ComparedStage> coherence_stages(const Mesh& mesh, const View& view, 
   return stages;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

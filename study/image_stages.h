@@ -8,7 +8,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A stage, on its own: what it costs and saves.
 struct ComparedStage {
@@ -30,4 +30,4 @@ std::vector<ComparedStage> culling_stages(const Mesh& mesh, const View& view, co
 /// Source: the kinds of coherence, Sutherland, Sproull & Schumacker 1974; Foley, van Dam, Feiner & Hughes 1990.
 std::vector<ComparedStage> coherence_stages(const Mesh& mesh, const View& view, const SampleGrid& grid, const Timer& timed);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 
 #include "study/html_page.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -190,4 +190,4 @@ std::string plot_file(const Plot& plot) {
   return out.append(svg, at);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

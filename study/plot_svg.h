@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace hsr {
+namespace hsr::internal {
 
 struct PlotSeries {
   std::string name;
@@ -36,4 +36,4 @@ std::string plot_svg(const Plot& plot);
 /// The plot as a file of its own with plain colours, since few drawing programs know custom properties.
 std::string plot_file(const Plot& plot);
 
-}  // namespace hsr
+}  // namespace hsr::internal

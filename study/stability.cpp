@@ -13,7 +13,7 @@
 #include "study/attempt.h"
 #include "study/compared_methods.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -242,4 +242,4 @@ Stability stability(const StabilityOptions& options) {
   return result;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

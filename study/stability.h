@@ -11,7 +11,7 @@
 #include "study/depth_remedies.h"
 #include "study/stability_scenes.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What a method did at one value of a knob.
 enum class Outcome : std::uint8_t {
@@ -94,4 +94,4 @@ struct StabilityOptions {
 /// Cost: a method that took long at a value is left out at harder ones, and says so.
 Stability stability(const StabilityOptions& options = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -3,7 +3,7 @@
 #include <locale>
 #include <sstream>
 
-namespace hsr {
+namespace hsr::internal {
 
 std::string stability_csv(const Stability& stability) {
   std::ostringstream text;
@@ -26,4 +26,4 @@ std::string stability_csv(const Stability& stability) {
   return text.str();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include "study/stability_csv.h"
 #include "study/stability_plots.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -225,4 +225,4 @@ std::string stability_page(const Stability& stability, const PageText& text) {
   return page.text();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string_view>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<NamedPlot> stability_plots(const Stability& stability) {
   return plots;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

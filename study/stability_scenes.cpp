@@ -13,7 +13,7 @@
 #include "hsr/raster/caster.h"
 #include "hsr/raster/sample_projection.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -559,4 +559,4 @@ std::span<const StabilityFamily> stability_families() {
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

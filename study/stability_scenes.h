@@ -10,7 +10,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Where the nearest face and the next are closest, as nearnesses (Seen::nearness, hsr/raster/sample_projection.h).
 struct ClosestDepths {
@@ -56,4 +56,4 @@ struct StabilityFamily {
 /// soup      n triangles with integer corners in [-2, 2]^3: everything coincides
 std::span<const StabilityFamily> stability_families();
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -15,6 +15,8 @@
 
 namespace hsr::bench {
 
+using namespace internal;
+
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;

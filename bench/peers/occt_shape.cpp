@@ -19,6 +19,8 @@
 
 namespace hsr::bench {
 
+using namespace internal;
+
 namespace {
 
 constexpr double tolerance = 1e-7;  // what OCCT gives to everything

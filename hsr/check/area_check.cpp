@@ -14,7 +14,7 @@
 #include "hsr/scene/view_parts.h"
 #include "hsr/visibility_map/map_predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -168,4 +168,4 @@ AreaCheck check_area(const SceneView& scene, const VisibleFragments& fragments, 
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

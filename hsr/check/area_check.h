@@ -7,7 +7,7 @@
 #include "hsr/surfaces/fragments.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// How well a picture of samples shows the visible areas, in pixels.
 struct AreaCheck {
@@ -35,4 +35,4 @@ inline AreaCheck check_area(const Mesh& mesh, const View& view, const VisibleFra
   return check_area(SceneView(mesh, view), fragments, samples, shown);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

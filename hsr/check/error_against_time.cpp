@@ -11,7 +11,7 @@
 #include "hsr/raster/z_buffer.h"
 #include "hsr/surfaces/visible_fragments.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<ErrorAgainstTime> error_against_time(const SceneView& scene, const V
   return rows;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

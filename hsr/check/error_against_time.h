@@ -12,7 +12,7 @@
 #include "hsr/surfaces/fragments.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What a method takes, and how wrong it is: one point of a work-precision diagram.
 struct ErrorAgainstTime {
@@ -41,4 +41,4 @@ std::vector<ErrorAgainstTime> error_against_time(const SceneView& scene, const V
                                                  const std::function<SampleGrid(int size)>& grid,
                                                  const ErrorAgainstTimeOptions& options = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

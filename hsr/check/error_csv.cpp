@@ -3,7 +3,7 @@
 #include <locale>
 #include <sstream>
 
-namespace hsr {
+namespace hsr::internal {
 
 std::string error_csv(std::span<const ErrorAgainstTime> rows) {
   std::ostringstream text;
@@ -24,4 +24,4 @@ std::string error_csv(std::span<const ErrorAgainstTime> rows) {
   return text.str();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

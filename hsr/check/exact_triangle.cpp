@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -74,4 +74,4 @@ ExactTriangle ExactTriangles::operator()(TriangleId t) const {
   return result;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -11,7 +11,7 @@
 
 // What the checks of pictures hold against them: triangles in the coordinates of the samples, in rationals.
 
-namespace hsr {
+namespace hsr::internal {
 
 using ExactPoint = Seen<Rational>;
 
@@ -70,4 +70,4 @@ class ExactTriangles {
   SampleProjection<Rational> project_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -49,4 +49,4 @@ double log_log_slope(const std::vector<double>& x, const std::vector<double>& y)
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

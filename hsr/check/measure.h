@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// How long a piece of work takes by the clock, in seconds.
 template <class Work>
@@ -40,4 +40,4 @@ class PeakMemory {
 /// The exponent b of y = a x^b, by least squares of logarithms. @pre positive numbers; fewer than two: 0
 double log_log_slope(const std::vector<double>& x, const std::vector<double>& y);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,6 +6,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 OrderCheck check_order(const SceneView& scene, const PaintersOrder& order, const SampleGrid& samples) {
   const Mesh& mesh = scene.mesh();
   OrderCheck check;

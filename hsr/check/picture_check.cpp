@@ -11,7 +11,7 @@
 #include "hsr/check/exact_triangle.h"
 #include "hsr/scene/facet.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -77,4 +77,4 @@ PictureCheck check_picture(const Mesh& mesh, const View& view, const SampleGrid&
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// How a picture differs from the truth at a sample.
 enum class Mistake : std::uint8_t {
@@ -45,4 +45,4 @@ struct DepthResolution {
 PictureCheck check_picture(const Mesh& mesh, const View& view, const SampleGrid& samples, const Image<TriangleId>& shown,
                            const Image<TriangleId>& nearest, const std::optional<DepthResolution>& resolution = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -17,6 +17,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 /// A triangle as it is seen, and as the z-buffer draws it.

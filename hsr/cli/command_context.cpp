@@ -8,6 +8,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 void CommonArguments::add_threads_to(Options& options) {
   options.add("--threads", threads, "N", "At most this many threads [all]; the result is the same");
 }

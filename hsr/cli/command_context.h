@@ -18,6 +18,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 /// The options that are the same for all verbs.
 struct CommonArguments {
   std::optional<int> threads;

@@ -5,6 +5,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 /// What a verb was asked to check does not hold; it has said so. Exit status 1.
 struct CheckFailed {};
 

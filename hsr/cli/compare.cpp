@@ -17,6 +17,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 namespace {
 
 struct CompareArguments {

@@ -9,6 +9,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 namespace fs = std::filesystem;
 
 namespace {

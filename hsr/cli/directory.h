@@ -8,6 +8,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 /// A directory of results: made with the first file if it is not there; files in it are replaced one by one, each complete or
 /// as it was.
 class OutputDirectory {

@@ -30,6 +30,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 namespace {
 
 struct DrawArguments {

@@ -13,6 +13,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 namespace {
 
 struct InfoArguments {

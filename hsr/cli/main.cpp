@@ -16,7 +16,7 @@
 
 namespace {
 
-hsr::UnfinishedFiles unfinished;  // global only because a signal handler has no other way to it
+hsr::internal::UnfinishedFiles unfinished;  // global only because a signal handler has no other way to it
 
 bool clears_line = false;  // standard error is a terminal, and may show a progress line
 

@@ -26,6 +26,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 namespace {
 
 struct OrderArguments {

@@ -6,6 +6,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 namespace fs = std::filesystem;
 
 namespace {

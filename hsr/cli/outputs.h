@@ -8,6 +8,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 /// Refuses, before any work, files to write that are the model itself, that are one file, or whose directory is missing.
 /// @param outputs empty names are passed over; "-" is the standard output
 /// @throws InputError in one line that names the file

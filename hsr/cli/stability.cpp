@@ -15,6 +15,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 namespace {
 
 struct StabilityArguments {

@@ -16,6 +16,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 namespace {
 
 struct VerifyArguments {

@@ -5,7 +5,7 @@
 #include "geometry/polynomials.h"
 #include "hsr/symbols/constructions.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 std::array<Enclosure, 3> enclosed_meet(const Plane& s, const Plane& t, const Plane& u, const Point3& origin) {
   const EnclosureArithmetic a;
@@ -49,4 +49,4 @@ double rounded_parameter(const Mesh& mesh, const View& view, const SupportingLin
   return exact_parameter(mesh, view, support, cut).to_double();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

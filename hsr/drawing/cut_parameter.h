@@ -5,7 +5,7 @@
 #include "geometry/enclosure.h"
 #include "hsr/lines/visible_lines.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// An enclosure of the parameter t of a cut; exact at the ends.
 Enclosure enclosed_parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
@@ -20,4 +20,4 @@ std::array<Enclosure, 3> enclosed_point(const Mesh& mesh, const View& view, cons
 /// The parameter t of a cut, correctly rounded. Rationals only where an enclosure leaves two doubles open.
 double rounded_parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
 
-}  // namespace hsr
+}  // namespace hsr::internal

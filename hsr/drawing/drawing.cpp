@@ -20,6 +20,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 Predicates predicates_for(const Mesh& mesh, const View& view, Arithmetic arithmetic) {

@@ -9,7 +9,7 @@
 #include "hsr/surfaces/fragments.h"
 #include "hsr/symbols/constructions.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -128,4 +128,4 @@ Fills placed_fills(const Placement& placement, const Regions& regions) {
   return fills;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -11,7 +11,7 @@
 #include "geometry/disjoint_sets.h"
 #include "geometry/rational_vector.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -177,4 +177,4 @@ ImageLines image_lines(const Projection& projection, const IndexedVector<VertexI
   return result;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 
 #include "hsr/drawing/projection.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Lines grouped by the straight line of the image that carries them.
 struct ImageLines {
@@ -28,4 +28,4 @@ struct ImageLines {
 ImageLines image_lines(const Projection& projection, const IndexedVector<VertexId, HomogeneousPoint>& at,
                        const VisibleLines& lines, std::span<const std::uint32_t> drawn, Predicates& predicates);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -108,4 +108,4 @@ Chains join(const std::vector<PaperLine>& lines) {
   return chains;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

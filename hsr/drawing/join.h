@@ -6,7 +6,7 @@
 
 #include "hsr/drawing/page.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A straight line on the paper, and its style: only lines of one style are joined.
 struct PaperLine {
@@ -33,4 +33,4 @@ struct Chains {
 /// @pre no line has its ends at one point. Cost: O(n log n).
 Chains join(const std::vector<PaperLine>& lines);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -9,7 +9,7 @@
 #include <span>
 #include <tuple>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -317,4 +317,4 @@ DistinctLines without_near(const std::vector<PaperLine>& lines, const Chains& ch
   return result;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

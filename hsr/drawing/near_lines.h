@@ -6,7 +6,7 @@
 
 #include "hsr/drawing/join.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Thousandths of a millimetre: what is shorter is not drawn, nor what is at most this far from a stronger line all along.
 inline constexpr std::int64_t least_on_paper = 10;
@@ -33,4 +33,4 @@ struct DistinctLines {
 /// Cost: O(n log n) for lines spread over the page.
 DistinctLines without_near(const std::vector<PaperLine>& lines, const Chains& chains);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -250,4 +250,4 @@ void LineOverlay::lay(Overlay& result) {
   }
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

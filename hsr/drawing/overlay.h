@@ -6,7 +6,7 @@
 #include "hsr/drawing/image_lines.h"
 #include "hsr/drawing/projection.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A place on an edge: a cut of VisibleLines.
 struct PlaceOnEdge {
@@ -83,4 +83,4 @@ class LineOverlay {
   std::vector<PlaceOnEdge> place_of_rank_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

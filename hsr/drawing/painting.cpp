@@ -13,6 +13,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 /// Every edge beyond the near plane, as if nothing hid anything: what the page has to hold.

@@ -11,6 +11,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 using Wide = Enclosure::Wide;
@@ -145,8 +147,8 @@ std::optional<FrameSize> frame_size(const View& view, const DrawingOptions& opti
   return FrameSize{static_cast<double>(half.width), static_cast<double>(half.height)};
 }
 
-Placement placement(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn,
-                    const DrawingOptions& options) {
+Placement internal::placement(const Mesh& mesh, const View& view, const VisibleLines& lines,
+                              std::span<const std::uint32_t> drawn, const DrawingOptions& options) {
   Placement result{Projection(mesh, view, anchor_of(mesh, view, lines, drawn)), 0, 0, 1, true, {}};
   const bool framed = options.field_of_view && view.is_perspective();
   Page page = options.page;

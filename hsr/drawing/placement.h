@@ -3,7 +3,7 @@
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/projection.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The sheet of a drawing, with the projection placed on it.
 struct Placement {
@@ -18,4 +18,4 @@ struct Placement {
 Placement placement(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn,
                     const DrawingOptions& options);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include "geometry/rational_vector.h"
 #include "hsr/drawing/cut_parameter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::array<Rational, 2> Projection::exact(const std::array<Rational, 3>& p) cons
   return {h[0] / h[2], h[1] / h[2]};
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include "hsr/drawing/page.h"
 #include "hsr/lines/visible_lines.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A point of the image as x / w, y / w; w > 0 in front of the eye.
 struct HomogeneousPoint {
@@ -63,4 +63,4 @@ class Projection {
   std::array<std::array<Enclosure, 4>, 3> enclosed_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 
 #include "geometry/vector3.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 std::vector<Colour> face_colours(const Model& model, const Mesh& mesh, const View& view) {
   const Point3& e = view.viewpoint.at;
@@ -32,4 +32,4 @@ std::vector<Colour> face_colours(const Model& model, const Mesh& mesh, const Vie
   return colours;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

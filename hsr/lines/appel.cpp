@@ -17,7 +17,7 @@
 #include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -326,4 +326,4 @@ VisibleLines appel(const ProjectedMesh& projected, const ClassifiedEdges& reques
   return Appel(projected, requested, layers, occluders, options).lines();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "hsr/scene/occluders.h"
 #include "hsr/scene/occluding_edges.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The visible and the hidden parts of each edge, by quantitative invisibility: the number of faces in front of a point of an
 /// edge changes only where an occluding edge (an outline or a boundary) crosses in front of it, where the edge pierces a face,
@@ -22,4 +22,4 @@ namespace hsr {
 VisibleLines appel(const ProjectedMesh& projected, const ClassifiedEdges& requested, const OccludingEdges& layers,
                    const Occluders& occluders, const LineOptions& options);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "hsr/lines/edge_parts.h"
 #include "hsr/view/frustum.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 ClassifiedEdges::ClassifiedEdges(const ProjectedMesh& projected, const LineOptions& options, const ViewFrustum* outside,
                                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact) {
@@ -117,4 +117,4 @@ void ClassifiedEdges::find_boxes(const ProjectedMesh& projected) {
                     [&](std::size_t i) { boxes[i] = projected.box(mesh.edges[edges[i]].a, mesh.edges[edges[i]].b); });
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "hsr/scene/occluders.h"
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 class ViewFrustum;
 
@@ -57,4 +57,4 @@ struct ClassifiedEdges {
   std::vector<Part> parts_;  // ascending; entries of the list that are not in it stand for whole edges
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include "hsr/lines/hidden_intervals.h"
 #include "hsr/scene/line_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 VisibleLines lines_of_convex_body(const ProjectedMesh& projected, const ClassifiedEdges& requested, const ClosedBodies& bodies,
                                   const LineOptions& options) {
@@ -29,4 +29,4 @@ VisibleLines lines_of_convex_body(const ProjectedMesh& projected, const Classifi
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

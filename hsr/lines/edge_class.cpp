@@ -12,7 +12,7 @@
 #include "geometry/vector3.h"
 #include "hsr/scene/half_space.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -179,4 +179,4 @@ std::optional<EdgeClass> edge_class(const ProjectedMesh& projected, Predicates& 
   return projected.mesh().edges[edge].wire && plain ? EdgeClass::wire : by_faces;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The angle by which the faces of a sharp edge deviate from flat, at least.
 struct Crease {
@@ -40,4 +40,4 @@ struct EdgeContact {
 std::optional<EdgeClass> edge_class(const ProjectedMesh& projected, Predicates& exact, EdgeId edge, const Crease& crease,
                                     std::span<const EdgeContact> contacts = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -4,7 +4,7 @@
 
 #include "hsr/scene/facet.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::vector<EdgePart> edge_parts(const ProjectedMesh& projected, TriangleOcclusi
   return parts;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "hsr/lines/triangle_occlusion.h"
 #include "hsr/scene/occluders.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A part of an edge that has one class all along.
 struct EdgePart {
@@ -23,4 +23,4 @@ struct EdgePart {
 std::vector<EdgePart> edge_parts(const ProjectedMesh& projected, TriangleOcclusion& occlusion, EdgeId edge,
                                  const Crease& crease, const Occluders& occluders);
 
-}  // namespace hsr
+}  // namespace hsr::internal

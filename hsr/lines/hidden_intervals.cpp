@@ -14,7 +14,7 @@
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/line_progress.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Sorts `cast` and replaces what overlaps or touches by its union.
 void HiddenIntervals::unite(std::vector<HiddenInterval>& cast) {
@@ -377,4 +377,4 @@ VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<st
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -12,7 +12,7 @@
 #include "hsr/scene/occluders.h"
 #include "hsr/scene/occlusion_pyramid.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What is tiled: an edge, or the part of one that is of one class; or where two faces pierce each other.
 struct LineTask {
@@ -93,4 +93,4 @@ VisibleLines intervals_in_blocks(const ProjectedMesh& projected, const LineOptio
 /// @throws InputError beyond 2^32 - 1 interval ends
 VisibleLines joined(const std::vector<VisibleLines>& parts, const std::vector<std::array<std::uint32_t, 2>>& place);
 
-}  // namespace hsr
+}  // namespace hsr::internal

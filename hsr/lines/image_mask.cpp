@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace hsr {
+namespace hsr::internal {
 
 ImageMask::ImageMask(std::span<const ImageBox> boxes) : marked_(side * side, 0) {
   ImageBox all = ImageBox::nothing();
@@ -48,4 +48,4 @@ bool ImageMask::touches(const ImageBox& box) const {
          0;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 
 #include "hsr/scene/box_tree.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A grid of marks over the image: which places some boxes touch. What touches no marked place is far from all of them.
 /// Conservative. Cost: O(n + places), a query O(1).
@@ -33,4 +33,4 @@ class ImageMask {
   std::vector<std::uint32_t> marked_;  // at (i, j): of the places before column i and row j
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

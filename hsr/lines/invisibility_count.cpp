@@ -2,7 +2,7 @@
 
 #include "hsr/scene/line_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// p lies strictly beyond the plane of t: the eye is on the side `facing`.
 bool InvisibilityCount::hides(TriangleId t, VertexId p) {
@@ -49,4 +49,4 @@ std::int32_t InvisibilityCount::before(VertexId v, VertexId to, Sign side, const
   return count;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

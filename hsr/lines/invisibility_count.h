@@ -6,7 +6,7 @@
 #include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Quantitative invisibility just inside an edge: how many counted triangles are strictly in front of a point of the edge next
 /// to its vertex v. The point is moved from v a little along the edge, and then, much less, to one side: so its image never
@@ -32,4 +32,4 @@ class InvisibilityCount {
   Predicates exact_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

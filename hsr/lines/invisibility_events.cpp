@@ -2,7 +2,7 @@
 
 #include "hsr/scene/line_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 void InvisibilityEvents::add(InvisibilityChange change, std::vector<InvisibilityChange>& changes) {
   course_.left += change.left;
@@ -145,4 +145,4 @@ void InvisibilityEvents::pierce(const Edge& edge, TriangleId t, std::vector<Invi
   add({t.value, true, change, change}, changes);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

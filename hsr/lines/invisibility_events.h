@@ -9,7 +9,7 @@
 #include "hsr/scene/occluding_edges.h"
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 class LineFilter;
 
@@ -71,4 +71,4 @@ class InvisibilityEvents {
   EdgeWalk course_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

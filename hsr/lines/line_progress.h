@@ -8,7 +8,7 @@
 
 #include "geometry/cancel.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Calls the progress function from one thread at a time, each time another hundredth is done, and ends the work where a stop is
 /// asked for.
@@ -38,4 +38,4 @@ class LineProgress {
   std::mutex mutex_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

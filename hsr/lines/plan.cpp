@@ -24,6 +24,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 using Range = tbb::blocked_range<std::size_t>;

@@ -2,7 +2,7 @@
 
 #include "hsr/lines/hidden_intervals.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 VisibleLines roberts(const ProjectedMesh& projected, const ClassifiedEdges& requested, const Occluders& occluders,
                      const LineOptions& options, const OcclusionPyramid* pyramid) {
@@ -26,4 +26,4 @@ VisibleLines lines_of_intersections(const ProjectedMesh& projected, const std::v
   });
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "hsr/scene/occluders.h"
 #include "hsr/scene/occlusion_pyramid.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The visible and the hidden parts of each edge: each edge against each face that overlaps it in the image.
 ///
@@ -27,4 +27,4 @@ VisibleLines roberts(const ProjectedMesh& projected, const ClassifiedEdges& requ
 VisibleLines lines_of_intersections(const ProjectedMesh& projected, const std::vector<Intersection>& segments,
                                     const std::vector<ImageBox>& boxes, const Occluders& occluders, const LineOptions& options);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "hsr/scene/line_filter.h"
 #include "hsr/symbols/cut_plane.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -307,4 +307,4 @@ void TriangleOcclusion::edge_on(TriangleId triangle, std::vector<HiddenInterval>
   add();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

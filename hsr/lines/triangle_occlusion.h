@@ -10,7 +10,7 @@
 #include "hsr/scene/triangle_filter.h"
 #include "hsr/symbols/intersection.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A place on a line with its approximate parameter, for sorting: the exact order is computed only where the errors overlap.
 struct Breakpoint {
@@ -105,4 +105,4 @@ class TriangleOcclusion {
   Breakpoint first_, last_, from_, to_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

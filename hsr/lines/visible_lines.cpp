@@ -7,6 +7,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const std::array<bool, 6>& classes) {
   const auto is_only_diagonal = [&](EdgeId e) { return mesh.edges[e].diagonal && !mesh.edges[e].of_face; };
   VisibleLines some = lines;

@@ -6,6 +6,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, TriangleId facet, const PieceCorner& corner) {
   if (corner.vertex.is_valid()) return rational(mesh.points[corner.vertex]);
   const auto& c = mesh.triangles[facet];

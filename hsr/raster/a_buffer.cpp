@@ -9,7 +9,7 @@
 #include "hsr/raster/sample_lists.h"
 #include "hsr/scene/facet.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -140,4 +140,4 @@ ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, 
   return result;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

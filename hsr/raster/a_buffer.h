@@ -10,7 +10,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A picture with softened edges and transparent faces, and what it took.
 struct ABuffer {
@@ -35,4 +35,4 @@ struct ABuffer {
 ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
                  double opacity);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "hsr/raster/drawn_triangles.h"
 #include "hsr/raster/sample_lists.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -58,4 +58,4 @@ AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& s
   return result;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A picture of transparent faces, and what it took.
 struct AlphaBuffer {
@@ -34,4 +34,4 @@ struct AlphaBuffer {
 AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
                          double opacity);
 
-}  // namespace hsr
+}  // namespace hsr::internal

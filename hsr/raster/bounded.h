@@ -5,7 +5,7 @@
 
 #include "geometry/error_bounded.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A number as a picture in floats or doubles has it, and how far from it the true one is at most: ErrorBounded for any Real,
 /// with the value that Real itself gives, whatever the bound.
@@ -45,4 +45,4 @@ Real raw(const Bounded<Real>& x) {
 inline float raw(float x) { return x; }
 inline double raw(double x) { return x; }
 
-}  // namespace hsr
+}  // namespace hsr::internal

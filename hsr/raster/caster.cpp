@@ -15,6 +15,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 constexpr int tile_width = 16, tile_size = tile_width * tile_width;

@@ -5,7 +5,7 @@
 
 #include "hsr/model.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Red, green and blue while colours are laid over one another: 0 ... 255.
 using Light = std::array<float, 3>;
@@ -23,4 +23,4 @@ inline Colour rounded(const Light& light) {
   return {byte(light[0]), byte(light[1]), byte(light[2]), 255};
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

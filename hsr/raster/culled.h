@@ -5,7 +5,7 @@
 
 #include "geometry/mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What is left of a mesh before a method draws it.
 struct Culled {
@@ -14,4 +14,4 @@ struct Culled {
   std::uint64_t tests = 0;       ///< of triangles, or of what bounds some of them
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include "geometry/error.h"
 #include "hsr/raster/drawn_triangles.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -295,4 +295,4 @@ DepthBuffer depth_buffer(const Mesh& mesh, const View& view, const SampleGrid& s
   throw InputError("depth format: found no known one");
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

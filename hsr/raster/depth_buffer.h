@@ -3,7 +3,7 @@
 #include "hsr/image.h"
 #include "hsr/raster/depth_format.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// When a sample of a triangle takes the place of what the buffer has. `less` is nearer, in a reversed buffer too.
 enum class DepthFunction : std::uint8_t { never, less, equal, lequal, greater, notequal, gequal, always };
@@ -45,4 +45,4 @@ struct DepthBuffer {
 DepthBuffer depth_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const DepthRange& range,
                          const DepthBufferOptions& options = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include "geometry/error.h"
 #include "hsr/raster/sample_projection.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 std::string_view name(DepthFormat format) {
   switch (format) {
@@ -125,4 +125,4 @@ double smallest_gap(DepthFormat format, double z, double near, double far) {
   return step(format, {1 / near - 1, 1 / far - 1, true}, 1 / z - 1) * z * z;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// How a depth buffer holds depths. All but `reversed_float32` have 0 at the near plane and 1 at the far one.
 enum class DepthFormat : std::uint8_t {
@@ -65,4 +65,4 @@ double transformed_depth(double z, double near, double far);
 /// Source: Akeley & Su 2006; Reed 2015 (reversed); Kemen 2009 (logarithmic).
 double smallest_gap(DepthFormat format, double z, double near, double far);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -11,7 +11,7 @@
 #include "hsr/raster/sample_projection.h"
 #include "hsr/raster/scanned_triangle.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 template <class Real>
 struct RoundedNearness {
@@ -80,4 +80,4 @@ class DrawnTriangles {
   std::vector<std::uint8_t> state_;  // by vertex; empty: all are drawn
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

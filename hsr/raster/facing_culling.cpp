@@ -3,7 +3,7 @@
 #include "geometry/error_bounded.h"
 #include "hsr/raster/sample_projection.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -98,4 +98,4 @@ Culled facing_culled(const Mesh& mesh, const View& view, Facing culled, FacingSp
   return result;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

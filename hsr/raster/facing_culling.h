@@ -4,7 +4,7 @@
 #include "hsr/raster/culled.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Where the sign is computed that tells front from back.
 enum class FacingSpace : std::uint8_t {
@@ -25,4 +25,4 @@ enum class Facing : std::uint8_t { back, front };
 /// may. Exact: yes. Cost: O(n). Source: Foley, van Dam, Feiner & Hughes 1990, "back-face culling".
 Culled facing_culled(const Mesh& mesh, const View& view, Facing culled = Facing::back, FacingSpace space = FacingSpace::world);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "geometry/error_bounded.h"
 #include "hsr/raster/sample_projection.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -113,4 +113,4 @@ Culled frustum_culled(const Mesh& mesh, const View& view, const SampleGrid& samp
   return result;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What bounds some triangles.
 enum class Bounds : std::uint8_t {
@@ -29,4 +29,4 @@ struct FrustumOptions {
 /// Source: Clark 1976; Assarsson & Möller 2000.
 Culled frustum_culled(const Mesh& mesh, const View& view, const SampleGrid& samples, const FrustumOptions& options = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

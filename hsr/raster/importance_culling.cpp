@@ -5,7 +5,7 @@
 
 #include "hsr/raster/drawn_triangles.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 ImportanceCulled importance_culled(const Mesh& mesh, const View& view, const SampleGrid& samples, double size) {
   ImportanceCulled result;
@@ -30,4 +30,4 @@ ImportanceCulled importance_culled(const Mesh& mesh, const View& view, const Sam
   return result;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -4,7 +4,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What is left without triangles that are seen small, and what went with them.
 struct ImportanceCulled : Culled {
@@ -18,4 +18,4 @@ struct ImportanceCulled : Culled {
 /// Source: Zhang, Manocha, Hudson & Hoff 1997 ("approximate culling"); Foley, van Dam, Feiner & Hughes 1990.
 ImportanceCulled importance_culled(const Mesh& mesh, const View& view, const SampleGrid& samples, double size);
 
-}  // namespace hsr
+}  // namespace hsr::internal

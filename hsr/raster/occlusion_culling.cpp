@@ -4,7 +4,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/view_parts.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 Culled occlusion_culled(const SceneView& scene) {
   const Mesh& mesh = scene.mesh();
@@ -21,4 +21,4 @@ Culled occlusion_culled(const SceneView& scene) {
   return result;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

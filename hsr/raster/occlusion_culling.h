@@ -4,7 +4,7 @@
 #include "hsr/scene/scene.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The triangles that are not certainly hidden: a tile of the image that a near triangle, or two that share an edge, cover has
 /// a depth beyond which nothing is seen, a coarser tile the farthest of those of its parts; what lies behind in all tiles that
@@ -18,4 +18,4 @@ Culled occlusion_culled(const SceneView& scene);
 /// Of a scene that nothing else looks at.
 inline Culled occlusion_culled(const Mesh& mesh, const View& view) { return occlusion_culled(SceneView(mesh, view)); }
 
-}  // namespace hsr
+}  // namespace hsr::internal

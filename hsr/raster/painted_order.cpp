@@ -14,6 +14,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 /// The spans of pieces. One object per block of them.

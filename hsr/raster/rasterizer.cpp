@@ -6,7 +6,7 @@
 
 #include "geometry/error.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// How many samples of row j are on the left of a plane that crosses the row, extended to all sides. Where all of them are on
 /// one side, the way in which the value changes along the row tells whether they are before or after the crossing.
@@ -151,4 +151,4 @@ void Rasterizer::cut_rows(TriangleId t) {
   }
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

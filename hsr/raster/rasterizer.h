@@ -9,7 +9,7 @@
 #include "hsr/image.h"
 #include "hsr/raster/sample_signs.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A side of a polygon as the rasterizer sees it: it lies in a plane through the viewpoint, and crosses the rows
 /// first_row ... end_row - 1. Without rows it does not count: sides along a row have none.
@@ -87,4 +87,4 @@ class Rasterizer {
   std::vector<Place> places_;  // by vertex; made when first asked for
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

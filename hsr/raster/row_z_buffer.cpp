@@ -4,7 +4,7 @@
 
 #include "hsr/raster/drawn_triangles.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -98,4 +98,4 @@ RowZBuffer<Real> row_z_buffer(const Mesh& mesh, const View& view, const SampleGr
 template RowZBuffer<float> row_z_buffer(const Mesh&, const View&, const SampleGrid&);
 template RowZBuffer<double> row_z_buffer(const Mesh&, const View&, const SampleGrid&);
 
-}  // namespace hsr
+}  // namespace hsr::internal

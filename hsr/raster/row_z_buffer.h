@@ -4,7 +4,7 @@
 
 #include "hsr/raster/z_buffer.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The picture of a z-buffer of one row, and what it took.
 template <class Real>
@@ -27,4 +27,4 @@ RowZBuffer<Real> row_z_buffer(const Mesh& mesh, const View& view, const SampleGr
 extern template RowZBuffer<float> row_z_buffer(const Mesh&, const View&, const SampleGrid&);
 extern template RowZBuffer<double> row_z_buffer(const Mesh&, const View&, const SampleGrid&);
 
-}  // namespace hsr
+}  // namespace hsr::internal

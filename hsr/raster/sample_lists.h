@@ -6,7 +6,7 @@
 
 #include "hsr/image.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A list of things for each sample of a picture; all lists in one pool.
 template <class T>
@@ -43,4 +43,4 @@ class SampleLists {
   std::vector<Entry> things_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

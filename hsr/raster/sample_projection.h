@@ -13,7 +13,7 @@
 // From space to the samples of a z-buffer, in any kind of numbers: as it runs (double), with a proven bound of how far that is
 // from what is true (ErrorBounded), and exactly (Rational). So its errors can be told from mistakes.
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace projection_numbers {
 
@@ -159,4 +159,4 @@ int seen_corners(const Mesh& mesh, const View& view, const SampleProjection<N>& 
   return count;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

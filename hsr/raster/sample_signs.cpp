@@ -7,7 +7,7 @@
 #include "geometry/rational_vector.h"
 #include "geometry/slope.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -118,4 +118,4 @@ RowCut SampleSigns::exact_cut(const SampleFunction& f, double row, int j, int be
   return {first, high};
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

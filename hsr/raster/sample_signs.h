@@ -11,7 +11,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The value of a plane at every sample, in doubles: it is affine in i and j.
 ///
@@ -151,4 +151,4 @@ int SampleSigns::rows_above(double guess, const Below& below) const {
   return low;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -9,6 +9,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 /// The multiple of 2^power next to x. @pre |x| < 2^(power + 52)

@@ -5,7 +5,7 @@
 
 #include "hsr/raster/drawn_triangles.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -225,4 +225,4 @@ Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples,
   return std::move(scanner).scanned();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -9,7 +9,7 @@
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A picture by the scanline algorithm, and what it took.
 struct Scanline {
@@ -40,4 +40,4 @@ Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples)
 ///   (2) the picture of the nearest faces, but for edges that rounding moves and depths that it ties
 Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, const PaintersOrder& pieces);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "hsr/raster/bounded.h"
 #include "hsr/raster/sample_projection.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// One triangle, scanned row by row. N: float, double, or Bounded of one of them, which scans the same samples.
 template <class N>
@@ -122,4 +122,4 @@ class ScannedTriangle {
   N long_side_{}, upper_side_{}, lower_side_{}, step_x_{}, step_y_{};
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 
 #include "geometry/error.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 Image<Colour> box_filtered(const Image<Colour>& samples, int n) {
   require(n > 0 && samples.width % n == 0 && samples.height % n == 0, "box_filtered: whole pixels of samples expected");
@@ -29,4 +29,4 @@ Image<Colour> box_filtered(const Image<Colour>& samples, int n) {
   return pixels;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include "hsr/model.h"
 #include "hsr/raster/samples.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A picture of n x n samples to a pixel made smaller: each pixel is the mean of its samples, rounded to nearest; colours count
 /// by their opacity. For display: it softens edges, and is exact no longer.
@@ -25,4 +25,4 @@ Image<Colour> supersampled(int width, int height, int n, const GridOf& grid_of, 
   return box_filtered(draw(grid_of(n * width, n * height)), n);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -13,7 +13,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -197,4 +197,4 @@ TiledZBuffer<Real> tiled_z_buffer(const Mesh& mesh, const View& view, const Samp
 template TiledZBuffer<float> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&);
 template TiledZBuffer<double> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&);
 
-}  // namespace hsr
+}  // namespace hsr::internal

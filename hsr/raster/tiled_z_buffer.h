@@ -4,7 +4,7 @@
 
 #include "hsr/raster/z_buffer.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The picture of a z-buffer in tiles, and what it took.
 template <class Real>
@@ -27,4 +27,4 @@ TiledZBuffer<Real> tiled_z_buffer(const Mesh& mesh, const View& view, const Samp
 extern template TiledZBuffer<float> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&);
 extern template TiledZBuffer<double> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&);
 
-}  // namespace hsr
+}  // namespace hsr::internal

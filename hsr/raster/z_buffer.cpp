@@ -4,6 +4,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 template <class Real>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hsr {
+namespace hsr::internal {
 
 AffineDepth affine_depth(const DepthCorners& corners, double reach_x, double reach_y) {
   constexpr double u = ErrorBounded::u;
@@ -33,4 +33,4 @@ AffineDepth affine_depth(const DepthCorners& corners, double reach_x, double rea
   return n;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The nearness of a triangle's plane as a function of the image point (x, y): value + dx (x - p.x) + dy (y - p.y). Over the
 /// triangle it errs by at most `error`.
@@ -51,4 +51,4 @@ inline float float_below(double x) {
 }
 inline float float_above(double x) { return -float_below(-x); }
 
-}  // namespace hsr
+}  // namespace hsr::internal

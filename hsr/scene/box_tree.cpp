@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -175,4 +175,4 @@ BoxTree::BoxTree(std::span<const ImageBox> boxes) : order_(hilbert_order(boxes))
   }
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

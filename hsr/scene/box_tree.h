@@ -10,7 +10,7 @@
 
 #include "geometry/simd.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A closed box in an image: two image coordinates and the nearness to the viewer (greater is nearer). Conservative: whatever
 /// was rounded, the thing that it bounds lies inside.
@@ -236,4 +236,4 @@ void BoxTree::visit_pairs(std::uint32_t leaf, PairSearch& search, F&& f) const {
   }
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 
 #include "geometry/parallel.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 ClosedBodies::ClosedBodies(const ProjectedMesh& projected, const StarShapedBodies& bodies)
     : projected_(projected), far_sides_(projected.mesh().triangles.size(), 0) {
@@ -32,4 +32,4 @@ bool ClosedBodies::is_on_far_side(EdgeId e) const {
   return !all.empty() && std::all_of(all.begin(), all.end(), [&](TriangleId t) { return far_sides_[t.value] != 0; });
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

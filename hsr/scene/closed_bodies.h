@@ -7,7 +7,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/star_shaped_bodies.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The bodies of a scene that certainly hide their own far sides: those star-shaped ones that lie wholly on or beyond the near
 /// plane. A line of sight that leaves one through a far side has entered it through a near side.
@@ -37,4 +37,4 @@ class ClosedBodies {
   std::vector<std::uint8_t> far_sides_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

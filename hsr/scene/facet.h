@@ -5,7 +5,7 @@
 
 #include "geometry/mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The planar pieces that hide and are seen: a planar face, or one triangle of a face that is cut. Named by its first triangle.
 inline TriangleId facet_of(const Mesh& mesh, TriangleId t) {
@@ -43,4 +43,4 @@ inline bool goes_around_face(const Mesh& mesh, TriangleId facet, std::size_t cor
          corners == std::size_t{facet_end(mesh, facet).value - facet.value} + 2;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/symbols/cut.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A plane through a side of a triangle, across the triangle's own plane, and the side of it on which the triangle lies.
 struct HalfSpace {
@@ -50,4 +50,4 @@ inline std::array<HalfSpace, 3> half_spaces(const ProjectedMesh& projected, Tria
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

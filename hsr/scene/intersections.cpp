@@ -19,7 +19,7 @@
 #include "hsr/scene/occlusion_pyramid.h"
 #include "hsr/symbols/cut_plane.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -156,7 +156,7 @@ bool Finder::may_lie_in(VertexId u, VertexId v, TriangleId t) {
   const auto side = [&](const Plane& plane, const Cut& cut, VertexId p) {
     return p.value == cut.u || p.value == cut.v ? Sign::zero : projected_.side(plane, p, exact_);
   };
-  const auto half_spaces = hsr::half_spaces(projected_, t, exact_);
+  const auto half_spaces = hsr::internal::half_spaces(projected_, t, exact_);
   for (const HalfSpace& h : half_spaces) {
     const Sign a = side(h.plane, h.cut, u) * h.inner, b = side(h.plane, h.cut, v) * h.inner;
     if (a != Sign::positive && b != Sign::positive && !(a == Sign::zero && b == Sign::zero)) return false;
@@ -259,7 +259,7 @@ std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
   std::size_t n = 0, parallels = 0;
   bool near_cuts = false;
   for (const TriangleId x : {s, t}) {
-    const auto half_spaces = hsr::half_spaces(projected_, x, exact_);
+    const auto half_spaces = hsr::internal::half_spaces(projected_, x, exact_);
     for (std::size_t k = 0; k < 3; ++k) bounds[n++] = {half_spaces[k], is_inner_diagonal(mesh_, x, k)};
     near_cuts = near_cuts || projected_.reaches_before_near(x);
   }
@@ -434,4 +434,4 @@ ImageBox box_of(const ProjectedMesh& projected, const Intersection& meet) {
   return box;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

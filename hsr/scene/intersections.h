@@ -8,7 +8,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/symbols/intersection.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 class OcclusionPyramid;
 
@@ -50,4 +50,4 @@ std::vector<Intersection> merge_segments(const ProjectedMesh& projected, const s
 /// A box of the image in which an intersection lies.
 ImageBox box_of(const ProjectedMesh& projected, const Intersection& meet);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/segment_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The line through the images of two vertices a and b, prepared for many points: the sign of O(a, b, p), positive to the left
 /// of a -> b, by the bound of SegmentFilter.
@@ -74,4 +74,4 @@ class LineFilter {
   SegmentFilter image_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <optional>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A value that is made when it is first asked for, once; threads that ask meanwhile help to make it.
 template <class T>
@@ -28,4 +28,4 @@ class MadeOnce {
   mutable std::atomic<bool> is_made_ = false;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

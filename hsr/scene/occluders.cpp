@@ -2,7 +2,7 @@
 
 #include "geometry/parallel.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 Occluders::Occluders(const ProjectedMesh& projected, const std::vector<ImageBox>& boxes,
                      const std::vector<std::uint8_t>& left_out)
@@ -38,4 +38,4 @@ void Occluders::prepare() const {
   });
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -11,7 +11,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/triangle_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The triangles that can hide something, in a tree of their image boxes: without those that the near plane cuts away wholly,
 /// and without those that are left out because they are hidden themselves.
@@ -46,4 +46,4 @@ class Occluders {
   std::unique_ptr<Filters> filters_ = std::make_unique<Filters>();
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

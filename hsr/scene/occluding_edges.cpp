@@ -8,7 +8,7 @@
 #include "geometry/parallel.h"
 #include "hsr/scene/line_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -167,4 +167,4 @@ void OccludingEdges::find_stars() {
   });
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "hsr/scene/box_tree.h"
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// An edge at whose image the number of triangles over an image point changes.
 struct OccludingEdge {
@@ -66,4 +66,4 @@ class OccludingEdges {
   Ragged<TriangleId> stars_;            // by VertexId
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "geometry/parallel.h"
 #include "hsr/scene/affine_depth.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -475,4 +475,4 @@ void OcclusionPyramid::mark_hidden(std::vector<std::uint8_t>& hidden) const {
   });
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "hsr/scene/box_tree.h"
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 struct AffineDepth;
 
@@ -126,4 +126,4 @@ class OcclusionPyramid {
   std::vector<Level> levels_;  // finest first
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

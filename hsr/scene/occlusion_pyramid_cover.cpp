@@ -8,7 +8,7 @@
 #include "hsr/scene/affine_depth.h"
 #include "hsr/scene/occlusion_pyramid.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -208,4 +208,4 @@ void OcclusionPyramid::cover(const Region& region, const Rectangle& around, cons
   }
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -12,7 +12,7 @@
 #include "hsr/scene/line_filter.h"
 #include "hsr/scene/scaled_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -53,14 +53,14 @@ ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arit
   const int power = scale_of(points), direction_power = scale_of(direction);
   power_ = power;
   given_bit_range_ = points;
-  points_bit_range_ = hsr::scaled(points, power);
-  direction_bit_range_ = hsr::scaled(direction, direction_power);
+  points_bit_range_ = internal::scaled(points, power);
+  direction_bit_range_ = internal::scaled(direction, direction_power);
   points_.resize(mesh.points.size());
   tbb::parallel_for(Range(0, points_.size(), 4096), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
       if (is_used[i] != 0) points_[VertexId(i)] = scaled(mesh.points[VertexId(i)]);
   });
-  eye_ = {hsr::scaled(view.viewpoint.at, view.is_perspective() ? power : direction_power), view.viewpoint.is_direction};
+  eye_ = {internal::scaled(view.viewpoint.at, view.is_perspective() ? power : direction_power), view.viewpoint.is_direction};
   target_ = view.is_perspective() ? scaled(view.target) : Point3{};
   near_ = view.near;
   // Outside the window of the filter's proof its bound is made infinite, and the predicates decide.
@@ -103,7 +103,7 @@ bool ProjectedMesh::covers(const BitRange& others) const {
   return both == given_bit_range_;
 }
 
-Point3 ProjectedMesh::scaled(const Point3& p) const { return hsr::scaled(p, power_); }
+Point3 ProjectedMesh::scaled(const Point3& p) const { return internal::scaled(p, power_); }
 
 void ProjectedMesh::choose_rows(const View& view) {
   // Any map that is constant along lines of sight serves, so rounded rows are as good as others.
@@ -298,4 +298,4 @@ ImageBox ProjectedMesh::box(TriangleId t) const {
   return box;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

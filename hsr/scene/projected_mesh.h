@@ -7,7 +7,7 @@
 #include "hsr/scene/box_tree.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A point in the image that ProjectedMesh computes in: not the paper's, but constant along lines of sight like it.
 using ImagePoint = Point2;
@@ -124,4 +124,4 @@ class ProjectedMesh {
   std::array<double, 3> middle_ = {0, 0, 0};
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -4,7 +4,7 @@
 
 #include "geometry/parallel.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 int scale_of(const BitRange& c) { return c.is_zero() || c.lowest - c.highest < -1000 ? 0 : -c.highest; }
 
@@ -29,4 +29,4 @@ ScaledMesh::ScaledMesh(const Mesh& mesh) : mesh_(&mesh), points_(mesh.points.siz
   filter_arithmetic_ = predicates().filter_is_proven() ? Arithmetic::staged : Arithmetic::interval;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include "geometry/plane_filter.h"
 #include "geometry/predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The power of two that brings the largest number near 1, or 2^0 if that would round the smallest away.
 int scale_of(const BitRange& c);
@@ -36,4 +36,4 @@ class ScaledMesh {
   Arithmetic filter_arithmetic_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -11,8 +11,10 @@
 
 namespace hsr {
 
+namespace internal {
 class SceneParts;
 class ViewParts;
+}  // namespace internal
 
 /// A stage that leaves out what the scene does not need. None changes a result.
 enum class Stage : unsigned char {
@@ -57,9 +59,9 @@ class Scene {
 
  private:
   friend class SceneView;
-  explicit Scene(std::shared_ptr<const SceneParts> parts);
+  explicit Scene(std::shared_ptr<const internal::SceneParts> parts);
 
-  std::shared_ptr<const SceneParts> parts_;
+  std::shared_ptr<const internal::SceneParts> parts_;
 };
 
 /// A scene as one view sees it, prepared for every method: the projected points, the tree of the faces, closed bodies, the tiles
@@ -78,11 +80,11 @@ class SceneView {
   const View& view() const;
   const SceneOptions& options() const;
   /// What the methods share; not for users of the library.
-  const ViewParts& parts() const { return *parts_; }
+  const internal::ViewParts& parts() const { return *parts_; }
 
  private:
   Scene scene_;
-  std::shared_ptr<const ViewParts> parts_;
+  std::shared_ptr<const internal::ViewParts> parts_;
 };
 
 }  // namespace hsr

@@ -13,6 +13,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 void count_points(const Mesh& mesh, SceneFacts& facts) {

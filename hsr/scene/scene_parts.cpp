@@ -4,6 +4,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 Scene::Scene(Mesh mesh) : parts_(std::make_shared<const SceneParts>(std::make_shared<const Mesh>(std::move(mesh)))) {}
 
 Scene::Scene(std::shared_ptr<const SceneParts> parts) : parts_(std::move(parts)) {}

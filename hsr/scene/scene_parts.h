@@ -7,7 +7,7 @@
 #include "hsr/scene/made_once.h"
 #include "hsr/scene/star_shaped_bodies.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What all views of a scene share, each part made on first use.
 class SceneParts {
@@ -38,4 +38,4 @@ class SceneParts {
   mutable std::shared_ptr<const MeetingFaces> meeting_faces_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

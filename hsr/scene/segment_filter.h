@@ -5,7 +5,7 @@
 #include "geometry/error_bounded.h"
 #include "hsr/scene/projected_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The segment between two points of the image, prepared for many others.
 ///
@@ -41,4 +41,4 @@ struct SegmentFilter {
   }
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "geometry/vector3.h"
 #include "geometry/weighted_disjoint_sets.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -219,4 +219,4 @@ StarShapedBodies::StarShapedBodies(const ScaledMesh& scaled) {
                         is_convex(scaled, inside_.front());
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

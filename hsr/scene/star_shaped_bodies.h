@@ -6,7 +6,7 @@
 
 #include "hsr/scene/scaled_mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The components of faces that certainly bound a star-shaped body: what no view changes of ClosedBodies.
 ///
@@ -37,4 +37,4 @@ class StarShapedBodies {
   bool is_one_convex_body_ = false;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

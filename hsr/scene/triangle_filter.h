@@ -8,7 +8,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/segment_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A triangle prepared for the many lines that it is asked about: its image, and its plane.
 ///
@@ -83,4 +83,4 @@ struct TriangleFilter {
   }
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

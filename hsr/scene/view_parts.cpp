@@ -6,6 +6,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 SceneView::SceneView(const Scene& scene, const View& view, const SceneOptions& options)
     : scene_(scene), parts_(std::make_shared<const ViewParts>(scene.parts_, view, options)) {}
 

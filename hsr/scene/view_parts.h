@@ -16,7 +16,7 @@
 #include "hsr/scene/scene.h"
 #include "hsr/scene/scene_parts.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Which triangles a tree of occluders does without.
 enum class Excluded : unsigned char {
@@ -97,4 +97,4 @@ class ViewParts {
   mutable std::vector<std::unique_ptr<const ViewParts>> with_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

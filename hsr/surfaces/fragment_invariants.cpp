@@ -7,7 +7,7 @@
 #include "hsr/scene/box_tree.h"
 #include "hsr/visibility_map/map_predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -230,4 +230,4 @@ void check_invariants(const ProjectedMesh& projected, const VisibleFragments& fr
   if (fragments.corners.size() <= 5000) Invariants(projected, fragments).check();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -3,7 +3,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/surfaces/fragments.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What fragments promise, looked at once more: by every result where the build checks its invariants (HSR_CHECKS).
 ///
@@ -15,4 +15,4 @@ namespace hsr {
 /// Exact: yes. Cost: O(n log n + k) for k pairs of sides, or of sides and fragments, whose boxes touch; rationals.
 void check_invariants(const ProjectedMesh& projected, const VisibleFragments& fragments);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -13,7 +13,7 @@
 #include "hsr/surfaces/rings.h"
 #include "hsr/visibility_map/map_predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The fragments of neighbouring facets, as they come.
 struct FragmentParts {
@@ -63,4 +63,4 @@ VisibleFragments fragments_in_blocks(const Mesh& mesh, const FragmentOptions& op
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "hsr/scene/affine_depth.h"
 #include "hsr/scene/facet.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 BoundedPoint3 MapStretch::at(double t, double t_error) const {
   BoundedPoint3 at = between(a.p, b.p, {t, t_error});
@@ -306,4 +306,4 @@ void LineEnvelope::insert(const TriangleFilter& face, const Linear& of_t, const 
   std::swap(parts_, next_);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "hsr/visibility_map/map_predicates.h"
 #include "hsr/visibility_map/triangle_sides.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A part of a line of the map along which the envelope is wanted, and the segment in space whose image it is. Places on it
 /// have a parameter t along that segment: t = 0 at a, whose image is `from`, and t = 1 at b, whose image is `to`.
@@ -122,4 +122,4 @@ class LineEnvelope {
   std::vector<SeenPart> result_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -12,6 +12,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 void append_sides(const VisibleFragments& all, const Fragment& fragment, std::vector<MapSide>& sides) {

@@ -10,7 +10,7 @@
 #include "geometry/ragged.h"
 #include "hsr/scene/segment_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -490,4 +490,4 @@ Rings link_rings(MapPredicates& map, std::span<const MapSide> sides) {
   return RingLinker(map).link(placed);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

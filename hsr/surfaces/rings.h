@@ -7,7 +7,7 @@
 
 #include "hsr/visibility_map/map_predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Closed rings of corners in the map, and which of them bound one connected region.
 struct Rings {
@@ -51,4 +51,4 @@ class RingLinker {
 /// Links the sides of one part of the plane: a RingLinker that is used once.
 Rings link_rings(MapPredicates& map, std::span<const MapSide> sides);
 
-}  // namespace hsr
+}  // namespace hsr::internal

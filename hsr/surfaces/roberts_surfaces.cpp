@@ -14,7 +14,7 @@
 #include "hsr/visibility_map/map_predicates.h"
 #include "hsr/visibility_map/triangle_sides.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -114,4 +114,4 @@ VisibleFragments roberts_surfaces(const SceneView& scene, const FragmentOptions&
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

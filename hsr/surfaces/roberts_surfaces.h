@@ -2,7 +2,7 @@
 
 #include "hsr/surfaces/fragments.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The visible fragments of each face: the face minus the shadows of the faces in front of it, in convex pieces that are
 /// bounded by lines of the scene.
@@ -17,4 +17,4 @@ inline VisibleFragments roberts_surfaces(const Mesh& mesh, const View& view, con
   return roberts_surfaces(SceneView(mesh, view), options);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -21,6 +21,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 using Range = tbb::blocked_range<std::size_t>;

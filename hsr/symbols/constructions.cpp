@@ -6,6 +6,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 /// The points as given, unscaled.

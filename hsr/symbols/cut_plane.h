@@ -5,7 +5,7 @@
 #include "geometry/plane.h"
 #include "hsr/symbols/cut.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The plane that makes a cut, over the points of a ProjectedMesh or over points as given. @pre neither start nor end
 template <class Points>
@@ -35,4 +35,4 @@ Plane cut_plane(const Points& points, const Cut& cut) {
   throw PreconditionError("cut_plane: the ends of an edge are cut by no plane");
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

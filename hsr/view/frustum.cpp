@@ -6,7 +6,7 @@
 #include "geometry/error_bounded.h"
 #include "geometry/vector3.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -39,4 +39,4 @@ bool ViewFrustum::contains(const Edge& e) const {
   return std::any_of(normals_.begin(), normals_.end(), [&](const Point3& n) { return is_beyond(n, a) && is_beyond(n, b); });
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include "geometry/mesh.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Which edges are certainly outside a picture: four planes through the eye, a little outside its borders. Conservative.
 class ViewFrustum {
@@ -22,4 +22,4 @@ class ViewFrustum {
   std::array<Point3, 4> normals_;  // outward
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,6 +8,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 bool is_zero(const RationalVector& a) { return a[0] == Rational() && a[1] == Rational() && a[2] == Rational(); }

@@ -5,7 +5,7 @@
 #include "hsr/scene/facet.h"
 #include "hsr/visibility_map/convex_ring.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId t) {
   return convex_piece(projected, t, projected.mesh().triangles[t]);
@@ -86,4 +86,4 @@ std::optional<ConvexPiece> cut(MapPredicates& map, ConvexPiece& piece, const Map
   return outer;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include "hsr/visibility_map/map_predicates.h"
 #include "hsr/visibility_map/triangle_sides.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A convex part of a facet in the image, counter-clockwise: side k runs along its line from point k to point k + 1. Never
 /// rounded, however often it is cut. (Plane-based polygons: Sugihara & Iri 1989; Bernstein & Fussell 2009.)
@@ -28,4 +28,4 @@ std::vector<ConvexPiece> convex_pieces(MapPredicates& map, TriangleId facet);
 /// Cuts the piece: what is inside the half-plane stays, what is outside is returned. Exact.
 std::optional<ConvexPiece> cut(MapPredicates& map, ConvexPiece& piece, const MapHalfPlane& h);
 
-}  // namespace hsr
+}  // namespace hsr::internal

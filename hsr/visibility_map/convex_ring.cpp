@@ -5,7 +5,7 @@
 #include "hsr/scene/facet.h"
 #include "hsr/scene/half_space.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -49,4 +49,4 @@ std::vector<VertexId> convex_ring(const ProjectedMesh& projected, TriangleId fac
   return ring;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include "geometry/rational_vector.h"
 #include "hsr/scene/line_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 MapPredicates::MapPredicates(const ProjectedMesh& projected)
     : projected_(projected), exact_(projected.predicates()), camera_(projected.camera()) {
@@ -153,4 +153,4 @@ std::array<Rational, 2> MapPredicates::exact_place(const MapPoint& p) const {
   return at;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

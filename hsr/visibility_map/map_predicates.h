@@ -8,7 +8,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/symbols/map_point.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Where a point of the map lies, within a bound that was proven; infinite where doubles do not tell. Each coordinate has a
 /// bound of its own, unlike those of a BoundedPoint2: points are sorted and compared by one of them, and where a crossing is
@@ -61,4 +61,4 @@ class MapPredicates {
   bool is_mirrored_;  // the rows are: then x is negated
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

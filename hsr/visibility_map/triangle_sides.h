@@ -4,7 +4,7 @@
 
 #include "hsr/visibility_map/map_predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A line and the side of it that counts: positive, to its left.
 struct MapHalfPlane {
@@ -25,4 +25,4 @@ inline MapHalfPlane beyond_near(const ProjectedMesh& projected, TriangleId t) {
   return {MapLine::near(t), projected.facing(t)};
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,6 +8,7 @@
 #include "hsr/lines/visible_lines.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include "geometry/rational_arithmetic.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 

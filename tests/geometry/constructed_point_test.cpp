@@ -6,6 +6,7 @@
 #include "geometry/error.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 
 TEST_CASE("an edge cut by a plane is where it should be", "[geometry][constructed_point]") {
   const Plane x = Plane::of_face({0, 0, 1}, {1, 0, 1}, {0, 1, 1});

@@ -4,6 +4,7 @@
 #include <random>
 
 using namespace hsr;
+using namespace hsr::internal;
 
 TEST_CASE("orientations of points of rationals are those of the rational determinant", "[geometry]") {
   std::mt19937 random(1);

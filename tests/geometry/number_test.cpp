@@ -10,6 +10,7 @@
 #include "geometry/fixed_integer.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 

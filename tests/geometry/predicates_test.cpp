@@ -11,6 +11,7 @@
 #include "geometry/polynomials.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 using polynomials::value;
 
 namespace {

@@ -4,6 +4,7 @@
 #include <random>
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <random>
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 

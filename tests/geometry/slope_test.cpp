@@ -8,6 +8,9 @@
 #include "geometry/rational_arithmetic.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 TEST_CASE("the slope of a plane is the sign of what its value changes by", "[geometry][slope][property]") {

@@ -7,6 +7,7 @@
 #include "tests/geometry/polygon_cases.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 using namespace hsr::test;
 
 namespace {

@@ -6,6 +6,9 @@
 #include <random>
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 TEST_CASE("a relative count follows from a chain of others, and a contradiction is told", "[lines][appel]") {

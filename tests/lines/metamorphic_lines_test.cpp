@@ -12,6 +12,9 @@
 // The same picture, asked for in another way. These need no oracle.
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 using oracle::SeenEdge;

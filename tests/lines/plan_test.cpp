@@ -14,6 +14,9 @@
 // that it leaves out what it should.
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 /// A wall of 8 x 8 in the plane y = 0, as two triangles or one quad, and small squares: behind it, standing on its ground;

@@ -3,6 +3,9 @@
 #include <catch2/catch.hpp>
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 using Nodes = std::vector<std::uint32_t>;

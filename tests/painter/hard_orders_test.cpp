@@ -17,6 +17,9 @@
 // Scenes that are hard to paint, with the answers that a reader can work out by hand.
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 using scenes::TestScene;

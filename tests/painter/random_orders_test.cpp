@@ -16,6 +16,9 @@
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 /// Samples at which the painting shows another face than the nearest.

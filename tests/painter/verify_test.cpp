@@ -13,6 +13,9 @@
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 PaintedPolygon polygon(std::initializer_list<Point3> corners, std::optional<std::uint32_t> face = {}) {

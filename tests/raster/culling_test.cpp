@@ -10,6 +10,9 @@
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 using Ids = std::vector<std::uint32_t>;

@@ -8,6 +8,9 @@
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 /// Seen from above on a grid of whole numbers; depths 0 ... 255 are heights 0 ... -255, so an 8-bit buffer holds them as they

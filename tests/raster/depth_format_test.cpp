@@ -8,6 +8,9 @@
 #include "tests/scenes/test_scene.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 /// Two squares that face a viewer at the origin who looks along -z, the farther one first; all samples see both.

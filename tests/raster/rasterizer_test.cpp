@@ -14,6 +14,9 @@
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 /// What the rasterizer needs, in one.

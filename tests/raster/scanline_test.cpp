@@ -11,6 +11,9 @@
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 std::string row(const Image<TriangleId>& image, const Mesh& mesh, int j) {

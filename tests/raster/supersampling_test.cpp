@@ -7,6 +7,9 @@
 #include "tests/scenes/test_scene.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 /// Black from x = 0 to 2.375, of 4 pixels that are one unit wide, seen from above.

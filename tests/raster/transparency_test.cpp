@@ -12,6 +12,9 @@
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 constexpr Colour red = {255, 0, 0, 255}, blue = {0, 0, 255, 255}, black = {0, 0, 0, 255};

@@ -7,6 +7,7 @@
 #include <random>
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 

@@ -17,6 +17,9 @@
 // ClosedBodies: what is one and what is not, and that leaving out their far sides changes nothing.
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 using scenes::TestScene;

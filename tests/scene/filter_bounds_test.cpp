@@ -20,6 +20,7 @@
 #include "tests/scenes/test_scene.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 

@@ -18,6 +18,9 @@
 // One prepared scene: its parts are made once, by any thread, and views that share it give what each gives alone.
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 std::string lines_text(const SceneView& scene) {

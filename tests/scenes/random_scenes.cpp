@@ -11,6 +11,8 @@
 
 namespace hsr::scenes {
 
+using namespace internal;
+
 namespace {
 
 // std::uniform_int_distribution may differ between libraries; this does not. No two throws in the arguments of one call:

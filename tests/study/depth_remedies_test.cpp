@@ -4,6 +4,9 @@
 #include <catch2/catch.hpp>
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 const MeasuredGap& gap_of(const std::vector<MeasuredGap>& gaps, DepthFormat format, double near) {

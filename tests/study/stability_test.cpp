@@ -13,6 +13,9 @@
 #include "study/stability_plots.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 const StabilityFamily& family(const std::string& name) {

@@ -12,6 +12,9 @@
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 TEST_CASE("half of each pixel on the diagonal is wrong", "[check][area]") {

@@ -13,6 +13,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 /// At samples of the picture, many of them exactly on edges.

@@ -13,6 +13,9 @@
 #include "tests/surfaces/checked_surfaces.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 scenes::TestScene from_above() {

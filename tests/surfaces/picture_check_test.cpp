@@ -7,6 +7,9 @@
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 /// Three squares over each other at heights 0, 1 and 1 + 2^-20, seen from above; the uppermost covers the left half.

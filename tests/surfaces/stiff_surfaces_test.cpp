@@ -13,6 +13,9 @@
 // Scenes at the ends of the doubles, and faces that nearly coincide.
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 using scenes::TestScene;

@@ -11,6 +11,7 @@
 // What is said to be outside a picture has no point in it, asked in rationals; and most of what is outside is said to be.
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 

@@ -9,7 +9,7 @@
 
 #include "hsr/io/read/source.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 enum class ByteOrder { little, big };
 
@@ -64,4 +64,4 @@ class ByteScanner {
   bool swap_;
 };
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <iterator>
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -83,4 +83,4 @@ ScannedDecimal scan_decimal(const char* p, const char* end) {
   return result;
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 /// What scan_decimal met.
 enum class Decimal {
@@ -20,4 +20,4 @@ struct ScannedDecimal {
 };
 ScannedDecimal scan_decimal(const char* p, const char* end);
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -3,7 +3,7 @@
 #include "hsr/io/read/source.h"
 #include "hsr/model.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 // One reader per format. Each takes the inflated bytes and throws InputError in one line.
 Model read_obj(const Source& source);
@@ -19,4 +19,4 @@ bool looks_like_binary_stl(const Source& source);  ///< the size is that of the 
 bool looks_like_ascii_stl(const Source& source);   ///< begins with "solid", and text follows
 bool looks_like_gltf(const Source& source);        ///< "glTF", or JSON with an "asset"
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

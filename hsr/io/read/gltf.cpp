@@ -11,7 +11,7 @@
 #include "hsr/io/read/material_library.h"
 #include "hsr/io/read/model_builder.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -253,4 +253,4 @@ Model read_gltf(const Source& source) {
   return GltfReader(source, std::move(file), source.bytes.substr(0, 4) == "glTF").read(std::move(notes));
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -13,7 +13,7 @@
 #include "hsr/io/read/gltf_file.h"
 #include "hsr/io/read/json_depth.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -294,4 +294,4 @@ double GltfAccessor::number(std::size_t i, int c) const {
   }
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -13,7 +13,7 @@
 
 #include "hsr/io/read/source.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 /// A glTF or GLB file as tiny_gltf reads it, with the buffers. Indices in it are unchecked.
 ///
@@ -39,4 +39,4 @@ class GltfAccessor {
   bool normalised_ = false;
 };
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -4,7 +4,7 @@
 
 #include "geometry/number.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -50,4 +50,4 @@ Affine compose(const Affine& a, const Affine& b) {
 
 Point3 transformed(const Affine& m, const Point3& p) { return {row(&m[0], p), row(&m[4], p), row(&m[8], p)}; }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -4,7 +4,7 @@
 
 #include "geometry/point.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 /// An affine map, row by row: x' = m[0] x + m[1] y + m[2] z + m[3], and so on.
 using Affine = std::array<double, 12>;
@@ -18,4 +18,4 @@ Affine compose(const Affine& a, const Affine& b);
 /// largest). Exact: yes. Source: the check whether a rounding is safe is Ziv's, 1991; otherwise rationals decide.
 Point3 transformed(const Affine& m, const Point3& p);
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -81,4 +81,4 @@ Bytes gunzip(const Source& source, std::size_t most) {
   }
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

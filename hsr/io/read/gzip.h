@@ -5,7 +5,7 @@
 
 #include "hsr/io/read/source.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 bool is_gzip(std::string_view bytes);
 
@@ -16,4 +16,4 @@ inline constexpr std::size_t most_inflated = std::size_t{1} << 32;
 /// @throws InputError if the data is damaged, truncated, or inflates to more than `most` bytes
 Bytes gunzip(const Source& source, std::size_t most = most_inflated);
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

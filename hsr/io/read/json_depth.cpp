@@ -1,6 +1,6 @@
 #include "hsr/io/read/json_depth.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 void check_json_depth(const Source& source, std::string_view text, std::size_t first_byte) {
   constexpr int deepest = 100;
@@ -25,4 +25,4 @@ void check_json_depth(const Source& source, std::string_view text, std::size_t f
   }
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

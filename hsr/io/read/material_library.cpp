@@ -6,7 +6,7 @@
 #include "geometry/error.h"
 #include "hsr/io/read/text_scanner.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::optional<Colour> MaterialLibrary::colour(std::string_view material) const {
   return colour;
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -8,7 +8,7 @@
 #include "hsr/io/read/source.h"
 #include "hsr/model.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 /// The colours of the materials of MTL files: Kd, and d or 1 - Tr as opacity.
 class MaterialLibrary {
@@ -32,4 +32,4 @@ class MaterialLibrary {
 /// 0 ... 1 to 0 ... 255, rounded, clamped.
 std::uint8_t colour_byte(double x);
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

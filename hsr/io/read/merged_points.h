@@ -6,7 +6,7 @@
 
 #include "geometry/point.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 /// Gives equal points one index, that of the first: bit by bit, but -0 equals 0. For formats without indices.
 class MergedPoints {
@@ -50,4 +50,4 @@ class MergedPoints {
   std::vector<std::uint32_t> slots_;
 };
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -1,6 +1,6 @@
 #include "hsr/io/read/model_builder.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 void ModelBuilder::note_colour() {
   if (colour_ && colour_index_ == none) {
@@ -41,4 +41,4 @@ Model ModelBuilder::finish() {
   return std::move(model_);
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

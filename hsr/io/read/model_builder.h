@@ -9,7 +9,7 @@
 #include "hsr/io/read/source.h"
 #include "hsr/model.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 /// Puts a Model together, face by face. Colours and objects that no face uses leave no trace.
 class ModelBuilder {
@@ -84,4 +84,4 @@ class ModelBuilder {
   std::uint32_t object_ = none;
 };
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

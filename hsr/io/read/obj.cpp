@@ -10,7 +10,7 @@
 #include "hsr/io/read/model_builder.h"
 #include "hsr/io/read/text_scanner.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -160,4 +160,4 @@ class ObjReader {
 
 Model read_obj(const Source& source) { return ObjReader(source).read(); }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -12,7 +12,7 @@
 #include "hsr/io/read/model_builder.h"
 #include "hsr/io/read/text_scanner.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -211,4 +211,4 @@ Model read_off(const Source& source) {
   return read_text(source, text, *keyword, format);
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

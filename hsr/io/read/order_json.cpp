@@ -9,6 +9,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 using Json = nlohmann::json;

@@ -13,7 +13,7 @@
 #include "hsr/io/read/ply_header.h"
 #include "hsr/io/read/text_scanner.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -382,4 +382,4 @@ Model read_ply(const Source& source) {
   return PlyReader<BinaryRows>(source, header, BinaryRows(source, header.body, ByteOrder::big), "PLY binary big-endian").read();
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

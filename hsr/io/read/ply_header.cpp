@@ -4,7 +4,7 @@
 
 #include "hsr/io/read/text_scanner.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -164,4 +164,4 @@ PlyHeader read_ply_header(const Source& source) {
   return header;
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -6,7 +6,7 @@
 
 #include "hsr/io/read/source.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 enum class PlyScalar : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -43,4 +43,4 @@ struct PlyHeader {
 /// @throws InputError also if the rows that an element counts cannot fit into the file
 PlyHeader read_ply_header(const Source& source);
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -11,7 +11,7 @@
 
 #include "geometry/error.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::string printable(std::string_view text, std::size_t most) {
 
 std::string in_quotes(std::string_view text) { return '"' + printable(text) + '"'; }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

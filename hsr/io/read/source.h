@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 /// Bytes on the heap, with one NUL behind them, so that a scanner may always look at the next one.
 struct Bytes {
@@ -42,4 +42,4 @@ std::string printable(std::string_view text, std::size_t most = 40);
 /// `text` in double quotes, clipped.
 std::string in_quotes(std::string_view text);
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

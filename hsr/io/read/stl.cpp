@@ -10,7 +10,7 @@
 #include "hsr/io/read/model_builder.h"
 #include "hsr/io/read/text_scanner.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 namespace {
 
@@ -131,4 +131,4 @@ Model read_stl(const Source& source) {
   return read_binary(source);
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 void TextScanner::skip_comment() {
   while (!is_line_end(p_)) ++p_;
@@ -49,4 +49,4 @@ void TextScanner::refuse_number(Decimal status, const char* expected) const {
   refuse(p_, status == Decimal::too_large ? std::string(expected) + " that a double can hold" : std::string(expected));
 }
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

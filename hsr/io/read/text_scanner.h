@@ -8,7 +8,7 @@
 #include "hsr/io/read/decimal.h"
 #include "hsr/io/read/source.h"
 
-namespace hsr::read {
+namespace hsr::internal::read {
 
 /// Goes once through a text, word by word and line by line; what does not fit is refused with its line.
 ///
@@ -138,4 +138,4 @@ class TextScanner {
   Syntax syntax_;
 };
 
-}  // namespace hsr::read
+}  // namespace hsr::internal::read

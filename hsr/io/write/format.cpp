@@ -4,7 +4,7 @@
 
 #include "geometry/error.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 Format format_of(const std::string& path, std::span<const Format> expected) {
   const auto slash = path.find_last_of('/');
@@ -27,4 +27,4 @@ Format format_of(const std::string& path, std::span<const Format> expected) {
   throw InputError(path + ": found " + found + ", expected " + all);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

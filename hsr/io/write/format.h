@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What a result can be written as; csv: the table of error against run time.
 enum class Format { svg, png, json, csv };
@@ -12,4 +12,4 @@ enum class Format { svg, png, json, csv };
 /// @throws InputError for another ending; for pdf, eps, dxf and tex it says that they come in a later release
 Format format_of(const std::string& path, std::span<const Format> expected);
 
-}  // namespace hsr
+}  // namespace hsr::internal

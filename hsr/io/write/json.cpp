@@ -11,6 +11,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 /// Writes one line after the other; one object per thread.

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace hsr {
+namespace hsr::internal {
 
 void append_integer(std::string& out, std::uint64_t x) {
   char text[24];
@@ -57,4 +57,4 @@ void append_string(std::string& out, std::string_view text) {
   out += '"';
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

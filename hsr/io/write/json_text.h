@@ -8,7 +8,7 @@
 #include "geometry/point.h"
 #include "hsr/io/write/numbers.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// JSON text, appended to a string.
 void append_integer(std::string& out, std::uint64_t x);
@@ -17,4 +17,4 @@ void append_rational(std::string& out, const Rational& x, Numbers numbers);
 void append_point(std::string& out, const Point3& p, Numbers numbers);
 void append_string(std::string& out, std::string_view text);  ///< quoted; control characters, quotes and backslashes escaped
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -4,7 +4,7 @@
 
 #include "hsr/drawing/drawing.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Pens by ISO 128: what can be seen in 0.5 mm, continuous (01.2); what cannot in 0.25 mm, dashed (02.1: dashes of 12 widths,
 /// gaps of 3); smooth edges, which a draughtsman calls imaginary, thin and continuous (01.1).
@@ -26,4 +26,4 @@ inline LineStyle line_style(bool hidden, EdgeClass edge_class, HiddenLines hidde
 /// is large, the fine one, last, shows no colour but those of the two.
 constexpr std::array<double, 3> underlay_widths = {4, 1, 0.25};
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 
 #include "hsr/io/write/json_text.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -95,4 +95,4 @@ std::string mesh_json(const Mesh& mesh, Numbers numbers) {
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -9,6 +9,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 void append_coordinate(std::string& out, const Rational& x, Numbers numbers) {

@@ -12,7 +12,7 @@
 
 #include "geometry/error.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 int UnfinishedFiles::add(const std::string& path) noexcept {
   if (path.size() >= longest_name) return -1;
@@ -125,4 +125,4 @@ void write_file(const std::string& path, std::string_view bytes, UnfinishedFiles
   file.commit();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

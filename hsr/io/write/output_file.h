@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Names of files that are not complete yet, for a signal handler that removes them.
 ///
@@ -57,4 +57,4 @@ class OutputFile {
 /// All of it or nothing.
 void write_file(const std::string& path, std::string_view bytes, UnfinishedFiles* unfinished = nullptr);
 
-}  // namespace hsr
+}  // namespace hsr::internal

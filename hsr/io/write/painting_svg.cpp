@@ -9,6 +9,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 constexpr double seam = 0.1, line = 0.25, cut = 0.9;  // mm: the pens of seams, of lines, and of cuts

@@ -12,6 +12,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 struct Destroy {

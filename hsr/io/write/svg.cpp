@@ -9,6 +9,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 void append_faces(std::string& out, std::span<const std::uint32_t> faces) {

@@ -4,7 +4,7 @@
 
 #include "hsr/io/write/json_text.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 void append_coordinate(std::string& out, std::int64_t thousandths) {
   if (thousandths < 0) out += '-';
@@ -110,4 +110,4 @@ void append_svg_start(std::string& out, double width, double height, const SvgOp
   }
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "hsr/io/write/svg.h"
 #include "hsr/model.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// SVG text, appended to a string.
 void append_coordinate(std::string& out, std::int64_t thousandths);  ///< a decimal without trailing zeros
@@ -20,4 +20,4 @@ void append_colour(std::string& out, const Colour& colour);                ///< 
 /// The first element, title and description. @param links declares xlink
 void append_svg_start(std::string& out, double width, double height, const SvgOptions& options, bool links = false);
 
-}  // namespace hsr
+}  // namespace hsr::internal

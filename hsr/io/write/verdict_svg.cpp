@@ -6,7 +6,7 @@
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/svg_text.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -114,4 +114,4 @@ std::string verdict_svg(const Verdict& verdict, const std::vector<PaintedPolygon
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

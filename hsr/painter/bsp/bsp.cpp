@@ -14,6 +14,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 void BspNodes::prepare_planes() {
   bit_range = hsr::bit_range(mesh->points);
   std::vector<std::uint32_t> filtered;

@@ -9,7 +9,9 @@
 
 namespace hsr {
 
+namespace internal {
 struct BspNodes;
+}  // namespace internal
 
 struct BspOptions {
   std::uint64_t seed = 1;       ///< of the planes that are tried; the same seed gives the same tree
@@ -47,7 +49,7 @@ class BspTree {
   const DecisionCounts& decisions() const;
 
  private:
-  std::shared_ptr<const BspNodes> nodes_;  // never changed, and so shared by copies
+  std::shared_ptr<const internal::BspNodes> nodes_;  // never changed, and so shared by copies
 };
 
 }  // namespace hsr

@@ -6,7 +6,7 @@
 #include "geometry/error.h"
 #include "hsr/painter/painters_order.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The planes that bound the pieces of a BSP, each named by 32 bits: then a corner takes 12 bytes, not the 44 of a PieceCorner.
 class BspBounds {
@@ -64,4 +64,4 @@ inline Cut cut_of(BspBounds::Id id, const std::vector<BspBounds::Side>& sides, c
   return {Cut::Kind::line, side.axis, side.u.value, side.v.value};
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -18,7 +18,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/visibility_map/convex_ring.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -556,4 +556,4 @@ BspNodes build_nodes(const Mesh& mesh, const BspOptions& options) {
   return tree;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

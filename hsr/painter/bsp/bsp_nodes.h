@@ -9,7 +9,7 @@
 #include "hsr/painter/bsp/bsp_bounds.h"
 #include "hsr/painter/painters_order.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What a BspTree is made of; while it is built, also what one of its subtrees is made of.
 struct BspNodes {
@@ -41,4 +41,4 @@ struct BspNodes {
 /// The tree of a mesh, without what prepare_planes() makes. @throws InputError beyond the most pieces
 BspNodes build_nodes(const Mesh& mesh, const BspOptions& options);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "geometry/constructed_point.h"
 #include "hsr/symbols/cut_plane.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 std::uint32_t BspParts::add(TriangleId facet, std::span<const BspBounds::Corner> ring) {
   Part part{facet, static_cast<std::uint32_t>(corners_.size()), 0};
@@ -167,4 +167,4 @@ std::array<std::uint32_t, 2> BspParts::split(std::uint32_t index, const Divider&
   return halves;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/symbols/cut.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Convex parts of facets while a BspTree is built: on which side of a plane they lie, and what it cuts them into.
 ///
@@ -83,4 +83,4 @@ class BspParts {
   std::vector<Corner> crossings_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

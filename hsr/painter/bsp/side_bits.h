@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// On which side of each of some planes up to 64 parts lie, a bit for each part: what has been asked once need not be asked
 /// again. A part on both sides is cut by the plane; one on neither lies in it.
@@ -50,4 +50,4 @@ class SideBits {
   std::array<Row, planes> rows_ = {};
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -3,7 +3,7 @@
 #include "geometry/parallel.h"
 #include "hsr/visibility_map/map_predicates.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -44,4 +44,4 @@ ClusterBoxes::ClusterBoxes(const ProjectedMesh& projected, const FacePieces& pie
   }
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 #include "hsr/painter/sort/clusters.h"
 #include "hsr/scene/box_tree.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Which pairs are looked for.
 enum class InDepth : std::uint8_t {
@@ -42,4 +42,4 @@ inline bool touch_in_image(const ImageBox& x, const ImageBox& y) {
 }
 inline bool touch_in_depth(const ImageBox& x, const ImageBox& y) { return x.farthest <= y.nearest && y.farthest <= x.nearest; }
 
-}  // namespace hsr
+}  // namespace hsr::internal

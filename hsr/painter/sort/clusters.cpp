@@ -8,7 +8,7 @@
 #include "geometry/parallel.h"
 #include "hsr/scene/facet.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -176,4 +176,4 @@ Clusters one_cluster(const FacePieces& pieces) {
 
 Clusters clusters(const ProjectedMesh& projected, const FacePieces& pieces) { return Parting(projected, pieces).all(); }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 
 #include "hsr/painter/sort/face_pieces.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Pieces in groups that may be painted one after another: planes that no piece crosses part them, and what lies beyond such a
 /// plane, as seen from the viewpoint, hides nothing on its own side. What is in one group still has to be sorted.
@@ -27,4 +27,4 @@ Clusters clusters(const ProjectedMesh& projected, const FacePieces& pieces);
 /// All of them in one.
 Clusters one_cluster(const FacePieces& pieces);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -129,4 +129,4 @@ std::vector<std::vector<std::uint32_t>> disjoint_cycles(const Graph& graph, cons
   return cycles;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

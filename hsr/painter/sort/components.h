@@ -5,7 +5,7 @@
 
 #include "geometry/ragged.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A directed graph: to which nodes each node leads.
 using Graph = Ragged<std::uint32_t>;
@@ -31,4 +31,4 @@ std::vector<std::vector<std::uint32_t>> cyclic_components(const Graph& graph);
 /// edges).
 std::vector<std::vector<std::uint32_t>> disjoint_cycles(const Graph& graph, const std::vector<std::uint32_t>& nodes);
 
-}  // namespace hsr
+}  // namespace hsr::internal

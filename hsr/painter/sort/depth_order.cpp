@@ -8,7 +8,7 @@
 #include "hsr/painter/sort/components.h"
 #include "hsr/painter/sort/piece_relations.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -176,4 +176,4 @@ std::optional<std::vector<std::uint32_t>> depth_order(const ProjectedMesh& proje
   return order;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 
 #include "hsr/painter/sort/overlap_graph.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The pieces from far to near by a key between the depths of each, and before a piece what it overlaps that is behind it
 /// though its key is nearer. Nothing: there is no order, or too many pieces come before their turn.
@@ -23,4 +23,4 @@ std::optional<std::vector<std::uint32_t>> depth_order(const ProjectedMesh& proje
                                                       const ClusterBoxes& boxes, const ImageTriangles& images,
                                                       OverlapGraph& found);
 
-}  // namespace hsr
+}  // namespace hsr::internal

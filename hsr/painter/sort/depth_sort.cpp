@@ -18,6 +18,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffU;

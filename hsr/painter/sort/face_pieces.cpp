@@ -8,7 +8,7 @@
 #include "hsr/scene/facet.h"
 #include "hsr/visibility_map/convex_ring.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -82,4 +82,4 @@ FacePieces face_pieces(const ProjectedMesh& projected) {
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

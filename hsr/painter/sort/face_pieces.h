@@ -6,7 +6,7 @@
 
 #include "hsr/visibility_map/convex_piece.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// All facets that are not seen edge-on, beyond the near plane, as convex pieces, ascending by facet: one of a convex facet, or
 /// one of each of its triangles. A piece that nothing has cut is no more than its vertices: most scenes need no other.
@@ -29,4 +29,4 @@ struct FacePieces {
 /// Exact: yes. Cost: O(n), parallel.
 FacePieces face_pieces(const ProjectedMesh& projected);
 
-}  // namespace hsr
+}  // namespace hsr::internal

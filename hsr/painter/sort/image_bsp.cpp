@@ -6,7 +6,7 @@
 
 #include "geometry/error.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<Piec
   return done;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

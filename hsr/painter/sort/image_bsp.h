@@ -5,7 +5,7 @@
 
 #include "hsr/painter/sort/overlap.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Orders pieces from far to near by the planes of some of them, cutting what a plane passes through: always possible. For the
 /// pieces that are in cycles; bsp.h has the tree that is kept.
@@ -16,4 +16,4 @@ namespace hsr {
 std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<PieceOfFacet> pieces, std::size_t most,
                                             std::uint64_t& cuts);
 
-}  // namespace hsr
+}  // namespace hsr::internal

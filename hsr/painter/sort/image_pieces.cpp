@@ -5,7 +5,7 @@
 #include "geometry/error.h"
 #include "hsr/scene/facet.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -80,4 +80,4 @@ void append(const ProjectedMesh& projected, const FacePieces& pieces, std::size_
   order.pieces.push_back(out);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -7,7 +7,7 @@
 
 #include "geometry/parallel.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -79,4 +79,4 @@ ImageTriangles image_triangles(const ProjectedMesh& projected, const FacePieces&
   return images;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "geometry/simd.h"
 #include "hsr/painter/sort/face_pieces.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A triangle in the image in floats, its corners counter-clockwise, so that O is positive within. The last place is the third corner again: four
 /// make a vector. Not a number: no triangle, or its image is not known.
@@ -124,4 +124,4 @@ class PreparedTriangle {
   float x_ = 0, y_ = 0, size_ = 0, error_ = 0;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 
 #include "hsr/painter/sort/overlap.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Around the image of a piece, for certain.
 struct NearBox {
@@ -31,4 +31,4 @@ struct NearBox {
   bool overlaps(const NearBox& o) const { return high_x > o.low_x && o.high_x > low_x && high_y > o.low_y && o.high_y > low_y; }
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 
 #include "hsr/scene/facet.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 OverlapCounts& OverlapCounts::operator+=(const OverlapCounts& o) {
   image_sides += o.image_sides;
@@ -191,4 +191,4 @@ Overlap Overlaps::relation(const PieceOfFacet& a, const PieceOfFacet& b) {
   return classic_ || (there->nearer && there->farther) ? Overlap::piercing : answer(*there);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

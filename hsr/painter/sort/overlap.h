@@ -5,7 +5,7 @@
 
 #include "hsr/visibility_map/convex_piece.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// How two pieces lie where their images overlap.
 enum class Overlap : std::uint8_t {
@@ -87,4 +87,4 @@ class Overlaps {
   OverlapCounts counts_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

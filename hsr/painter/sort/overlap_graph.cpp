@@ -7,7 +7,7 @@
 #include "geometry/cancel.h"
 #include "hsr/painter/sort/piece_relations.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -105,4 +105,4 @@ OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pie
   return all;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

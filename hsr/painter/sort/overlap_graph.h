@@ -8,7 +8,7 @@
 #include "hsr/painter/sort/image_triangle.h"
 #include "hsr/painter/sort/overlap.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Two pieces whose images overlap. Where they do not pierce each other the first is painted first.
 struct Overlapping {
@@ -38,4 +38,4 @@ struct OverlapGraph {
 OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
                            const ImageTriangles& images, bool classic, const std::stop_token& stop);
 
-}  // namespace hsr
+}  // namespace hsr::internal

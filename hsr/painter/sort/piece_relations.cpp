@@ -1,6 +1,6 @@
 #include "hsr/painter/sort/piece_relations.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 Overlap PieceRelations::relation(std::uint32_t i, std::uint32_t k) {
   if (i != first_) turn_to(i);
@@ -35,4 +35,4 @@ PieceOfFacet PieceRelations::shape(std::uint32_t i) const {
   return piece;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

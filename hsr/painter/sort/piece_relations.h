@@ -4,7 +4,7 @@
 
 #include "hsr/painter/sort/whole_overlap.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The relations of one piece after another with others: of whole pieces where vertices tell, else of their shapes. One object
 /// per thread.
@@ -31,4 +31,4 @@ class PieceRelations {
   PieceOfFacet shape_;  // of the first, where it is asked for
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::optional<Overlap> WholeOverlaps::relation(std::uint32_t piece) {
   return of_first.nearer ? Overlap::first_behind : Overlap::second_behind;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,7 +8,7 @@
 #include "hsr/painter/sort/overlap.h"
 #include "hsr/scene/line_filter.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The relation of pieces that nothing has cut, which most are: Newell's tests as Overlaps has them, of vertices alone. One
 /// object per thread.
@@ -57,4 +57,4 @@ class WholeOverlaps {
   PreparedTriangle prepared_;  // the image of the first, if there is one
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

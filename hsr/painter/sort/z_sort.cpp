@@ -6,7 +6,7 @@
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/scene/view_parts.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
   PaintersOrder order;
@@ -46,4 +46,4 @@ PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
   return order;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -3,7 +3,7 @@
 #include "hsr/painter/painters_order.h"
 #include "hsr/scene/scene.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// By which point of a face it is sorted.
 enum class DepthKey : unsigned char { centroid, farthest_vertex };
@@ -17,4 +17,4 @@ PaintersOrder z_sort(const SceneView& scene, DepthKey key);
 /// Of a scene that nothing else looks at.
 inline PaintersOrder z_sort(const Mesh& mesh, const View& view, DepthKey key) { return z_sort(SceneView(mesh, view), key); }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -1,6 +1,6 @@
 #include "hsr/painter/verify/image_rows.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 ImageRows::ImageRows(const View& view) : parallel(!view.is_perspective()), eye(rational(view.viewpoint.at)) {
   away = parallel ? minus(RationalVector{}, eye) : minus(rational(view.target), eye);
@@ -37,4 +37,4 @@ RationalVector ImageRows::point(const RationalVector& normal, const RationalVect
   return p;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

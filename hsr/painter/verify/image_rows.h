@@ -5,7 +5,7 @@
 #include "geometry/rational_vector.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A place in the image of ImageRows.
 using ImagePlace = std::array<Rational, 2>;
@@ -28,4 +28,4 @@ struct ImageRows {
   RationalVector point(const RationalVector& normal, const RationalVector& on, const ImagePlace& at) const;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

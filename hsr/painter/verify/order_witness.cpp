@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -128,4 +128,4 @@ OrderWitness order_witness(std::uint32_t polygons, const std::vector<Precedence>
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Two polygons the first of which has to be painted earlier than the second.
 struct Precedence {
@@ -22,4 +22,4 @@ struct OrderWitness {
 /// components.
 OrderWitness order_witness(std::uint32_t polygons, const std::vector<Precedence>& all);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include "geometry/error.h"
 #include "geometry/mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -278,4 +278,4 @@ std::optional<Nearer> nearer(const PaintedParts& all, PaintedSides& sides, const
   return found;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -11,7 +11,7 @@
 #include "hsr/painter/verify/verify.h"
 #include "hsr/scene/box_tree.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A planar convex part of a painted polygon, beyond the near plane, with an area in the image.
 struct PaintedPart {
@@ -69,4 +69,4 @@ std::optional<Nearer> nearer(const PaintedParts& all, PaintedSides& sides, const
 /// On which side of a part's plane a point lies: positive, on that of the eye.
 Sign before_plane(PaintedSides& sides, const PaintedPart& part, std::uint32_t p);
 
-}  // namespace hsr
+}  // namespace hsr::internal

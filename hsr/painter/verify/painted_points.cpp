@@ -10,7 +10,7 @@
 #include "geometry/enclosure.h"
 #include "geometry/polynomials.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -198,4 +198,4 @@ Sign PaintedSides::near(std::uint32_t p) {
   return (rows_.depth(points_.exact(p)) - rows_.near).sign();
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

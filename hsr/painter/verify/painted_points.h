@@ -15,7 +15,7 @@
 #include "hsr/painter/verify/image_rows.h"
 #include "hsr/painter/verify/verify.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// The distinct corners of painted polygons, by numbers: the same point, the same number. Doubles stay doubles.
 class PaintedPoints {
@@ -90,4 +90,4 @@ class PaintedSides {
   Predicates predicates_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

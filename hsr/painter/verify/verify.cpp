@@ -12,6 +12,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffU;

@@ -10,7 +10,7 @@
 #include "geometry/number.h"
 
 using namespace hsr;
-using namespace hsr::read;
+using namespace hsr::internal::read;
 
 namespace {
 

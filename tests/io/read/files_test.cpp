@@ -11,6 +11,7 @@
 #include "tests/io/read/temporary_directory.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 using namespace hsr::test;
 
 namespace {

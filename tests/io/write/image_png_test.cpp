@@ -9,6 +9,9 @@
 #include "hsr/raster/supersampling.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 Image<Colour> read(const std::string& bytes) {

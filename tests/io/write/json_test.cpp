@@ -11,6 +11,7 @@
 #include "hsr/lines/visible_lines.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include "geometry/error.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 namespace fs = std::filesystem;
 
 namespace {

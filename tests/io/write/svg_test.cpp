@@ -10,6 +10,7 @@
 #include "tests/drawing/hand_made_lines.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 
