@@ -20,5 +20,6 @@
 #include "hsr/scene/scene.h"
 #include "hsr/surfaces/regions.h"
 #include "hsr/surfaces/visible_fragments.h"
+#include "hsr/symbols/constructions.h"
 #include "hsr/view/view.h"
 // IWYU pragma: end_exports

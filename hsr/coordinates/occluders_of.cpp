@@ -7,6 +7,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 std::vector<FaceId> occluders_of(const SceneView& scene, const VisibleLines& lines, const Segment& segment) {
   std::vector<FaceId> faces;
   if (!segment.is_hidden) return faces;

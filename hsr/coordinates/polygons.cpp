@@ -7,6 +7,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 /// The polygons that make(k) gives, in parallel.

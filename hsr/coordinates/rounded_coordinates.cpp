@@ -8,7 +8,7 @@
 #include "hsr/surfaces/fragments.h"
 #include "hsr/symbols/constructions.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 template <class Exact>
 PlacedPoint RoundedCoordinates::rounded(const Point3& origin, const Enclosed& space, const HomogeneousPoint& image,
@@ -19,7 +19,7 @@ PlacedPoint RoundedCoordinates::rounded(const Point3& origin, const Enclosed& sp
     return *in_space;
   };
   const auto in_doubles = [](const Enclosure& x, const auto& exactly) {
-    const std::optional<double> known = hsr::rounded(x);
+    const std::optional<double> known = hsr::internal::rounded(x);
     return (known ? *known : exactly().to_double()) + 0.0;  // never -0
   };
   const auto space_at = [&](std::size_t axis) {
@@ -94,4 +94,4 @@ PlacedPoint RoundedCoordinates::at(TriangleId facet, const PieceCorner& corner) 
               [&] { return exact_point(mesh_, view_, facet, corner); });
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "hsr/painter/painters_order.h"
 #include "hsr/symbols/map_point.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Where the symbols that results are made of are, correctly rounded: enclosures answer, and rationals only where these leave
 /// two doubles open. May be used by many threads at once.
@@ -36,4 +36,4 @@ class RoundedCoordinates {
   Projection frame_;
 };
 
-}  // namespace hsr
+}  // namespace hsr::internal

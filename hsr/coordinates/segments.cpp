@@ -9,6 +9,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 std::vector<FaceId> faces_at(const Mesh& mesh, const Line& line, const SupportingLine& support) {

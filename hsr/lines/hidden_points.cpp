@@ -16,6 +16,8 @@
 
 namespace hsr {
 
+using namespace internal;
+
 namespace {
 
 /// Tells what hides one point after the other. One object per thread.

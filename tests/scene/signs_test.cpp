@@ -15,7 +15,7 @@
 #include "hsr/scene/half_space.h"
 #include "hsr/scene/line_filter.h"
 #include "hsr/scene/occluding_edges.h"
-#include "hsr/scene/scene_parts.h"
+#include "hsr/scene/view_parts.h"
 #include "hsr/scene/triangle_filter.h"
 #include "hsr/surfaces/line_envelope.h"
 #include "hsr/surfaces/visible_fragments.h"
@@ -28,6 +28,9 @@
 // negative. Nothing here asks one function what another one says: what is right is read off the side that the viewer is on.
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 using scenes::TestScene;
