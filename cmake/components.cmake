@@ -14,13 +14,23 @@ endfunction()
 # by the rooms that belong to it. The part of `cmake --install --component` that it belongs to is `install_with`.
 function(hsr_component target component install_with)
   add_library(${target} STATIC)
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:hsr_build>)
+  hsr_install_component(${target} ${component} ${install_with} PUBLIC)
+endfunction()
+
+# The same of headers alone.
+function(hsr_header_component target component install_with)
+  add_library(${target} INTERFACE)
+  hsr_install_component(${target} ${component} ${install_with} INTERFACE)
+endfunction()
+
+function(hsr_install_component target component install_with scope)
   add_library(hsr::${component} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${component})
-  target_compile_features(${target} PUBLIC cxx_std_20)
-  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:hsr_build>)
+  target_compile_features(${target} ${scope} cxx_std_20)
   hsr_headers_of(${component} headers)
   list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/)
-  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   install(TARGETS ${target} EXPORT hsr-${component}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${install_with}
     FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hsr COMPONENT ${install_with})

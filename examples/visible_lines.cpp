@@ -7,8 +7,7 @@ int main() {
   const std::vector<hsr::Point3> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                            {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   const std::vector<std::uint32_t> corners = {0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7};
-  const std::vector<std::uint32_t> first = {0,  4,  8, 12,
-                                            16, 20, 24};  // face f has corners[first[f]] ... corners[first[f + 1] - 1]
+  const std::vector<std::uint32_t> first = {0, 4, 8, 12, 16, 20, 24};  // where each face begins among them, and the end
   const hsr::Mesh mesh = hsr::make_mesh(points, corners, first);
   const hsr::SceneView scene(mesh, hsr::named_view("iso", hsr::centre(mesh)));
   for (const hsr::Segment& s : hsr::segments(scene, hsr::visible_lines(scene)))
