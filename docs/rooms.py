@@ -125,7 +125,10 @@ def svg(graph, level):
             (xa, ya), (xb, yb) = place[a], place[b]
             ya, yb = ya + height / 2, yb - height / 2
             xb += max(-width / 3, min(width / 3, (xa - xb) / 6))  # arrows from several rooms end side by side
-            if level[a] - level[b] > 1 and abs(xb - xa) < width:  # around the rooms between the two
+            between = [r for r in place if level[a] > level[r] > level[b]]
+            if between and all(abs(place[r][0] - xa) > width / 2 for r in between):  # straight down between them
+                bend = f"{xa:.0f} {yb - gap_y:.0f} {xa:.0f} {yb - gap_y / 2:.0f}"
+            elif between and abs(xb - xa) < width:  # around the rooms between the two
                 side = xa + (1 if xa > full / 2 else -1) * (width / 2 + 1.5 * gap_x)
                 bend = f"{side:.0f} {ya + gap_y:.0f} {side:.0f} {yb - gap_y:.0f}"
             else:
