@@ -1,7 +1,8 @@
 // Matrices in, matrices out: a cube seen from the front shows four visible segments.
+#include "hsr/eigen.h"
+
 #include <cstdio>
 
-#include "hsr/eigen.h"
 #include "hsr/hsr.h"
 
 int main() {
