@@ -40,7 +40,9 @@ struct ViewedModel {
 
   const View& view() const { return chosen.view; }
   /// Prepared for every method. @pre this stays where it is
-  SceneView prepared(const SceneOptions& options = {}) const { return {mesh, chosen.view, options}; }
+  SceneView prepared(const SceneOptions& options = {}) const {
+    return {Scene::of(mesh, labels_of(model)), chosen.view, options};
+  }
   /// The model's file name without its directories.
   std::string name() const;
   /// What a picture of it is called: its name, and "view: iso".

@@ -12,7 +12,6 @@ namespace hsr::cli {
 
 namespace {
 
-constexpr std::array<const char*, 6> class_names = {"outline", "sharp", "boundary", "intersection", "wire", "smooth"};
 constexpr std::array<const char*, stage_count> stage_names = {"frame", "convex-body", "back-faces", "hidden-tiles",
                                                               "far-faces"};
 constexpr std::array<const char*, 3> when_names = {"auto", "always", "never"};
@@ -42,16 +41,16 @@ std::string listed(const std::array<const char*, n>& names) {
   return text;
 }
 
-std::array<bool, 6> parse_classes(const std::string& text) {
-  std::array<bool, 6> classes{};
+EdgeClasses parse_classes(const std::string& text) {
+  EdgeClasses classes{};
   if (text == "all") {
     classes.fill(true);
     return classes;
   }
   for (const std::string& name : split(text, ',')) {
-    const std::size_t k = place(class_names, name);
-    if (k == class_names.size())
-      throw InputError("--edges: found \"" + name + "\", expected all, or of outline,sharp,boundary,intersection,wire,smooth");
+    const std::size_t k = place(edge_class_names, name);
+    if (k == edge_class_names.size())
+      throw InputError("--edges: found \"" + name + "\", expected all" + listed(edge_class_names));
     classes[k] = true;
   }
   return classes;
@@ -80,7 +79,8 @@ std::array<When, stage_count> parse_stages(const std::string& text) {
 
 void LineArguments::add_to(Options& options) {
   options.begin_group("Lines");
-  options.add("--edges", edges, "LIST", "Classes to draw: outline,sharp,boundary,intersection,wire,smooth or all")
+  options
+      .add("--edges", edges, "LIST", "Classes to draw, or all: outline,sharp,boundary,intersection,wire,material,smooth,joint")
       .with_default_shown();
   options
       .add("--crease", crease, "DEG",

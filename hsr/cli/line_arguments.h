@@ -10,7 +10,7 @@ namespace hsr::cli {
 
 /// The options that say which lines are looked for, and how.
 struct LineArguments {
-  std::string edges = "outline,sharp,boundary,intersection,wire", method = "auto", stages;
+  std::string edges = "outline,sharp,boundary,intersection,wire,material", method = "auto", stages;
   double crease = 30;
 
   void add_to(Options& options);

@@ -9,7 +9,7 @@ namespace hsr::internal {
 
 namespace {
 
-/// Of coinciding lines the one of lower rank is drawn: outline, boundary, sharp, intersection, wire, smooth.
+/// Of coinciding lines the one of lower rank is drawn.
 int precedence(EdgeClass edge_class) {
   switch (edge_class) {
     case EdgeClass::outline:
@@ -20,12 +20,16 @@ int precedence(EdgeClass edge_class) {
       return 2;
     case EdgeClass::intersection:
       return 3;
-    case EdgeClass::wire:
+    case EdgeClass::material:
       return 4;
+    case EdgeClass::wire:
+      return 5;
+    case EdgeClass::joint:
+      return 6;
     case EdgeClass::smooth:
       break;
   }
-  return 5;
+  return 7;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -16,13 +18,24 @@ enum class LineMethod : unsigned char {
   roberts,
 };
 
+/// The class of an edge in a view (docs/conventions.md, "Classes of edges"). Does not depend on visibility.
+enum class EdgeClass : std::uint8_t { outline, sharp, boundary, intersection, wire, smooth, material, joint };
+constexpr std::size_t edge_class_count = 8;
+
+constexpr std::array<const char*, edge_class_count> edge_class_names = {"outline", "sharp",  "boundary", "intersection",
+                                                                        "wire",    "smooth", "material", "joint"};
+
+/// Some classes, by EdgeClass.
+using EdgeClasses = std::array<bool, edge_class_count>;
+/// What a drawing has unless more or less is asked for: no smooth edges, and no joints.
+constexpr EdgeClasses drawn_classes = {true, true, true, true, true, false, true, false};
+
 struct LineOptions {
   LineMethod method = LineMethod::automatic;  ///< for visible_lines()
   /// Perspective: only this is looked at; the result may lack edges that are wholly outside. Nothing: all edges.
   std::optional<FrameSize> frame = {};
 
-  /// Which classes to compute; by default all but smooth.
-  std::array<bool, 6> classes = {true, true, true, true, true, false};
+  EdgeClasses classes = drawn_classes;  ///< which to compute
   /// Also every diagonal of a face that is cut into triangles, as a smooth line where it is no outline: no drawing has them, but
   /// fragments are bounded by them.
   bool diagonals = false;

@@ -9,7 +9,7 @@ namespace hsr {
 
 using namespace internal;
 
-VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const std::array<bool, 6>& classes) {
+VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const EdgeClasses& classes) {
   const auto is_only_diagonal = [&](EdgeId e) { return mesh.edges[e].diagonal && !mesh.edges[e].of_face; };
   VisibleLines some = lines;
   std::erase_if(some.lines, [&](const Line& line) {

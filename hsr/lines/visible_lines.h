@@ -16,9 +16,6 @@
 
 namespace hsr {
 
-/// The class of an edge in a view (docs/conventions.md, "Classes of edges"). Does not depend on visibility.
-enum class EdgeClass : std::uint8_t { outline, sharp, boundary, intersection, wire, smooth };
-
 /// A face whose shadow covers the edge from one cut to another.
 struct Occluder {
   FaceId face;
@@ -74,7 +71,7 @@ inline VisibleLines visible_lines(const Mesh& mesh, const View& view, const Line
 }
 
 /// Those of the lines that are of one of these classes, by EdgeClass, and no diagonals that only LineOptions::diagonals brought.
-VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const std::array<bool, 6>& classes);
+VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const EdgeClasses& classes);
 
 /// What a line runs along: from the vertex a to b, or, where they are not valid, along an intersection.
 struct SupportingLine {

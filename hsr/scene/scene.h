@@ -7,6 +7,7 @@
 
 #include "geometry/mesh.h"
 #include "geometry/predicates.h"
+#include "hsr/scene/face_labels.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -34,12 +35,19 @@ struct LeftOut {
   std::string stage, why;
 };
 
+/// Which of coincident faces is on top.
+enum class Coplanar : unsigned char {
+  first,  ///< the one of the lowest index, which GL_LESS leaves visible in file order
+  last,   ///< the one of the highest index, as painters lay one on the other
+};
+
 struct SceneOptions {
   Arithmetic arithmetic = Arithmetic::staged;  ///< the others are for comparison; they leave nothing out
   std::array<When, stage_count> stages = {};   ///< by Stage
   /// Whether lines that are hidden all along are wanted, too, with their classes. Without them an intersection that is certainly
   /// hidden is not looked for, and an edge that is hidden all along has its class by its own faces.
   bool hidden_lines = true;
+  Coplanar coplanar = Coplanar::first;
 
   When& when(Stage stage) { return stages[static_cast<std::size_t>(stage)]; }
   When when(Stage stage) const { return stages[static_cast<std::size_t>(stage)]; }
@@ -51,11 +59,13 @@ struct SceneOptions {
 /// Immutable for all who see it; parts are made on first use, whatever thread asks. Copies are cheap and share everything.
 class Scene {
  public:
-  explicit Scene(Mesh mesh);
+  /// @throws PreconditionError if a list of labels is neither empty nor as long as the faces are many
+  explicit Scene(Mesh mesh, FaceLabels labels = {});
   /// @pre `mesh` outlives every copy of the scene and of its views
-  static Scene of(const Mesh& mesh);
+  static Scene of(const Mesh& mesh, FaceLabels labels = {});
 
   const Mesh& mesh() const;
+  const FaceLabels& labels() const;
 
  private:
   friend class SceneView;

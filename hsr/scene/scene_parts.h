@@ -3,6 +3,7 @@
 #include <memory>
 #include <mutex>
 
+#include "hsr/scene/face_labels.h"
 #include "hsr/scene/intersections.h"
 #include "hsr/scene/made_once.h"
 #include "hsr/scene/star_shaped_bodies.h"
@@ -12,11 +13,12 @@ namespace hsr::internal {
 /// What all views of a scene share, each part made on first use.
 class SceneParts {
  public:
-  explicit SceneParts(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
+  SceneParts(std::shared_ptr<const Mesh> mesh, FaceLabels labels) : mesh_(std::move(mesh)), labels_(std::move(labels)) {}
   SceneParts(const SceneParts&) = delete;
   SceneParts& operator=(const SceneParts&) = delete;
 
   const Mesh& mesh() const { return *mesh_; }
+  const FaceLabels& labels() const { return labels_; }
   const StarShapedBodies& bodies() const {
     return bodies_.get([&] { return StarShapedBodies(ScaledMesh(*mesh_)); });
   }
@@ -33,6 +35,7 @@ class SceneParts {
 
  private:
   std::shared_ptr<const Mesh> mesh_;
+  FaceLabels labels_;
   MadeOnce<StarShapedBodies> bodies_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const MeetingFaces> meeting_faces_;

@@ -35,6 +35,7 @@ class ViewParts {
   ViewParts& operator=(const ViewParts&) = delete;
 
   const Mesh& mesh() const { return scene_->mesh(); }
+  const FaceLabels& labels() const { return scene_->labels(); }
   const View& view() const { return view_; }
   const SceneOptions& options() const { return options_; }
 

@@ -176,10 +176,7 @@ void append_fragments(std::string& out, const Mesh& mesh, const View& view, cons
 
 }  // namespace
 
-const char* name_of(EdgeClass edge_class) {
-  static constexpr const char* names[] = {"outline", "sharp", "boundary", "intersection", "wire", "smooth"};
-  return names[static_cast<std::size_t>(edge_class)];
-}
+const char* name_of(EdgeClass edge_class) { return edge_class_names[static_cast<std::size_t>(edge_class)]; }
 
 std::string view_json(const View& view, Numbers numbers) {
   const Point3& e = view.viewpoint.at;

@@ -8,7 +8,7 @@
 
 namespace hsr {
 
-/// "outline", "sharp", "boundary", "intersection", "wire", "smooth"
+/// As JSON and the command name it: "outline".
 const char* name_of(EdgeClass edge_class);
 
 struct JsonOptions {

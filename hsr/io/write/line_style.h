@@ -7,7 +7,8 @@
 namespace hsr::internal {
 
 /// Pens by ISO 128: what can be seen in 0.5 mm, continuous (01.2); what cannot in 0.25 mm, dashed (02.1: dashes of 12 widths,
-/// gaps of 3); smooth edges, which a draughtsman calls imaginary, thin and continuous (01.1).
+/// gaps of 3); smooth edges, which a draughtsman calls imaginary, and
+/// joints, thin and continuous (01.1).
 struct LineStyle {
   double width = 0.5;
   double dash = 0, gap = 0;  ///< mm; 0: continuous
@@ -18,7 +19,8 @@ struct LineStyle {
 
 inline LineStyle line_style(bool hidden, EdgeClass edge_class, HiddenLines hidden_lines) {
   if (hidden) return hidden_lines == HiddenLines::solid ? LineStyle{0.25, 0, 0} : LineStyle{0.25, 3, 0.75};
-  return {edge_class == EdgeClass::smooth ? 0.25 : 0.5, 0, 0};
+  const bool is_thin = edge_class == EdgeClass::smooth || edge_class == EdgeClass::joint;
+  return {is_thin ? 0.25 : 0.5, 0, 0};
 }
 
 /// The pens, mm, with which fills are underlaid in their own colours before they are painted: where two of them meet, a viewer
