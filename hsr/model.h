@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "hsr/face_objects.h"
 #include "hsr/scene/face_labels.h"
 
 namespace hsr {
@@ -31,5 +32,8 @@ struct Model {
 /// Which object each face belongs to, and of which material it is: what the file names, or, in a file that names no material, the
 /// colours of its faces if they are at most 16. More are a colour map, which has no borders of material.
 FaceLabels labels_of(const Model& model);
+
+/// The objects that the file tells apart; nothing where it has one or none.
+FaceObjects objects_of(const Model& model);
 
 }  // namespace hsr

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "hsr/drawing/page.h"
+#include "hsr/face_objects.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/regions.h"
 
@@ -26,6 +28,8 @@ struct DrawingOptions {
   Arithmetic arithmetic = Arithmetic::staged;  ///< double_only is taken as staged
   /// Last, on the written coordinates: also leave out what runs within 0.01 mm of a stronger line; see near_lines.h.
   bool leave_out_near = false;
+  /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
+  const FaceObjects* objects = nullptr;
 };
 
 /// Some lines of one style, joined end to end.
@@ -33,12 +37,14 @@ struct Polyline {
   bool hidden = false, closed = false;  ///< closed: the last point is joined to the first, which is not repeated
   EdgeClass edge_class = EdgeClass::outline;
   std::uint32_t first_point = 0, end_point = 0, first_edge = 0, end_edge = 0, first_face = 0, end_face = 0;
+  std::uint32_t object = FaceObjects::none;  ///< of Drawing::objects; none: of several
 };
 
 /// A part of the page in one colour.
 struct Fill {
   Colour colour = {};
   std::uint32_t first_ring = 0, end_ring = 0, first_face = 0, end_face = 0;
+  std::uint32_t object = FaceObjects::none;  ///< of Drawing::objects; none: of several
 };
 
 /// The filled parts of a drawing, which do not overlap, and the outline of all of them.
@@ -62,7 +68,8 @@ struct Drawing {
   bool fits = true;                  ///< nothing is outside the page
   HiddenLines hidden = HiddenLines::none;
 
-  std::vector<Polyline> polylines;                  ///< hidden before visible, then by class, then by their first edge
+  std::vector<std::string> objects;                 ///< names; empty: fewer than two are told apart
+  std::vector<Polyline> polylines;                  ///< hidden before visible, then by class, object and their first edge
   std::vector<PaperPoint> points;                   ///< x to the right, y down, from the upper left corner of the page
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< i < j, ascending and unique for each polyline
   std::vector<std::uint32_t> faces;                 ///< ascending and unique for each polyline

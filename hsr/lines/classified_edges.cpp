@@ -37,7 +37,7 @@ ClassifiedEdges::ClassifiedEdges(const ProjectedMesh& projected, const LineOptio
       const std::size_t end = std::min((block + 1) * edges_of_block, mesh.edges.size());
       for (std::size_t e = block * edges_of_block; e < end; ++e) {
         const EdgeId id(e);
-        if (outside != nullptr && outside->contains(mesh.edges[id])) continue;
+        if (mesh.edges[id].is_only_of_ghosts() || (outside != nullptr && outside->contains(mesh.edges[id]))) continue;
         std::optional<EdgeClass> found;
         if (has_contact.empty() || has_contact[e] == 0) {
           found = with_diagonals(id, edge_class(projected, occlusion.exact(), id, crease));
@@ -107,6 +107,24 @@ RequestedPart ClassifiedEdges::operator[](std::size_t i) const {
 
 ClassifiedEdges::ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending) : edges(std::move(ascending)) {
   classes.resize(edges.size(), EdgeClass::smooth);
+  find_boxes(projected);
+}
+
+void ClassifiedEdges::add_ghosts(const ProjectedMesh& projected, const View& view, const LineOptions& options,
+                                 const ViewFrustum* outside) {
+  const Mesh& mesh = projected.mesh();
+  if (mesh.ghosts == nullptr) return;
+  first_ghost_ = edges.size();
+  LineOptions without_diagonals = options;
+  without_diagonals.diagonals = false;
+  const ProjectedMesh among_ghosts(*mesh.ghosts, view, projected.arithmetic());
+  const ClassifiedEdges ghosts(among_ghosts, without_diagonals, outside, nullptr, {});
+  for (std::size_t i = 0; i < ghosts.edges.size(); ++i) {
+    const Edge& e = mesh.ghosts->edges[ghosts.edges[i]];
+    edges.push_back(mesh.find_edge(e.a, e.b));
+    classes.push_back(ghosts.classes[i]);
+  }
+  decisions += ghosts.decisions;
   find_boxes(projected);
 }
 

@@ -91,6 +91,7 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
                                 : &parts_.occluders(parts_.options().hidden_lines ? Excluded::none : Excluded::hidden);
   requested_.emplace(projected_, options, outside_ ? &*outside_ : nullptr, containing,
                      intersections_ == nullptr ? std::vector<std::uint8_t>() : intersections_->has_contact);
+  requested_->add_ghosts(projected_, scene.view(), options, outside_ ? &*outside_ : nullptr);
   if (requested_->edges.size() < mesh.edges.size())
     say("edges", of(mesh.edges.size() - requested_->edges.size(), mesh.edges.size(),
                     outside_ ? "edges are outside the picture, or of classes that are not asked for"
@@ -257,6 +258,8 @@ VisibleLines Plan::run() const {
     if (!merged_segments_.empty())
       append(all, lines_of_intersections(projected_, merged_segments_, meet_boxes_, occluders, options_));
   }
+  if (parts_.mesh().ghosts != nullptr)
+    for (std::size_t i = 0; i < requested_->edges.size(); ++i) all.lines[i].is_ghost = requested_->is_ghost(i);
   if (intersections_ != nullptr) all.decisions += intersections_->decisions;
   all.intersections = merged_segments_;
   all.plan = outcome_;

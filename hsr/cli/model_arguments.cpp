@@ -1,0 +1,48 @@
+#include "hsr/cli/model_arguments.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/error.h"
+#include "hsr/cli/standard_input.h"
+#include "hsr/io/read/read.h"
+#include "hsr/joined_models.h"
+
+namespace hsr::cli {
+
+void ModelArguments::add_to(Options& options, const std::string& name, const std::string& help) {
+  options.add_several(name, models, help).required();
+  options
+      .add("--from", from, "FORMAT",
+           "What standard input holds, where MODEL is -: obj, off, ply, stl, gltf or glb [by content]")
+      .one_of({"obj", "off", "ply", "stl", "gltf", "glb", "json"});
+}
+
+void ModelArguments::add_objects_to(Options& options) {
+  options.begin_group("Objects");
+  options.add_one_each("--only", objects.only, "NAME",
+                       "No other objects than this one, as the file names it, or a file that names none; may be repeated");
+  options.add_one_each("--hide", objects.hide, "NAME", "This object is not there; may be repeated");
+}
+
+void ModelArguments::add_ghosts_to(Options& options) {
+  options.add_one_each("--ghost", objects.ghost, "NAME",
+                       "The lines of this object are drawn, and it hides nothing; may be repeated");
+}
+
+void ModelArguments::check() const {
+  const auto of_input = std::count(models.begin(), models.end(), "-");
+  if (of_input > 1) throw InputError("-: found twice among the models, expected standard input once");
+  if (of_input == 0 && !from.empty())
+    throw InputError("--from: found no MODEL that is -, expected it with standard input only: the format of a file is its own");
+}
+
+Model ModelArguments::read() const {
+  std::vector<ModelToJoin> parts;
+  for (const std::string& path : models) parts.push_back({path == "-" ? read_standard_input(from) : read_model(path)});
+  Model model = joined(std::move(parts)).model;
+  select(model, objects);
+  return model;
+}
+
+}  // namespace hsr::cli

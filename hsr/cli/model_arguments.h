@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hsr/cli/command_line.h"
+#include "hsr/model.h"
+#include "hsr/object_selection.h"
+
+namespace hsr::cli {
+
+/// The arguments that say what the scene is: models, and which of their objects.
+struct ModelArguments {
+  std::vector<std::string> models;  ///< paths; - is the standard input
+  std::string from;                 ///< the format of the standard input; empty: by content
+  ObjectSelection objects;
+
+  /// MODEL ... and --from. @param help of MODEL
+  void add_to(
+      Options& options, const std::string& name = "MODEL",
+      const std::string& help = "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB; several are one scene, - is standard input");
+  /// --only and --hide.
+  void add_objects_to(Options& options);
+  /// And --ghost, for verbs that draw lines.
+  void add_ghosts_to(Options& options);
+
+  /// @throws InputError where standard input is asked for twice, or its format is given and it is not read
+  void check() const;
+  /// One model of all of them, with the objects that are wanted.
+  /// @throws InputError as readers, joined() and select() do
+  Model read() const;
+};
+
+}  // namespace hsr::cli
