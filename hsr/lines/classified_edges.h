@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hsr/lines/edge_classifier.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/box_tree.h"
@@ -21,24 +22,27 @@ constexpr std::size_t edges_of_block = 512;
 struct RequestedPart {
   EdgeId edge;
   EdgeClass edge_class = EdgeClass::smooth;
+  bool is_behind = false;  ///< what touches the seen surface there from behind
   Cut from{Cut::Kind::start}, to{Cut::Kind::end};
 };
 
 /// The edges of the classes that are wanted, in ascending order, with their classes and boxes. An edge whose class changes
-/// along it is listed once for each part. Cost: O(n), parallel.
+/// along it is listed once for each part, along it, and then once for each part that touches the seen surface from behind.
+/// Cost: O(n), parallel.
 struct ClassifiedEdges {
   std::vector<EdgeId> edges;
   std::vector<EdgeClass> classes;
   std::vector<ImageBox> boxes;
-  /// By edge of the list: 1 if it is provably hidden all along and its image is no point. Empty if this is known of none.
+  /// By edge of the list: 1 if it is hidden all along and its image is no point. Empty if this is known of none.
   std::vector<std::uint8_t> hidden;
   DecisionCounts decisions;
 
   /// @param outside leaves out the edges outside of this frustum, unless it is nullptr
   /// @param occluders all triangles, or nullptr
-  /// @param has_contact by edge: whether it may lie in one of these triangles; empty if none does
-  ClassifiedEdges(const ProjectedMesh& projected, const LineOptions& options, const ViewFrustum* outside,
-                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact);
+  /// @param has_contact by edge: whether it may lie in one of these triangles or along its border; empty if none does
+  /// @param with_behind whether what touches the seen surface from behind is wanted: it is hidden all along
+  ClassifiedEdges(const EdgeClassifier& classifier, const LineOptions& options, const ViewFrustum* outside,
+                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind);
   /// The given edges from end to end, without finding their classes.
   ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending);
 
@@ -49,9 +53,11 @@ struct ClassifiedEdges {
  private:
   struct Part {
     std::size_t index;
-    Cut from, to;
+    RequestedPart part;
   };
+  struct Finder;
   const Part* part(std::size_t i) const;
+  void list_parts(const std::vector<RequestedPart>& ascending);
   void find_boxes(const ProjectedMesh& projected);
 
   std::vector<Part> parts_;  // ascending; entries of the list that are not in it stand for whole edges

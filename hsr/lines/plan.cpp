@@ -89,8 +89,10 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
   const Occluders* const containing =
       intersections_ == nullptr ? nullptr
                                 : &parts_.occluders(parts_.options().hidden_lines ? Excluded::none : Excluded::hidden);
-  requested_.emplace(projected_, options, outside_ ? &*outside_ : nullptr, containing,
-                     intersections_ == nullptr ? std::vector<std::uint8_t>() : intersections_->has_contact);
+  const EdgeClassifier classifier(projected_, parts_.labels(), options.crease, parts_.options().coplanar);
+  requested_.emplace(classifier, options, outside_ ? &*outside_ : nullptr, containing,
+                     intersections_ == nullptr ? std::vector<std::uint8_t>() : intersections_->has_contact,
+                     parts_.options().hidden_lines);
   if (requested_->edges.size() < mesh.edges.size())
     say("edges", of(mesh.edges.size() - requested_->edges.size(), mesh.edges.size(),
                     outside_ ? "edges are outside the picture, or of classes that are not asked for"
@@ -144,11 +146,13 @@ void Plan::leave_out_far_sides() {
     say("back faces", "no component is proven to be a closed body all of which one point inside sees");
     return;
   }
-  requested_->hidden.resize(requested_->edges.size());
-  parallel_for_each(requested_->edges.size(),
-                    [&](std::size_t i) { requested_->hidden[i] = bodies.is_on_far_side(requested_->edges[i]) ? 1 : 0; });
+  const std::size_t edges_before = count(requested_->hidden);
+  requested_->hidden.resize(requested_->edges.size(), 0);
+  parallel_for_each(requested_->edges.size(), [&](std::size_t i) {
+    if (bodies.is_on_far_side(requested_->edges[i])) requested_->hidden[i] = 1;
+  });
   say("back faces", of(count(bodies.far_sides()), bodies.far_sides().size(), "triangles and ") +
-                        of(count(requested_->hidden), requested_->hidden.size(), "edges are far sides of ") +
+                        of(count(requested_->hidden) - edges_before, requested_->hidden.size(), "edges are far sides of ") +
                         std::to_string(bodies.count()) + (bodies.count() == 1 ? " closed body" : " closed bodies"));
 }
 

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "geometry/predicates.h"
+#include "hsr/scene/projected_mesh.h"
+
+namespace hsr::internal {
+
+/// Where the points of one face, or of several that coincide, lie arbitrarily near a part of an edge: the half-plane that starts
+/// at the edge and contains the apex.
+struct HalfPlane {
+  TriangleId triangle;  ///< one that lies in it
+  VertexId apex;        ///< a corner of that, off the line of the edge
+  Sign side;            ///< of the edge's view plane: positive, to the left of a -> b; zero: seen edge-on
+  /// Seen edge-on: whether it starts toward the eye. An edge that is seen as a point has none that do.
+  bool is_front = false;
+  bool is_shared = false;  ///< several faces coincide in it
+  FaceId face;             ///< of these the one that is on top
+};
+
+/// A triangle that contains a part of an edge, and is not at it.
+struct EdgeContact {
+  TriangleId triangle;
+  std::size_t along = 3;  ///< the side of the triangle along which the edge runs; 3: through the inside
+};
+
+/// The half-planes along a part of an edge, each once, told apart exactly. One object for each edge and thread.
+/// Cost: O(m^2) signs of degree 3 for m faces at the part, nearly always m = 2.
+class HalfPlanes {
+ public:
+  /// @param last_on_top of faces that coincide the one of the highest index is on top, else the one of the lowest
+  HalfPlanes(const ProjectedMesh& projected, Predicates& exact, const Edge& edge, bool last_on_top)
+      : projected_(projected), exact_(exact), edge_(edge), last_on_top_(last_on_top) {}
+
+  /// A triangle that has the edge as its own.
+  void add(TriangleId at_edge) {
+    add(at_edge, projected_.mesh().apex(at_edge, edge_), projected_.side_of_edge(at_edge, edge_));
+  }
+  /// The halves of a triangle that the edge runs through, or the one that begins along its side.
+  void add(const EdgeContact& contact);
+
+  const std::vector<HalfPlane>& all() const { return all_; }
+
+  /// On which side of the plane of `plane` the other starts; zero: both are in one plane.
+  Sign side(const HalfPlane& plane, const HalfPlane& other) const {
+    return exact_.side(projected_.face_plane(plane.triangle), projected_.point(other.apex));
+  }
+  /// Whether x hides y just beside the edge. @pre both are on one side of the view plane
+  bool is_nearer(const HalfPlane& x, const HalfPlane& y) const {
+    // The eye lies on the side `facing` of a triangle's plane, and what is farther on the other.
+    return side(x, y) * projected_.facing(x.triangle) == Sign::negative;
+  }
+
+ private:
+  void add(TriangleId triangle, VertexId apex, Sign side);
+  bool coincide(const HalfPlane& x, const HalfPlane& y) const;
+  bool starts_toward_eye(const HalfPlane& edge_on) const;
+  bool is_on_top(FaceId x, FaceId y) const { return last_on_top_ ? y < x : x < y; }
+
+  const ProjectedMesh& projected_;
+  Predicates& exact_;
+  const Edge& edge_;
+  bool last_on_top_;
+  std::vector<HalfPlane> all_;
+};
+
+}  // namespace hsr::internal
