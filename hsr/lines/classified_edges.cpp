@@ -7,6 +7,7 @@
 
 #include "geometry/parallel.h"
 #include "hsr/lines/edge_parts.h"
+#include "hsr/lines/near_parts.h"
 #include "hsr/view/frustum.h"
 
 namespace hsr::internal {
@@ -17,6 +18,7 @@ struct ClassifiedEdges::Finder {
   const LineOptions& options;
   const Occluders* occluders;
   bool with_behind;
+  const NearParts* near;
   TriangleOcclusion occlusion{classifier.projected()};
   std::vector<RequestedPart> parts = {};  // of edges that have several, or anything behind
 
@@ -25,7 +27,9 @@ struct ClassifiedEdges::Finder {
   /// The class of a whole edge, or nothing: none that is wanted, or it has parts.
   std::optional<EdgeClass> find(EdgeId id, bool has_contact) {
     std::vector<EdgePart> found;
-    if (has_contact)
+    if (near != nullptr && !classifier.projected().mesh().triangles_at(id).empty())
+      found = near->of_edge(occlusion, id);
+    else if (has_contact)
       found = edge_parts(classifier, occlusion, id, *occluders);
     else if (const EdgePart whole = whole_edge(classifier, occlusion, id); !whole.found.behind)
       return wanted(id, whole.found.seen);
@@ -62,7 +66,8 @@ struct ClassifiedEdges::Finder {
 };
 
 ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOptions& options, const ViewFrustum* outside,
-                                 const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind) {
+                                 const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind,
+                                 const NearParts* near) {
   using Range = tbb::blocked_range<std::size_t>;
   const Mesh& mesh = classifier.projected().mesh();
   constexpr std::uint8_t none = 0xff;
@@ -71,7 +76,7 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
   std::vector<std::vector<RequestedPart>> parts(counts.size());
   tbb::parallel_for(Range(0, counts.size(), 1), [&](const Range& range) {
     for (std::size_t block = range.begin(); block < range.end(); ++block) {
-      Finder finder{classifier, options, occluders, with_behind};
+      Finder finder{classifier, options, occluders, with_behind, near};
       const std::size_t end = std::min((block + 1) * edges_of_block, mesh.edges.size());
       for (std::size_t e = block * edges_of_block; e < end; ++e) {
         const EdgeId id(e);

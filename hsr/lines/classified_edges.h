@@ -13,6 +13,7 @@
 
 namespace hsr::internal {
 
+class NearParts;
 class ViewFrustum;
 
 /// How many edges are handled together: fixed, so that counts are the same for any number of threads.
@@ -41,8 +42,10 @@ struct ClassifiedEdges {
   /// @param occluders all triangles, or nullptr
   /// @param has_contact by edge: whether it may lie in one of these triangles or along its border; empty if none does
   /// @param with_behind whether what touches the seen surface from behind is wanted: it is hidden all along
+  /// @param near finds the classes of all edges, within a tolerance; nullptr: they are exact
   ClassifiedEdges(const EdgeClassifier& classifier, const LineOptions& options, const ViewFrustum* outside,
-                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind);
+                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind,
+                  const NearParts* near);
   /// The given edges from end to end, without finding their classes.
   ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending);
 

@@ -35,16 +35,21 @@ bool is_pierced(const HalfPlanes& half_planes, const HalfPlane& h, std::span<con
 
 }  // namespace
 
+PartClass with_wire(const Edge& edge, PartClass found) {
+  const bool is_plain = !found.seen || found.seen == EdgeClass::smooth || found.seen == EdgeClass::joint;
+  if (edge.wire && is_plain) found.seen = EdgeClass::wire;
+  return found;
+}
+
 /// Intersection or sharp; nothing: the surface goes on flat from left to right. @pre both are there
-std::optional<EdgeClass> EdgeClassifier::more_than_flat(const HalfPlanes& half_planes, const Edge& edge,
-                                                        const Around& around) const {
+std::optional<EdgeClass> EdgeClassifier::more_than_flat(const HalfPlanes& half_planes, const Around& around) const {
   const bool is_bent = half_planes.side(*around.left, *around.right) != Sign::zero;
   if (!is_bent && around.edge_on == nullptr) return std::nullopt;
   for (const HalfPlane* h : {around.left, around.right, around.edge_on})
     if (h != nullptr && is_pierced(half_planes, *h, around.counted)) return EdgeClass::intersection;
   if (around.edge_on != nullptr) return EdgeClass::sharp;
-  const double angle = deviation_from_flat(projected_, edge, around.left->apex, around.right->apex);
-  return angle > crease_.degrees ? std::optional(EdgeClass::sharp) : std::nullopt;
+  const bool is_sharp = half_planes.deviation_from_flat(*around.left, *around.right) > crease_.degrees;
+  return is_sharp ? std::optional(EdgeClass::sharp) : std::nullopt;
 }
 
 /// The class where two faces go on into each other.
@@ -56,13 +61,8 @@ EdgeClass EdgeClassifier::flat(FaceId left, FaceId right) const {
   return differ(labels_.object) ? EdgeClass::joint : EdgeClass::smooth;
 }
 
-PartClass EdgeClassifier::by_faces(Predicates& exact, EdgeId id, std::span<const EdgeContact> contacts) const {
-  const Edge& edge = projected_.mesh().edges[id];
-  HalfPlanes half_planes(projected_, exact, edge, last_on_top_);
-  for (const TriangleId t : projected_.mesh().triangles_at(id)) half_planes.add(t);
-  for (const EdgeContact& c : contacts) half_planes.add(c);
+PartClass EdgeClassifier::operator()(const HalfPlanes& half_planes, bool only_diagonal) const {
   const std::vector<HalfPlane>& all = half_planes.all();
-
   const HalfPlane *nearest[2] = {nullptr, nullptr}, *farthest[2] = {nullptr, nullptr};
   const auto of_side = [](auto& pair, const HalfPlane& h) -> auto& { return pair[h.side == Sign::positive ? 0 : 1]; };
   for (const HalfPlane& h : all) {
@@ -70,7 +70,6 @@ PartClass EdgeClassifier::by_faces(Predicates& exact, EdgeId id, std::span<const
     auto& best = of_side(nearest, h);
     if (best == nullptr || half_planes.is_nearer(h, *best)) best = &h;
   }
-  const bool only_diagonal = edge.diagonal && !edge.of_face;
   if ((nearest[0] == nullptr) != (nearest[1] == nullptr) && (only_diagonal || all.size() > 1)) return {EdgeClass::outline, {}};
   if (only_diagonal || all.empty()) return {};
   if (all.size() == 1) return {EdgeClass::boundary, {}};
@@ -88,10 +87,9 @@ PartClass EdgeClassifier::by_faces(Predicates& exact, EdgeId id, std::span<const
     auto& last = of_side(farthest, h);
     if (last == nullptr || half_planes.is_nearer(*last, h)) last = &h;
   }
-  const auto seen = more_than_flat(half_planes, edge, {nearest[0], nearest[1], front, counted});
+  const auto seen = more_than_flat(half_planes, {nearest[0], nearest[1], front, counted});
   if (seen) return {seen, {}};
-  return {flat(nearest[0]->face, nearest[1]->face),
-          more_than_flat(half_planes, edge, {farthest[0], farthest[1], back, counted})};
+  return {flat(nearest[0]->face, nearest[1]->face), more_than_flat(half_planes, {farthest[0], farthest[1], back, counted})};
 }
 
 /// An edge of two faces on opposite sides whose angle is far enough from the crease: found without any exact sign. Nothing: to be
@@ -124,13 +122,14 @@ std::optional<EdgeClass> EdgeClassifier::at_a_glance(EdgeId id) const {
   return std::nullopt;
 }
 
-PartClass EdgeClassifier::operator()(Predicates& exact, EdgeId edge, std::span<const EdgeContact> contacts) const {
+PartClass EdgeClassifier::operator()(Predicates& exact, EdgeId id, std::span<const EdgeContact> contacts) const {
   if (exact.arithmetic() == Arithmetic::staged && contacts.empty())
-    if (const auto seen = at_a_glance(edge)) return {seen, {}};
-  PartClass found = by_faces(exact, edge, contacts);
-  const bool is_plain = !found.seen || found.seen == EdgeClass::smooth || found.seen == EdgeClass::joint;
-  if (projected_.mesh().edges[edge].wire && is_plain) found.seen = EdgeClass::wire;
-  return found;
+    if (const auto seen = at_a_glance(id)) return {seen, {}};
+  const Edge& edge = projected_.mesh().edges[id];
+  ExactHalfPlanes half_planes(projected_, exact, edge, last_on_top_);
+  for (const TriangleId t : projected_.mesh().triangles_at(id)) half_planes.add(t);
+  for (const EdgeContact& c : contacts) half_planes.add(c);
+  return with_wire(edge, (*this)(half_planes, edge.diagonal && !edge.of_face));
 }
 
 }  // namespace hsr::internal

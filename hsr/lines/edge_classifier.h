@@ -22,6 +22,9 @@ struct PartClass {
   friend bool operator==(const PartClass&, const PartClass&) = default;
 };
 
+/// The same where the edge is a wire, too, if it is one: a wire where faces make it no more than smooth or joint.
+PartClass with_wire(const Edge& edge, PartClass found);
+
 /// Finds the classes of edges in a view from the faces there as a set of points: whose edges the faces have there, and how they
 /// are cut into faces, means nothing (docs/conventions.md, "Classes of edges").
 ///
@@ -33,14 +36,16 @@ class EdgeClassifier {
       : projected_(projected), labels_(labels), crease_(crease), last_on_top_(coplanar == Coplanar::last) {}
 
   const ProjectedMesh& projected() const { return projected_; }
+  bool last_on_top() const { return last_on_top_; }
   /// The class of an edge, or of the part of it where it has these contacts.
   PartClass operator()(Predicates& exact, EdgeId edge, std::span<const EdgeContact> contacts = {}) const;
+  /// The class of a part along which these half-planes are. @param only_diagonal of a face that is cut into triangles
+  PartClass operator()(const HalfPlanes& half_planes, bool only_diagonal) const;
 
  private:
   struct Around;
   std::optional<EdgeClass> at_a_glance(EdgeId id) const;
-  PartClass by_faces(Predicates& exact, EdgeId id, std::span<const EdgeContact> contacts) const;
-  std::optional<EdgeClass> more_than_flat(const HalfPlanes& half_planes, const Edge& edge, const Around& around) const;
+  std::optional<EdgeClass> more_than_flat(const HalfPlanes& half_planes, const Around& around) const;
   EdgeClass flat(FaceId left, FaceId right) const;
 
   const ProjectedMesh& projected_;

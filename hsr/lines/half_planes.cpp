@@ -7,7 +7,7 @@
 
 namespace hsr::internal {
 
-void HalfPlanes::add(const EdgeContact& contact) {
+void ExactHalfPlanes::add(const EdgeContact& contact) {
   const auto& c = projected_.mesh().triangles[contact.triangle];
   const bool edge_on = projected_.facing(contact.triangle) == Sign::zero;
   const Point3 &a = projected_.point(edge_.a), &b = projected_.point(edge_.b);
@@ -23,19 +23,18 @@ void HalfPlanes::add(const EdgeContact& contact) {
   }
 }
 
-void HalfPlanes::add(TriangleId triangle, VertexId apex, Sign side) {
+void ExactHalfPlanes::add(TriangleId triangle, VertexId apex, Sign side) {
   HalfPlane added{triangle, apex, side, false, false, projected_.mesh().face_of[triangle]};
   for (HalfPlane& h : all_) {
     if (!coincide(h, added)) continue;
-    h.is_shared = true;
-    if (is_on_top(added.face, h.face)) h.face = added.face;
+    share(h, added.face);
     return;
   }
   if (side == Sign::zero) added.is_front = starts_toward_eye(added);
   all_.push_back(added);
 }
 
-bool HalfPlanes::coincide(const HalfPlane& x, const HalfPlane& y) const {
+bool ExactHalfPlanes::coincide(const HalfPlane& x, const HalfPlane& y) const {
   if (x.side != y.side || side(x, y) != Sign::zero) return false;
   // In one plane with the edge: on the same side of it where the plane is seen as two coordinates.
   for (int axis = 0; axis < 3; ++axis) {
@@ -47,7 +46,7 @@ bool HalfPlanes::coincide(const HalfPlane& x, const HalfPlane& y) const {
 }
 
 /// In the view plane, with a coordinate dropped: whether the eye and the apex are on one side of the line of the edge.
-bool HalfPlanes::starts_toward_eye(const HalfPlane& edge_on) const {
+bool ExactHalfPlanes::starts_toward_eye(const HalfPlane& edge_on) const {
   const int axis = dropped_axis(projected_, edge_on.triangle, exact_);
   const Point3 &a = projected_.point(edge_.a), &b = projected_.point(edge_.b);
   const Sign eye = exact_.side(Plane::of_sight_along_axis(projected_.eye(), a, axis), b);
