@@ -89,7 +89,7 @@ EdgeId Mesh::find_edge(VertexId a, VertexId b) const {
   return at != edges.end() && std::pair(at->a, at->b) == ends ? EdgeId(static_cast<std::size_t>(at - edges.begin())) : EdgeId();
 }
 
-Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons) {
+Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons, double tolerance) {
   require(!polygons.first.empty(), "make_mesh: Polygons::first must begin with 0");
   check_countable(points.size(), "points");
   check_countable(polygons.size(), "faces");
@@ -98,6 +98,7 @@ Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons) {
   Mesh mesh;
   static_cast<std::vector<Point3>&>(mesh.points) = std::move(points);
   mesh.merged = merge_points(mesh.points);
+  if (tolerance > 0) merge_clusters(mesh.points, tolerance, mesh.merged);
 
   const std::size_t faces = polygons.size();
   mesh.faces.resize(faces);
