@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <string>
+#include <unordered_map>
 #include <vector>
+
+#include "geometry/disjoint_sets.h"
+#include "geometry/error.h"
 
 namespace hsr::internal {
 
@@ -57,6 +63,76 @@ IndexedVector<VertexId, VertexId> merge_points(const IndexedVector<VertexId, Poi
     merged[VertexId(k)] = representative;
   }
   return merged;
+}
+
+namespace {
+
+double distance(const Point3& a, const Point3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+/// Distinct points by cells as wide as the tolerance: those that are near one another are in neighbouring cells.
+class Cells {
+ public:
+  Cells(const IndexedVector<VertexId, Point3>& points, double width) : points_(points), width_(width) {}
+
+  /// Calls f(k) for the points in and around the cell of v, and puts v into it.
+  template <class F>
+  void visit_around(VertexId v, const F& f) {
+    const Point3 cell = cell_of(points_[v]);
+    for (double i = -1; i <= 1; ++i)
+      for (double j = -1; j <= 1; ++j)
+        for (double k = -1; k <= 1; ++k) {
+          const auto found = in_cell_.find(hash({cell.x + i, cell.y + j, cell.z + k}));
+          if (found == in_cell_.end()) continue;
+          for (const VertexId other : found->second) f(other);
+        }
+    in_cell_[hash({cell.x, cell.y, cell.z})].push_back(v);
+  }
+
+ private:
+  /// + 0: the cell -0 is the cell 0.
+  Point3 cell_of(const Point3& p) const {
+    return {std::floor(p.x / width_) + 0.0, std::floor(p.y / width_) + 0.0, std::floor(p.z / width_) + 0.0};
+  }
+
+  const IndexedVector<VertexId, Point3>& points_;
+  double width_;
+  std::unordered_map<std::uint64_t, std::vector<VertexId>> in_cell_;  // by hash: a collision costs a distance, no more
+};
+
+void check_width(const IndexedVector<VertexId, Point3>& points, const std::vector<VertexId>& cluster, double tolerance) {
+  constexpr std::size_t few = 64;
+  const auto fail = [&](VertexId a, VertexId b) {
+    throw InputError("points " + std::to_string(a.value) + " and " + std::to_string(b.value) +
+                     " are joined by points between them and are farther apart than twice the tolerance, expected a tolerance "
+                     "that is larger than the noise and smaller than the model's details");
+  };
+  for (std::size_t i = 0; i < std::min(cluster.size(), few); ++i)
+    for (std::size_t j = i + 1; j < cluster.size(); ++j)
+      if (distance(points[cluster[i]], points[cluster[j]]) > 2 * tolerance) fail(cluster[i], cluster[j]);
+}
+
+}  // namespace
+
+void merge_clusters(const IndexedVector<VertexId, Point3>& points, double tolerance,
+                    IndexedVector<VertexId, VertexId>& merged) {
+  DisjointSets sets(points.size());
+  Cells cells(points, tolerance);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const VertexId v(k);
+    if (merged[v] != v) continue;
+    cells.visit_around(v, [&](VertexId other) {
+      if (distance(points[v], points[other]) <= tolerance) sets.join(v.value, other.value);
+    });
+  }
+  std::unordered_map<std::uint32_t, std::vector<VertexId>> clusters;  // by root, each ascending
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (merged[VertexId(k)] == VertexId(k)) clusters[sets.find(static_cast<std::uint32_t>(k))].emplace_back(k);
+  IndexedVector<VertexId, VertexId> lowest(points.size());
+  for (const auto& [root, cluster] : clusters) {
+    check_width(points, cluster, tolerance);
+    for (const VertexId v : cluster) lowest[v] = cluster.front();
+  }
+  for (VertexId& m : merged) m = lowest[m];
 }
 
 }  // namespace hsr::internal

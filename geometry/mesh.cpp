@@ -90,17 +90,17 @@ Polygons some_of(const Polygons& polygons, std::uint8_t kept) {
   return some;
 }
 
-Mesh mesh_of_solids(std::vector<Point3> points, const Polygons& polygons,
+Mesh mesh_of_solids(std::vector<Point3> points, const Polygons& polygons, double tolerance,
                     std::span<const std::array<std::uint32_t, 2>> edges_of_ghosts);
 
-/// Both kinds of faces over the same points: where bit-identical points merge does not depend on who uses them.
-Mesh mesh_with_ghosts(std::vector<Point3> points, const Polygons& polygons) {
-  auto ghosts = std::make_shared<Mesh>(mesh_of_solids(points, some_of(polygons, 1), {}));
+/// Both kinds of faces over the same points: which points are one does not depend on who uses them.
+Mesh mesh_with_ghosts(std::vector<Point3> points, const Polygons& polygons, double tolerance) {
+  auto ghosts = std::make_shared<Mesh>(mesh_of_solids(points, some_of(polygons, 1), tolerance, {}));
   std::vector<std::array<std::uint32_t, 2>> edges;
   for (const Edge& e : ghosts->edges) edges.push_back({e.a.value, e.b.value});
   Polygons solids = some_of(polygons, 0);
   solids.segments = polygons.segments;
-  Mesh mesh = mesh_of_solids(std::move(points), solids, edges);
+  Mesh mesh = mesh_of_solids(std::move(points), solids, tolerance, edges);
   for (std::size_t f = 0; f < polygons.size(); ++f)
     if (polygons.is_ghost[f] != 0 && ghosts->faces[FaceId(f)] != FaceUse::no_area) mesh.faces[FaceId(f)] = FaceUse::ghost;
   mesh.ghosts = std::move(ghosts);
@@ -116,7 +116,7 @@ EdgeId Mesh::find_edge(VertexId a, VertexId b) const {
   return at != edges.end() && std::pair(at->a, at->b) == ends ? EdgeId(static_cast<std::size_t>(at - edges.begin())) : EdgeId();
 }
 
-Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons) {
+Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons, double tolerance) {
   require(!polygons.first.empty(), "make_mesh: Polygons::first must begin with 0");
   require(polygons.is_ghost.empty() || polygons.is_ghost.size() == polygons.size(),
           "make_mesh: Polygons::is_ghost must be empty or have a flag for each polygon");
@@ -125,16 +125,18 @@ Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons) {
   check(polygons, points.size());
   normalise(points);
   const bool has_ghosts = std::any_of(polygons.is_ghost.begin(), polygons.is_ghost.end(), [](auto flag) { return flag != 0; });
-  return has_ghosts ? mesh_with_ghosts(std::move(points), polygons) : mesh_of_solids(std::move(points), polygons, {});
+  return has_ghosts ? mesh_with_ghosts(std::move(points), polygons, tolerance)
+                    : mesh_of_solids(std::move(points), polygons, tolerance, {});
 }
 
 namespace {
 
-Mesh mesh_of_solids(std::vector<Point3> points, const Polygons& polygons,
+Mesh mesh_of_solids(std::vector<Point3> points, const Polygons& polygons, double tolerance,
                     std::span<const std::array<std::uint32_t, 2>> edges_of_ghosts) {
   Mesh mesh;
   static_cast<std::vector<Point3>&>(mesh.points) = std::move(points);
   mesh.merged = merge_points(mesh.points);
+  if (tolerance > 0) merge_clusters(mesh.points, tolerance, mesh.merged);
 
   const std::size_t faces = polygons.size();
   mesh.faces.resize(faces);

@@ -93,8 +93,10 @@ struct Mesh {
 /// @throws InputError if a coordinate is not finite or an index is out of range (readers report these with their line), or if
 /// there is too much to count: 2^32 - 1 points, faces, or sides of triangles and segments, or 2^30 - 1 triangles.
 /// Exact: yes. Cost: O(n log n) in corners; a polygon of m corners that is no triangle costs up to O(m^2) exact signs.
+/// @param tolerance clusters of points that steps of at most this connect are one point each, that of the lowest index; 0: only
+///   points that are equal are one. A cluster wider than twice this is an InputError.
 /// @throws PreconditionError unless Polygons::first ascends from 0 to the number of corners
-Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons);
+Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons, double tolerance = 0);
 /// Of faces in flat arrays: face f has the corners corners[first[f]] ... corners[first[f + 1] - 1], so there is one `first` more
 /// than faces.
 Mesh make_mesh(std::span<const Point3> points, std::span<const std::uint32_t> corners, std::span<const std::uint32_t> first);

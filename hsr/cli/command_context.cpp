@@ -33,12 +33,12 @@ CommandContext::CommandContext(const CommonArguments& common, const std::vector<
   threads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*common.threads));
 }
 
-ViewedModel CommandContext::read(const ModelArguments& models, const ViewOptions& view) {
+ViewedModel CommandContext::read(const ModelArguments& models, const ViewOptions& view, double tolerance) {
   ViewedModel viewed;
   progress.stage("reading");
   viewed.model = report.timed("read", [&] { return models.read(); });
   progress.stage("faces");
-  viewed.mesh = report.timed("mesh", [&] { return make_mesh(viewed.model.points, viewed.model.polygons); });
+  viewed.mesh = report.timed("mesh", [&] { return make_mesh(viewed.model.points, viewed.model.polygons, tolerance); });
   viewed.chosen = choose_view(view, viewed.mesh);
   return viewed;
 }

@@ -25,6 +25,7 @@
 #include "hsr/io/write/png.h"
 #include "hsr/io/write/svg.h"
 #include "hsr/lines/visible_lines.h"
+#include "hsr/scene/input_noise.h"
 #include "hsr/surfaces/regions.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
@@ -213,6 +214,7 @@ class DrawCommand {
   void write();
   void note_idle_options();
   std::string note_on_size() const;
+  void note_noise();
   bool wants_fragments() const { return a_.fill || a_.check || request_.wants(Format::csv); }
   std::string bytes_of(Format format) const;
   std::string summary_of(Format format, const std::string& bytes) const;
@@ -237,7 +239,7 @@ class DrawCommand {
 };
 
 void DrawCommand::read() {
-  scene_ = context_.read(a_.models, a_.view);
+  scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance);
   objects_ = objects_of(scene_.model);
   request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = scene_.chosen.field_of_view;
@@ -248,6 +250,7 @@ void DrawCommand::read() {
   exact_ = request_.scene.arithmetic == Arithmetic::staged ? prepared_ : scene_.prepared();
   note_idle_options();
   context_.say_notes_of(scene_);
+  note_noise();
   context_.report.set("view", json_of(scene_.view()));
   if (scene_.mesh.edges.empty())
     context_.note(scene_.model.name + (a_.models.objects.is_empty() ? ": every face has no area, the drawing is empty"
@@ -262,6 +265,20 @@ void DrawCommand::note_idle_options() {
   if (a_.why && !request_.wants(Format::json)) note("--why", "json");
   if (a_.exact && !request_.wants(Format::json)) note("--exact", "json");
   if (request_.size && !request_.wants(Format::png) && !request_.wants(Format::csv) && !a_.check) note("--size", "png");
+}
+
+/// Noise of the model that shows in the drawing, and the tolerance that mends it.
+void DrawCommand::note_noise() {
+  if (request_.lines.tolerance > 0 || a_.common.quiet) return;
+  const InputNoise noise = noise_of(scene_.mesh);
+  if (noise.tolerance == 0) return;
+  std::string signs;
+  if (noise.open_edges > 0) signs = fmt::format("{} edges of one face would close", noise.open_edges);
+  if (noise.near_planes > 0)
+    signs += fmt::format("{}{} faces would lie in one plane with a face that they touch", signs.empty() ? "" : ", ",
+                         noise.near_planes);
+  context_.note(fmt::format("{}: {} within {}: --tolerance {} takes it for noise", scene_.model.name, signs, noise.tolerance,
+                            noise.tolerance));
 }
 
 void DrawCommand::find_lines() {

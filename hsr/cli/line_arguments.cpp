@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "geometry/error.h"
@@ -86,6 +87,10 @@ void LineArguments::add_to(Options& options) {
       .add("--crease", crease, "DEG",
            "An edge is sharp if its faces deviate from flat by more than this; exactly this angle is smooth")
       .with_default_shown();
+  options.add(
+      "--tolerance", tolerance, "D",
+      "Noise of the model, in its units: vertices nearer to each other than D are one, and an edge nearer than D to a face "
+      "or an edge lies in it, for its class. What hides what stays exact");
   options
       .add("--method", method, "NAME",
            "appel, roberts, or auto: whichever suits the model; the result is the same. With --fill roberts also finds the "
@@ -101,7 +106,10 @@ void LineArguments::add_to(Options& options) {
 LineOptions LineArguments::options() const {
   if (!(crease >= 0 && crease <= 180))
     throw InputError(fmt::format("--crease: found {}, expected degrees from 0 to 180", crease));
+  if (!(tolerance >= 0 && std::isfinite(tolerance)))
+    throw InputError(fmt::format("--tolerance: found {}, expected a length of 0 or more", tolerance));
   LineOptions options;
+  options.tolerance = tolerance;
   options.classes = parse_classes(edges);
   options.crease = crease;
   options.method = method == "appel" ? LineMethod::appel : method == "roberts" ? LineMethod::roberts : LineMethod::automatic;

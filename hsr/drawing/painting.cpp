@@ -7,7 +7,7 @@
 
 #include "geometry/parallel.h"
 #include "hsr/drawing/placement.h"
-#include "hsr/lines/edge_class.h"
+#include "hsr/lines/edge_classifier.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/symbols/constructions.h"
 
@@ -35,14 +35,15 @@ VisibleLines all_edges(const Mesh& mesh, const ProjectedMesh& projected) {
   return all;
 }
 
-std::vector<std::uint8_t> edges_of_classes(const Mesh& mesh, const ProjectedMesh& projected, const LineOptions& options) {
-  std::vector<std::uint8_t> asked(mesh.edges.size(), 0);
-  const Crease crease(options.crease);
+std::vector<std::uint8_t> edges_of_classes(const ViewParts& parts, const LineOptions& options) {
+  const ProjectedMesh& projected = parts.projected();
+  std::vector<std::uint8_t> asked(parts.mesh().edges.size(), 0);
+  const EdgeClassifier classifier(projected, parts.labels(), options.crease, parts.options().coplanar);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, asked.size(), 512), [&](const Range& range) {
     Predicates exact = projected.predicates();
     for (std::size_t e = range.begin(); e < range.end(); ++e) {
-      const auto c = edge_class(projected, exact, EdgeId(e), crease);
+      const auto c = classifier(exact, EdgeId(e)).seen;
       asked[e] = c && options.classes[static_cast<std::size_t>(*c)] ? 1 : 0;
     }
   });
@@ -90,7 +91,7 @@ Painting paint_on_page(const SceneView& scene, const PaintersOrder& order, const
   painting.scale = place.scale;
   painting.fits = place.fits;
   painting.frame = place.frame;
-  const std::vector<std::uint8_t> asked = edges_of_classes(mesh, projected, lines);
+  const std::vector<std::uint8_t> asked = edges_of_classes(scene.parts(), lines);
   painting.points.resize(order.corners.size());
   painting.sides.resize(order.corners.size());
   painting.pieces.resize(order.pieces.size());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hsr/lines/edge_classifier.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/box_tree.h"
@@ -12,6 +13,7 @@
 
 namespace hsr::internal {
 
+class NearParts;
 class ViewFrustum;
 
 /// How many edges are handled together: fixed, so that counts are the same for any number of threads.
@@ -21,30 +23,37 @@ constexpr std::size_t edges_of_block = 512;
 struct RequestedPart {
   EdgeId edge;
   EdgeClass edge_class = EdgeClass::smooth;
+  bool is_behind = false;  ///< what touches the seen surface there from behind
   Cut from{Cut::Kind::start}, to{Cut::Kind::end};
 };
 
 /// The edges of the classes that are wanted, in ascending order, with their classes and boxes. An edge whose class changes
-/// along it is listed once for each part. Cost: O(n), parallel.
+/// along it is listed once for each part, along it, and then once for each part that touches the seen surface from behind.
+/// Cost: O(n), parallel.
 struct ClassifiedEdges {
   std::vector<EdgeId> edges;
   std::vector<EdgeClass> classes;
   std::vector<ImageBox> boxes;
-  /// By edge of the list: 1 if it is provably hidden all along and its image is no point. Empty if this is known of none.
+  /// By edge of the list: 1 if it is hidden all along and its image is no point. Empty if this is known of none.
   std::vector<std::uint8_t> hidden;
   DecisionCounts decisions;
 
   /// @param outside leaves out the edges outside of this frustum, unless it is nullptr
   /// @param occluders all triangles, or nullptr
-  /// @param has_contact by edge: whether it may lie in one of these triangles; empty if none does
-  ClassifiedEdges(const ProjectedMesh& projected, const LineOptions& options, const ViewFrustum* outside,
-                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact);
+  /// @param has_contact by edge: whether it may lie in one of these triangles or along its border; empty if none does
+  /// @param with_behind whether what touches the seen surface from behind is wanted: it is hidden all along
+  /// @param near finds the classes of all edges, within a tolerance; nullptr: they are exact
+  ClassifiedEdges(const EdgeClassifier& classifier, const LineOptions& options, const ViewFrustum* outside,
+                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind,
+                  const NearParts* near);
   /// The given edges from end to end, without finding their classes.
   ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending);
 
   /// Appends the edges of ghosts, ascending, each with the class that it has among the ghosts alone. They hide nothing, so they
   /// are tested like any other edge.
-  void add_ghosts(const ProjectedMesh& projected, const View& view, const LineOptions& options, const ViewFrustum* outside);
+  /// @param projected the mesh that they are the ghosts of
+  void add_ghosts(const ProjectedMesh& projected, const EdgeClassifier& among_ghosts, const LineOptions& options,
+                  const ViewFrustum* outside);
   /// Whether entry i of the list is an edge of a ghost.
   bool is_ghost(std::size_t i) const { return i >= first_ghost_; }
 
@@ -55,9 +64,11 @@ struct ClassifiedEdges {
  private:
   struct Part {
     std::size_t index;
-    Cut from, to;
+    RequestedPart part;
   };
+  struct Finder;
   const Part* part(std::size_t i) const;
+  void list_parts(const std::vector<RequestedPart>& ascending);
   void find_boxes(const ProjectedMesh& projected);
 
   std::size_t first_ghost_ = static_cast<std::size_t>(-1);

@@ -13,13 +13,17 @@ struct Contact {
   Breakpoint from, to;
 };
 
-/// Which triangles contain a part of the edge that the shadows were turned to.
+/// Which triangles contain a part of the edge that the shadows were turned to. Where it runs along an edge of the mesh, all
+/// triangles at that count: far sides of bodies, which are no occluders, too.
 std::vector<Contact> contacts_of(const ProjectedMesh& projected, TriangleOcclusion& occlusion, EdgeId id,
                                  const Occluders& occluders) {
   const Mesh& mesh = projected.mesh();
   const Edge& edge = mesh.edges[id];
   const auto own = mesh.triangles_at(id);
   std::vector<Contact> all;
+  const auto add = [&](const Contact& found) {
+    if (std::find(own.begin(), own.end(), found.contact.triangle) == own.end()) all.push_back(found);
+  };
   occluders.tree.visit_touching(projected.box(edge.a, edge.b), [&](std::uint32_t i) {
     const TriangleId t = occluders.triangles[i];
     if (std::find(own.begin(), own.end(), t) != own.end()) return true;
@@ -29,26 +33,47 @@ std::vector<Contact> contacts_of(const ProjectedMesh& projected, TriangleOcclusi
       if (std::find(c.begin(), c.end(), v) == c.end() && projected.side(plane, v, occlusion.exact()) != Sign::zero) return true;
     Contact found{{t, 3}, {}, {}};
     if (!occlusion.within(half_spaces(projected, t, occlusion.exact()), found.from, found.to, found.contact.along)) return true;
-    if (found.contact.along < 3 && !is_inner_diagonal(mesh, t, found.contact.along)) return true;
-    all.push_back(found);
+    add(found);
+    if (found.contact.along == 3) return true;
+    const VertexId u = c[found.contact.along], v = c[(found.contact.along + 1) % 3];
+    const EdgeId along = mesh.find_edge(u, v);
+    if (!along.is_valid()) return true;
+    for (const TriangleId other : mesh.triangles_at(along)) {
+      if (other == t) continue;
+      const auto& d = mesh.triangles[other];
+      std::size_t k = 0;
+      while (!((d[k] == u && d[(k + 1) % 3] == v) || (d[k] == v && d[(k + 1) % 3] == u))) ++k;
+      found.contact = {other, k};
+      add(found);
+    }
     return true;
   });
+  std::sort(all.begin(), all.end(), [](const Contact& x, const Contact& y) { return x.contact.triangle < y.contact.triangle; });
+  // One triangle contains one part of the edge, however it was found.
+  const auto same = [](const Contact& x, const Contact& y) { return x.contact.triangle == y.contact.triangle; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
   return all;
 }
 
 }  // namespace
 
-std::vector<EdgePart> edge_parts(const ProjectedMesh& projected, TriangleOcclusion& occlusion, EdgeId edge,
-                                 const Crease& crease, const Occluders& occluders) {
-  const auto whole = [&] {
-    return std::vector<EdgePart>{
-        {edge_class(projected, occlusion.exact(), edge, crease), {Cut::Kind::start, 0, 0, 0}, {Cut::Kind::end, 0, 0, 0}}};
-  };
-  if (!occlusion.start(edge)) return whole();
-  std::vector<Contact> contacts = contacts_of(projected, occlusion, edge, occluders);
-  if (contacts.empty()) return whole();
-  std::sort(contacts.begin(), contacts.end(),
-            [](const Contact& x, const Contact& y) { return x.contact.triangle < y.contact.triangle; });
+EdgePart whole_edge(const EdgeClassifier& classifier, TriangleOcclusion& occlusion, EdgeId edge) {
+  EdgePart part{classifier(occlusion.exact(), edge), {Cut::Kind::start, 0, 0, 0}, {Cut::Kind::end, 0, 0, 0}};
+  if (!part.found.behind) return part;
+  if (!occlusion.start(edge)) {
+    part.found.behind.reset();
+    return part;
+  }
+  part.from = occlusion.first().cut;
+  part.to = occlusion.last().cut;
+  return part;
+}
+
+std::vector<EdgePart> edge_parts(const EdgeClassifier& classifier, TriangleOcclusion& occlusion, EdgeId edge,
+                                 const Occluders& occluders) {
+  if (!occlusion.start(edge)) return {whole_edge(classifier, occlusion, edge)};
+  const std::vector<Contact> contacts = contacts_of(classifier.projected(), occlusion, edge, occluders);
+  if (contacts.empty()) return {whole_edge(classifier, occlusion, edge)};
   const auto is_before = [&](const Breakpoint& x, const Breakpoint& y) { return occlusion.order(x, y) == Sign::negative; };
   std::vector<Breakpoint> places = {occlusion.first(), occlusion.last()};
   for (const Contact& c : contacts) {
@@ -63,8 +88,8 @@ std::vector<EdgePart> edge_parts(const ProjectedMesh& projected, TriangleOcclusi
     here.clear();
     for (const Contact& c : contacts)
       if (!is_before(places[k], c.from) && !is_before(c.to, places[k + 1])) here.push_back(c.contact);
-    const auto found = edge_class(projected, occlusion.exact(), edge, crease, here);
-    if (!parts.empty() && parts.back().edge_class == found)
+    const PartClass found = classifier(occlusion.exact(), edge, here);
+    if (!parts.empty() && parts.back().found == found)
       parts.back().to = places[k + 1].cut;
     else
       parts.push_back({found, places[k].cut, places[k + 1].cut});

@@ -103,6 +103,7 @@ Line HiddenIntervals::begun(const LineTask& tiled) const {
   line.edge = tiled.edge;
   line.intersection = tiled.intersection;
   line.edge_class = tiled.edge_class;
+  line.is_behind = tiled.is_behind;
   line.first_cut = static_cast<std::uint32_t>(result_.cuts.size());
   line.first_occluder = static_cast<std::uint32_t>(result_.occluders.size());
   return line;

@@ -18,11 +18,16 @@ namespace hsr::internal {
 struct LineTask {
   EdgeId edge;
   EdgeClass edge_class = EdgeClass::smooth;
+  bool is_behind = false;
   Cut from{Cut::Kind::start}, to{Cut::Kind::end};
   std::uint32_t intersection = 0;
 
   LineTask(const RequestedPart& p)
-      : edge(p.edge), edge_class(p.edge_class), from(p.from), to(p.to) {}  // NOLINT(google-explicit-constructor)
+      : edge(p.edge),
+        edge_class(p.edge_class),
+        is_behind(p.is_behind),
+        from(p.from),
+        to(p.to) {}  // NOLINT(google-explicit-constructor)
   LineTask(std::uint32_t i, const Intersection& meet)
       : edge_class(EdgeClass::intersection), from(meet.from), to(meet.to), intersection(i) {}
 };

@@ -39,7 +39,10 @@ struct LineOptions {
   /// Also every diagonal of a face that is cut into triangles, as a smooth line where it is no outline: no drawing has them, but
   /// fragments are bounded by them.
   bool diagonals = false;
-  double crease = 30;                              ///< degrees; edges that deviate more from flat are sharp
+  double crease = 30;  ///< degrees; edges that deviate more from flat are sharp
+  /// In units of the model: for classes, an edge within this of a face or of an edge lies in it, and a face that reaches less than
+  /// this away from an edge is not there. Noise of the input, not of the computation: what hides what stays exact. 0: none.
+  double tolerance = 0;
   bool why = false;                                ///< name the faces that hide each hidden interval; roberts only
   std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel
   std::stop_token stop = {};                       ///< once it is asked to stop, the work ends in a CancelledError

@@ -15,6 +15,7 @@
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/convex_body.h"
 #include "hsr/lines/image_mask.h"
+#include "hsr/lines/near_parts.h"
 #include "hsr/lines/roberts.h"
 #include "hsr/scene/line_filter.h"
 #include "hsr/scene/view_parts.h"
@@ -48,6 +49,8 @@ class Plan {
 
  private:
   void find_intersections();
+  void add_ghosts();
+  void classify_intersections(const NearParts& near);
   void leave_out_far_sides();
   void leave_out_hidden();
   void leave_out_far_faces();
@@ -66,9 +69,10 @@ class Plan {
   std::optional<ClassifiedEdges> requested_;
   const Intersections* intersections_ = nullptr;  // null: there is none
   std::vector<Intersection> merged_segments_;
-  std::vector<ImageBox> meet_boxes_;       // of these
-  std::optional<Occluders> near_request_;  // without faces that overlap nothing that is asked for
-  std::optional<LineMethod> method_;       // nothing: one convex body takes none
+  std::vector<EdgeClass> segment_classes_;  // of these; empty: all are intersections
+  std::vector<ImageBox> meet_boxes_;        // of these
+  std::optional<Occluders> near_request_;   // without faces that overlap nothing that is asked for
+  std::optional<LineMethod> method_;        // nothing: one convex body takes none
   LinePlan outcome_;
 };
 
@@ -89,9 +93,14 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
   const Occluders* const containing =
       intersections_ == nullptr ? nullptr
                                 : &parts_.occluders(parts_.options().hidden_lines ? Excluded::none : Excluded::hidden);
-  requested_.emplace(projected_, options, outside_ ? &*outside_ : nullptr, containing,
-                     intersections_ == nullptr ? std::vector<std::uint8_t>() : intersections_->has_contact);
-  requested_->add_ghosts(projected_, scene.view(), options, outside_ ? &*outside_ : nullptr);
+  const EdgeClassifier classifier(projected_, parts_.labels(), options.crease, parts_.options().coplanar);
+  std::optional<NearParts> near;
+  if (options.tolerance > 0) near.emplace(classifier, parts_.view(), parts_.space_tree(), options.tolerance);
+  if (near) classify_intersections(*near);
+  requested_.emplace(classifier, options, outside_ ? &*outside_ : nullptr, containing,
+                     intersections_ == nullptr ? std::vector<std::uint8_t>() : intersections_->has_contact,
+                     parts_.options().hidden_lines, near ? &*near : nullptr);
+  add_ghosts();
   if (requested_->edges.size() < mesh.edges.size())
     say("edges", of(mesh.edges.size() - requested_->edges.size(), mesh.edges.size(),
                     outside_ ? "edges are outside the picture, or of classes that are not asked for"
@@ -103,13 +112,22 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
   choose_method();
 }
 
+/// Among themselves as in a scene of nothing else.
+void Plan::add_ghosts() {
+  const Mesh* const ghosts = parts_.mesh().ghosts.get();
+  if (ghosts == nullptr) return;
+  const ProjectedMesh projected(*ghosts, parts_.view(), projected_.arithmetic());
+  const EdgeClassifier classifier(projected, parts_.labels(), options_.crease, parts_.options().coplanar);
+  requested_->add_ghosts(projected_, classifier, options_, outside_ ? &*outside_ : nullptr);
+}
+
 void Plan::find_intersections() {
   if (!options_.why && parts_.is_one_convex_body()) {
     say("intersections", "the faces of one convex body meet in their edges only");
     return;
   }
   intersections_ = &parts_.intersections();
-  if (!options_.classes[static_cast<std::size_t>(EdgeClass::intersection)]) {
+  if (!options_.classes[static_cast<std::size_t>(EdgeClass::intersection)] && options_.tolerance == 0) {
     say("intersections", "they are not asked for");
     return;
   }
@@ -117,6 +135,27 @@ void Plan::find_intersections() {
   merged_segments_ = merge_segments(projected_, intersections_->segments);
   meet_boxes_.resize(merged_segments_.size());
   parallel_for_each(merged_segments_.size(), [&](std::size_t i) { meet_boxes_[i] = box_of(projected_, merged_segments_[i]); });
+}
+
+/// Where noise makes two faces pierce each other the line has the class that it has without, and may be none that is asked for.
+void Plan::classify_intersections(const NearParts& near) {
+  const auto point = [&](const Intersection& meet, const Cut& cut) {
+    const auto p = exact_point(parts_.mesh(), parts_.view(), SupportingLine{{}, {}, meet}, cut);
+    return Point3{p[0].to_double(), p[1].to_double(), p[2].to_double()};
+  };
+  std::vector<Intersection> asked_for;
+  std::vector<ImageBox> boxes;
+  for (std::size_t i = 0; i < merged_segments_.size(); ++i) {
+    const Intersection& meet = merged_segments_[i];
+    const Point3 from = point(meet, meet.from), to = point(meet, meet.to);
+    const EdgeClass found = near.of_intersection(from, to).seen.value_or(EdgeClass::smooth);
+    if (!options_.classes[static_cast<std::size_t>(found)]) continue;
+    asked_for.push_back(meet);
+    boxes.push_back(meet_boxes_[i]);
+    segment_classes_.push_back(found);
+  }
+  merged_segments_ = std::move(asked_for);
+  meet_boxes_ = std::move(boxes);
 }
 
 bool Plan::wants(Stage stage, const char* name) {
@@ -145,11 +184,13 @@ void Plan::leave_out_far_sides() {
     say("back faces", "no component is proven to be a closed body all of which one point inside sees");
     return;
   }
-  requested_->hidden.resize(requested_->edges.size());
-  parallel_for_each(requested_->edges.size(),
-                    [&](std::size_t i) { requested_->hidden[i] = bodies.is_on_far_side(requested_->edges[i]) ? 1 : 0; });
+  const std::size_t edges_before = count(requested_->hidden);
+  requested_->hidden.resize(requested_->edges.size(), 0);
+  parallel_for_each(requested_->edges.size(), [&](std::size_t i) {
+    if (bodies.is_on_far_side(requested_->edges[i])) requested_->hidden[i] = 1;
+  });
   say("back faces", of(count(bodies.far_sides()), bodies.far_sides().size(), "triangles and ") +
-                        of(count(requested_->hidden), requested_->hidden.size(), "edges are far sides of ") +
+                        of(count(requested_->hidden) - edges_before, requested_->hidden.size(), "edges are far sides of ") +
                         std::to_string(bodies.count()) + (bodies.count() == 1 ? " closed body" : " closed bodies"));
 }
 
@@ -262,6 +303,9 @@ VisibleLines Plan::run() const {
     for (std::size_t i = 0; i < requested_->edges.size(); ++i) all.lines[i].is_ghost = requested_->is_ghost(i);
   if (intersections_ != nullptr) all.decisions += intersections_->decisions;
   all.intersections = merged_segments_;
+  if (!segment_classes_.empty())
+    for (Line& line : all.lines)
+      if (line.is_intersection()) line.edge_class = segment_classes_[line.intersection];
   all.plan = outcome_;
   return all;
 }

@@ -28,6 +28,8 @@ struct Line {
   EdgeId edge;                     ///< not valid: an intersection
   std::uint32_t intersection = 0;  ///< which one, where there is no edge
   EdgeClass edge_class = EdgeClass::smooth;
+  /// The part stands a second time, for what touches the seen surface there from behind: hidden all along.
+  bool is_behind = false;
   bool starts_hidden = false;
   bool is_ghost = false;                     ///< of a face that hides nothing; the edge may be one of other faces, too
   std::uint32_t first_cut = 0, end_cut = 0;  ///< none: seen as a point, or nothing of it is beyond the near plane

@@ -47,6 +47,7 @@ class Finder {
   bool is_single(TriangleId t) const { return facet_end(mesh_, t).value - facet_of(mesh_, t).value == 1; }
   bool meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId t) const;
   void mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at);
+  void mark_bridges(TriangleId s, TriangleId t);
   bool may_lie_in(VertexId u, VertexId v, TriangleId t);
   bool passes_through(TriangleId t, const std::array<Sign, 3>& at) const;
   bool cross_beyond_common_corner(TriangleId s, TriangleId t);
@@ -94,7 +95,11 @@ void Finder::look_around(std::uint32_t leaf, std::vector<Intersection>& found) {
   PlaneFilter of_s;
   occluders_->tree.visit_pairs(leaf, search_, [&](std::uint32_t i, std::uint32_t k) {
     const TriangleId s = occluders_->triangles[i], t = occluders_->triangles[k];
-    if (facet_of(mesh_, s) == facet_of(mesh_, t)) return;
+    if (facet_of(mesh_, s) == facet_of(mesh_, t)) {
+      mark_bridges(s, t);
+      mark_bridges(t, s);
+      return;
+    }
     if (s != turned_to) {
       turned_to = s;
       of_s = filter(i);
@@ -148,6 +153,23 @@ void Finder::mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign,
     const auto own = mesh_.triangles_at(e);
     if (std::find(own.begin(), own.end(), flat) != own.end()) continue;
     std::atomic_ref<std::uint8_t>(has_contact_[e.value]).store(1, std::memory_order_relaxed);
+  }
+}
+
+/// Marks the sides of t that may run along a side of s, another triangle of its face: a bridge to a hole that the ring of the face
+/// runs along twice, cut in other places on the way back.
+void Finder::mark_bridges(TriangleId s, TriangleId t) {
+  if (facet_end(mesh_, t).value - facet_of(mesh_, t).value < 3) return;
+  const auto half_spaces = hsr::internal::half_spaces(projected_, t, exact_);
+  const auto &c = mesh_.triangles[t], &d = mesh_.triangles[s];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexId u = c[k], v = c[(k + 1) % 3];
+    const auto on_line = std::count_if(d.begin(), d.end(), [&](VertexId w) {
+      return w == u || w == v || projected_.side(half_spaces[k].plane, w, exact_) == Sign::zero;
+    });
+    if (on_line < 2 || (mesh_.has_corner(s, u) && mesh_.has_corner(s, v))) continue;
+    const EdgeId e = mesh_.find_edge(u, v);
+    if (e.is_valid()) std::atomic_ref<std::uint8_t>(has_contact_[e.value]).store(1, std::memory_order_relaxed);
   }
 }
 

@@ -87,6 +87,7 @@ class SceneView {
   SceneView(const Mesh& mesh, const View& view, const SceneOptions& options = {}) : SceneView(Scene::of(mesh), view, options) {}
 
   const Mesh& mesh() const { return scene_.mesh(); }
+  const FaceLabels& labels() const { return scene_.labels(); }
   const View& view() const;
   const SceneOptions& options() const;
   /// What the methods share; not for users of the library.

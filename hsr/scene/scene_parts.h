@@ -6,6 +6,7 @@
 #include "hsr/scene/face_labels.h"
 #include "hsr/scene/intersections.h"
 #include "hsr/scene/made_once.h"
+#include "hsr/scene/space_tree.h"
 #include "hsr/scene/star_shaped_bodies.h"
 
 namespace hsr::internal {
@@ -22,6 +23,9 @@ class SceneParts {
   const StarShapedBodies& bodies() const {
     return bodies_.get([&] { return StarShapedBodies(ScaledMesh(*mesh_)); });
   }
+  const SpaceTree& space_tree() const {
+    return space_tree_.get([&] { return SpaceTree(*mesh_); });
+  }
   /// Which faces meet, once a view has looked for all of them; null before.
   std::shared_ptr<const MeetingFaces> meeting_faces() const {
     const std::lock_guard lock(mutex_);
@@ -37,6 +41,7 @@ class SceneParts {
   std::shared_ptr<const Mesh> mesh_;
   FaceLabels labels_;
   MadeOnce<StarShapedBodies> bodies_;
+  MadeOnce<SpaceTree> space_tree_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const MeetingFaces> meeting_faces_;
 };

@@ -43,14 +43,25 @@ std::multiset<std::string> visible_parts(const Mesh& mesh, const View& view, con
   return parts;
 }
 
+/// Few objects and materials that change from face to face, so that classes depend on them.
+FaceLabels some_labels(const Mesh& mesh) {
+  FaceLabels labels;
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+    labels.object.push_back(f / 2 % 3);
+    labels.material.push_back(f % 5 == 0 ? 1 : 0);
+  }
+  return labels;
+}
+
 /// A scene of which hidden lines are not wanted shows what it shows with them.
-std::string wrong_without_hidden_lines(const Mesh& mesh, const View& view, LineOptions options) {
+std::string wrong_without_hidden_lines(const Scene& scene, const View& view, LineOptions options) {
+  const Mesh& mesh = scene.mesh();
   options.why = false;
   SceneOptions visible;
   visible.stages.fill(When::always);
   visible.hidden_lines = false;
-  const auto expected = visible_parts(mesh, view, visible_lines(SceneView(mesh, view), options));
-  const auto found = visible_parts(mesh, view, visible_lines(SceneView(mesh, view, visible), options));
+  const auto expected = visible_parts(mesh, view, visible_lines(SceneView(scene, view), options));
+  const auto found = visible_parts(mesh, view, visible_lines(SceneView(scene, view, visible), options));
   std::string wrong;
   for (const std::string& part : expected)
     if (found.count(part) != expected.count(part)) wrong += "without hidden lines, not as often: " + part + "\n";
@@ -64,9 +75,10 @@ std::string wrong_without_hidden_lines(const Mesh& mesh, const View& view, LineO
 CheckedLines::CheckedLines(const scenes::TestScene& scene, const LineOptions& options) : mesh_(scene.mesh()) {
   LineOptions by_roberts = options;
   by_roberts.method = LineMethod::roberts;
-  const VisibleLines lines = visible_lines(mesh_, scene.view, by_roberts);
+  const SceneView view(mesh_, scene.view);
+  const VisibleLines lines = visible_lines(view, by_roberts);
   found_ = oracle::seen_edges(mesh_, scene.view, lines);
-  expected_ = oracle::seen_by_oracle(mesh_, scene.view, options);
+  expected_ = oracle::seen_by_oracle(view, options);
   differences_ = wrong_with(scene, options);
 }
 
@@ -89,6 +101,7 @@ std::string CheckedLines::intervals(std::uint32_t a, std::uint32_t b) const {
 std::string wrong_with(const scenes::TestScene& scene, const LineOptions& options) {
   try {
     const Mesh mesh = scene.mesh();
+    const Scene labelled = Scene::of(mesh, some_labels(mesh));
     std::string wrong;
     const auto ask = [&](LineMethod method, When stages, When convex_body) {
       LineOptions chosen = options;
@@ -97,14 +110,15 @@ std::string wrong_with(const scenes::TestScene& scene, const LineOptions& option
       SceneOptions of_scene;
       of_scene.stages.fill(stages);
       of_scene.when(Stage::convex_body) = convex_body;
-      const auto lines = visible_lines(SceneView(mesh, scene.view, of_scene), chosen);
-      const std::string text = joined(oracle::compare_with_oracle(mesh, scene.view, lines, chosen));
+      const SceneView view(labelled, scene.view, of_scene);
+      const auto lines = visible_lines(view, chosen);
+      const std::string text = joined(oracle::compare_with_oracle(view, lines, chosen));
       if (!text.empty()) wrong += lines.plan.method + (stages == When::always ? ", stages:\n" : ":\n") + text;
     };
     for (const LineMethod method : {LineMethod::roberts, LineMethod::appel})
       for (const When stages : {When::never, When::always}) ask(method, stages, When::never);
     ask(LineMethod::automatic, When::automatic, When::always);
-    return wrong + wrong_without_hidden_lines(mesh, scene.view, options);
+    return wrong + wrong_without_hidden_lines(labelled, scene.view, options);
   } catch (const std::exception& e) {
     return std::string("exception: ") + e.what() + "\n";
   }

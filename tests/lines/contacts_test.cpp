@@ -55,7 +55,7 @@ TEST_CASE("a partition that touches a facade from behind is not drawn on it", "[
                            scenes::from_eye({2, -5, 1}, {2, 0, 1}), scenes::from_eye({5, -5, 2}, {2, 0, 1})}) {
     TestScene scene = wall(view);
     add_square(scene, {{2, 0, 0}, {2, 4, 0}, {2, 4, 3}, {2, 0, 3}});
-    CHECK(Seen(scene).edge(4, 7) == "smooth: 0 visible 1");
+    CHECK(Seen(scene).edge(4, 7) == "smooth: 0 visible 1; sharp: 0 hidden 1");
   }
   TestScene behind = wall(scenes::from_direction({1, 3, 1}));
   add_square(behind, {{2, 0, 0}, {2, 4, 0}, {2, 4, 3}, {2, 0, 3}});
@@ -65,7 +65,7 @@ TEST_CASE("a partition that touches a facade from behind is not drawn on it", "[
 TEST_CASE("a partition higher than its facade is drawn above it", "[lines][contacts][C3][C11]") {
   TestScene scene = wall(scenes::from_direction({1, -3, 1}));
   add_square(scene, {{2, 0, 0}, {2, 4, 0}, {2, 4, 6}, {2, 0, 6}});
-  CHECK(Seen(scene).edge(4, 7) == "smooth: 0 visible 1/2; boundary: 1/2 visible 1");
+  CHECK(Seen(scene).edge(4, 7) == "smooth: 0 visible 1/2; boundary: 1/2 visible 1; sharp: 0 hidden 1/2");
 }
 
 TEST_CASE("a floor through the line that divides a wall crosses it there", "[lines][contacts][C6][C10][C11]") {
@@ -79,7 +79,8 @@ TEST_CASE("a floor through the line that divides a wall crosses it there", "[lin
   CHECK(above.edge(2, 3) == "smooth: 0 visible 1/4; intersection: 1/4 visible 3/4; smooth: 3/4 visible 1");
   CHECK(above.intersections().empty());  // it has an edge
   scene.view = scenes::from_direction({0, -1, 0});
-  CHECK(Seen(scene).edge(2, 3) == "smooth: 0 visible 1/4 hidden 3/4 visible 1");  // edge-on: on neither side
+  // The floor is seen edge-on, toward the eye and away from it.
+  CHECK(Seen(scene).edge(2, 3) == "smooth: 0 visible 1/4; intersection: 1/4 hidden 3/4; smooth: 3/4 visible 1");
 }
 
 TEST_CASE("the ridge of a roof that touches a ceiling does not cross it", "[lines][contacts][C8]") {
@@ -91,7 +92,7 @@ TEST_CASE("the ridge of a roof that touches a ceiling does not cross it", "[line
   scene.view = scenes::from_direction({0, -1, -3});  // from below
   CHECK(Seen(scene).edge(2, 3) == "sharp: 0 visible 1");
   scene.view = scenes::from_direction({0, -1, 3});
-  CHECK(Seen(scene).edge(2, 3) == "smooth: 0 visible 1");  // the ceiling is nearest on both sides
+  CHECK(Seen(scene).edge(2, 3) == "smooth: 0 visible 1; sharp: 0 hidden 1");  // the ceiling is nearest on both sides
 }
 
 TEST_CASE("squares that pierce each other share a line", "[lines][contacts][I1][I5]") {

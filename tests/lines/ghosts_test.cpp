@@ -4,7 +4,7 @@
 #include <string>
 
 #include "hsr/coordinates/polygons.h"
-#include "hsr/lines/edge_class.h"
+#include "hsr/lines/edge_classifier.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/raster/caster.h"
@@ -95,12 +95,14 @@ void check_ghosts(const TestScene& scene, const Mesh& mesh, const VisibleLines& 
   const Mesh solid = without_ghosts(scene).mesh();
   const VisibleLinesOracle oracle(solid, scene.view);
   const internal::ProjectedMesh among_ghosts(*mesh.ghosts, scene.view, Arithmetic::staged);
+  const FaceLabels labels;
+  const internal::EdgeClassifier classify(among_ghosts, labels, 30, Coplanar::first);
   Predicates exact = among_ghosts.predicates();
   std::size_t expected = 0;
   std::map<std::uint32_t, const Line*> of_edge;
   for (const Line& line : lines.lines) CHECK(of_edge.emplace(line.edge.value, &line).second);
   for (std::size_t k = 0; k < mesh.ghosts->edges.size(); ++k) {
-    const auto edge_class = internal::edge_class(among_ghosts, exact, EdgeId(k), internal::Crease(30));
+    const auto edge_class = classify(exact, EdgeId(k)).seen;
     if (!edge_class) continue;
     ++expected;
     const Edge& e = mesh.ghosts->edges[EdgeId(k)];
@@ -121,7 +123,7 @@ TEST_CASE("ghosts hide nothing of anything, and are hidden by all others", "[lin
       INFO(family.name << " " << seed << "\n" << scenes::to_text(scene));
       const Mesh mesh = scene.mesh(), solid = rest.mesh();
       if (mesh.ghosts == nullptr) continue;
-      const auto expected = oracle::seen_by_oracle(solid, rest.view, all_edges());
+      const auto expected = oracle::seen_by_oracle(SceneView(solid, rest.view), all_edges());
       for (const Method& m : methods) {
         const VisibleLines lines = lines_by(m, mesh, scene.view);
         INFO((m.method == LineMethod::appel ? "appel" : "roberts") << (m.stages == When::always ? ", stages" : ""));

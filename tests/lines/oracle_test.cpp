@@ -30,7 +30,7 @@ scenes::TestScene square_over(std::initializer_list<std::array<Point3, 2>> wires
 }
 
 std::string wire(const scenes::TestScene& scene, std::uint32_t a) {
-  for (const SeenEdge& e : oracle::seen_by_oracle(scene.mesh(), scene.view, all_edges()))
+  for (const SeenEdge& e : oracle::seen_by_oracle(SceneView(Scene(scene.mesh()), scene.view), all_edges()))
     if (e.a == VertexId(a) && e.b == VertexId(a + 1)) return oracle::intervals_text(e);
   return "absent";
 }
@@ -101,7 +101,7 @@ TEST_CASE("the comparison accepts the right answer and reports each wrong one", 
   int mutations = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const scenes::TestScene scene = scenes::family(seed % 2 == 0 ? "triangles" : "edge_on").make(seed);
-    const auto right = oracle::seen_by_oracle(scene.mesh(), scene.view, all_edges());
+    const auto right = oracle::seen_by_oracle(SceneView(Scene(scene.mesh()), scene.view), all_edges());
     CHECK(oracle::differences(right, right).empty());
 
     for (std::size_t i = 0; i < right.size(); ++i) {

@@ -121,7 +121,8 @@ std::string intervals_text(const SeenEdge& edge) {
 }
 
 std::string to_text(const SeenEdge& edge) {
-  if (edge.a.is_valid()) return name(edge.a, edge.b) + " " + to_text(edge.edge_class) + ": " + intervals_text(edge);
+  if (edge.a.is_valid())
+    return name(edge.a, edge.b) + (edge.is_behind ? " behind " : " ") + to_text(edge.edge_class) + ": " + intervals_text(edge);
   const auto point = [](const Vec& p) { return p.x.get_str() + "," + p.y.get_str() + "," + p.z.get_str(); };
   return "triangles " + std::to_string(edge.s.value) + " x " + std::to_string(edge.t.value) + " " + point(edge.from) + " to " +
          point(edge.to) + " " + to_text(edge.edge_class) + ": " + intervals_text(edge);
@@ -133,27 +134,50 @@ std::string to_text(const std::vector<SeenEdge>& edges) {
   return text;
 }
 
-std::vector<SeenEdge> seen_by_oracle(const Mesh& mesh, const View& view, const LineOptions& options) {
+std::vector<SeenEdge> seen_by_oracle(const SceneView& scene, const LineOptions& options) {
+  const Mesh& mesh = scene.mesh();
+  const View& view = scene.view();
   const VisibleLinesOracle oracle(mesh, view);
   std::vector<SeenEdge> out;
+  const auto add = [&](EdgeId id, const EdgeVisibility& v, const Interval& part, const ClassVerdict& verdict, bool is_behind) {
+    SeenEdge e{mesh.edges[id].a, mesh.edges[id].b, verdict.edge_class, false, {}, verdict.is_near_crease};
+    e.is_behind = is_behind;
+    if (e.class_is_uncertain) e.other_class = e.edge_class == EdgeClass::sharp ? verdict.flat : EdgeClass::sharp;
+    const bool is_asked = asked_for(options, e.edge_class);
+    const bool other_is_asked = e.class_is_uncertain && asked_for(options, e.other_class);
+    if (!is_asked && !other_is_asked) return;
+    e.may_be_absent = e.class_is_uncertain && (is_behind || is_asked != other_is_asked);
+    if (is_behind) {
+      e.cuts = {part.from, part.to};
+      e.starts_hidden = true;
+    } else if (v.is_seen) {
+      fill_cuts(e, within(v, part));
+    }
+    out.push_back(std::move(e));
+  };
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const EdgeId id(i);
     const EdgeVisibility v = oracle.visibility(id);
-    for (const ClassPart& part :
-         class_parts(mesh, view, id, options.crease, v.is_seen ? std::optional(v.beyond) : std::nullopt)) {
-      const auto& verdict = part.verdict;
-      if (!verdict) continue;
-      SeenEdge e{mesh.edges[id].a, mesh.edges[id].b, verdict->edge_class, false, {}, verdict->is_near_crease};
-      if (e.class_is_uncertain) {
-        e.other_class = mesh.edges[id].wire ? EdgeClass::wire : EdgeClass::smooth;
-        if (e.edge_class != EdgeClass::sharp) e.other_class = EdgeClass::sharp;
+    const std::vector<ClassPart> parts = class_parts(mesh, view, scene.labels(), scene.options().coplanar, id, options.crease,
+                                                     v.is_seen ? std::optional(v.beyond) : std::nullopt);
+    // Of each of the two, neighbours that do not differ are one.
+    for (const bool is_behind : {false, true}) {
+      std::optional<ClassPart> open;
+      const auto end = [&] {
+        if (open) add(id, v, open->part, *open->verdict, is_behind);
+        open.reset();
+      };
+      for (const ClassPart& part : parts) {
+        const auto& verdict = is_behind ? part.behind : part.verdict;
+        // Parts that differ in either are parts of what is seen; what is behind goes on across what is seen.
+        if (is_behind && open && verdict && *open->verdict == *verdict) {
+          open->part.to = part.part.to;
+          continue;
+        }
+        end();
+        if (verdict) open = ClassPart{part.part, verdict};
       }
-      const bool is_asked = asked_for(options, e.edge_class);
-      const bool other_is_asked = e.class_is_uncertain && asked_for(options, e.other_class);
-      if (!is_asked && !other_is_asked) continue;
-      e.may_be_absent = e.class_is_uncertain && is_asked != other_is_asked;
-      if (v.is_seen) fill_cuts(e, within(v, part.part));
-      out.push_back(std::move(e));
+      end();
     }
   }
   if (!asked_for(options, EdgeClass::intersection)) return out;
@@ -175,6 +199,7 @@ std::vector<SeenEdge> seen_edges(const Mesh& mesh, const View& view, const Visib
   for (const Line& line : lines.lines) {
     const SupportingLine support = supporting_line_of(mesh, lines, line);
     SeenEdge e{support.a, support.b, line.edge_class, line.starts_hidden, {}};
+    e.is_behind = line.is_behind;
     if (line.is_intersection()) {
       const auto point = [&](const Cut& cut) {
         const auto p = exact_point(mesh, view, support, cut);
@@ -196,7 +221,7 @@ std::vector<std::string> differences(const std::vector<SeenEdge>& expected, cons
   // Edges by their vertices and along them, then intersections by their triangles and along them.
   const auto key = [](const SeenEdge& e) {
     const Q start = e.cuts.empty() ? Q(0) : e.cuts.front();
-    return std::tuple(e.a, e.b, e.s, e.t, e.from.x, e.from.y, e.from.z, e.to.x, e.to.y, e.to.z, start);
+    return std::tuple(e.a, e.b, e.s, e.t, e.is_behind, e.from.x, e.from.y, e.from.z, e.to.x, e.to.y, e.to.z, start);
   };
   std::map<decltype(key(SeenEdge())), const SeenEdge*> left;
   for (const SeenEdge& e : expected) left[key(e)] = &e;
@@ -218,12 +243,14 @@ std::vector<std::string> differences(const std::vector<SeenEdge>& expected, cons
   return out;
 }
 
-std::vector<std::string> compare_with_oracle(const Mesh& mesh, const View& view, const VisibleLines& lines,
-                                             const LineOptions& options) {
-  std::vector<std::string> out = differences(seen_by_oracle(mesh, view, options), seen_edges(mesh, view, lines));
+std::vector<std::string> compare_with_oracle(const SceneView& scene, const VisibleLines& lines, const LineOptions& options) {
+  const Mesh& mesh = scene.mesh();
+  const View& view = scene.view();
+  std::vector<std::string> out = differences(seen_by_oracle(scene, options), seen_edges(mesh, view, lines));
   if (options.why) {
     const VisibleLinesOracle oracle(mesh, view);
     for (const Line& line : lines.lines) {
+      if (line.is_behind) continue;  // what hides it is what it touches
       const SupportingLine support = supporting_line_of(mesh, lines, line);
       const auto end = [&](const Cut& cut) {
         const auto p = exact_point(mesh, view, support, cut);

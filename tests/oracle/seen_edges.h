@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hsr/lines/visible_lines.h"
+#include "hsr/scene/scene.h"
 #include "tests/oracle/exact_vector.h"
 
 namespace hsr::oracle {
@@ -17,6 +18,7 @@ struct SeenEdge {
   /// Only by the oracle: so near to the crease that doubles may decide either way.
   bool class_is_uncertain = false, may_be_absent = false;
   EdgeClass other_class = EdgeClass::smooth;
+  bool is_behind = false;  ///< what touches the seen surface from behind
   /// Where faces pierce each other, instead of a and b: the first triangles of both, and the ends.
   TriangleId s = {}, t = {};
   Vec from = {}, to = {};
@@ -31,7 +33,7 @@ std::string to_text(const SeenEdge& edge);
 std::string to_text(const std::vector<SeenEdge>& edges);  ///< one line each
 
 /// What the oracle says that roberts has to say.
-std::vector<SeenEdge> seen_by_oracle(const Mesh& mesh, const View& view, const LineOptions& options);
+std::vector<SeenEdge> seen_by_oracle(const SceneView& scene, const LineOptions& options);
 std::vector<SeenEdge> seen_edges(const Mesh& mesh, const View& view, const VisibleLines& lines);
 
 /// One text for each difference; none: they agree to the last bit.
@@ -39,7 +41,7 @@ std::vector<std::string> differences(const std::vector<SeenEdge>& expected, cons
 
 /// Whether `lines` is what the oracle finds: the edges listed, their classes, each end of each interval, and where asked for
 /// the occluders. One text for each difference.
-std::vector<std::string> compare_with_oracle(const Mesh& mesh, const View& view, const VisibleLines& lines,
+std::vector<std::string> compare_with_oracle(const SceneView& scene, const VisibleLines& lines,
                                              const LineOptions& options = {});
 
 }  // namespace hsr::oracle

@@ -187,8 +187,8 @@ std::string wrong_with_stages(const TestScene& scene) {
       SceneOptions chosen;
       chosen.when(Stage::back_faces) = back_faces;
       chosen.when(Stage::convex_body) = convex_body;
-      for (const std::string& line :
-           oracle::compare_with_oracle(mesh, scene.view, visible_lines(SceneView(mesh, scene.view, chosen), options), options))
+      const SceneView view(mesh, scene.view, chosen);
+      for (const std::string& line : oracle::compare_with_oracle(view, visible_lines(view, options), options))
         wrong += line + "\n";
     }
   return wrong;

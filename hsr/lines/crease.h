@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "geometry/mesh.h"
+#include "hsr/scene/projected_mesh.h"
+
+namespace hsr::internal {
+
+/// The angle by which the two faces of a sharp edge deviate from flat. It is measured in doubles, so an edge whose faces meet at
+/// just this angle would be sharp or smooth by the noise of its coordinates: more means by over a hundredth of a degree.
+struct Crease {
+  double degrees;  ///< what is more than this is sharp
+  double cosine;   ///< of that
+
+  explicit Crease(double asked) : degrees(asked + 0.01), cosine(std::cos(degrees * std::numbers::pi / 180)) {}
+};
+
+/// By how many degrees two half-planes at an edge, each given by a vertex in it, deviate from one plane: 0 ... 180.
+/// @pre neither vertex is on the line of the edge. Exact: to nine digits.
+double deviation_from_flat(const ProjectedMesh& projected, const Edge& edge, VertexId in_one, VertexId in_other);
+
+}  // namespace hsr::internal

@@ -1,0 +1,135 @@
+#include "hsr/lines/edge_classifier.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/vector3.h"
+
+namespace hsr::internal {
+
+/// What is looked at of the half-planes around a part, for the class of what is seen, or of what is behind.
+struct EdgeClassifier::Around {
+  const HalfPlane *left = nullptr, *right = nullptr;  // the nearest, or the farthest, on each side of the view plane
+  const HalfPlane* edge_on = nullptr;                 // the one toward the eye, or the one away from it
+  std::span<const HalfPlane* const> counted;
+};
+
+namespace {
+
+/// Whether several faces coincide in a half-plane that is not on top: where two bodies touch, nothing is to be seen of it.
+bool is_inside(const HalfPlane& h, const HalfPlane* nearest) { return h.is_shared && (h.side == Sign::zero || &h != nearest); }
+
+/// Whether a surface goes on through the edge as this half-plane and its opposite, with others on both sides of it.
+bool is_pierced(const HalfPlanes& half_planes, const HalfPlane& h, std::span<const HalfPlane* const> counted) {
+  bool goes_on = false, positive = false, negative = false;
+  for (const HalfPlane* other : counted) {
+    if (other == &h) continue;
+    const Sign s = half_planes.side(h, *other);
+    goes_on = goes_on || s == Sign::zero;  // each half-plane is there once
+    positive = positive || s == Sign::positive;
+    negative = negative || s == Sign::negative;
+  }
+  return goes_on && positive && negative;
+}
+
+}  // namespace
+
+PartClass with_wire(const Edge& edge, PartClass found) {
+  const bool is_plain = !found.seen || found.seen == EdgeClass::smooth || found.seen == EdgeClass::joint;
+  if (edge.wire && is_plain) found.seen = EdgeClass::wire;
+  return found;
+}
+
+/// Intersection or sharp; nothing: the surface goes on flat from left to right. @pre both are there
+std::optional<EdgeClass> EdgeClassifier::more_than_flat(const HalfPlanes& half_planes, const Around& around) const {
+  const bool is_bent = half_planes.side(*around.left, *around.right) != Sign::zero;
+  if (!is_bent && around.edge_on == nullptr) return std::nullopt;
+  for (const HalfPlane* h : {around.left, around.right, around.edge_on})
+    if (h != nullptr && is_pierced(half_planes, *h, around.counted)) return EdgeClass::intersection;
+  if (around.edge_on != nullptr) return EdgeClass::sharp;
+  const bool is_sharp = half_planes.deviation_from_flat(*around.left, *around.right) > crease_.degrees;
+  return is_sharp ? std::optional(EdgeClass::sharp) : std::nullopt;
+}
+
+/// The class where two faces go on into each other.
+EdgeClass EdgeClassifier::flat(FaceId left, FaceId right) const {
+  const auto differ = [&](const std::vector<std::uint32_t>& label) {
+    return !label.empty() && label[left.value] != label[right.value];
+  };
+  if (differ(labels_.material)) return EdgeClass::material;
+  return differ(labels_.object) ? EdgeClass::joint : EdgeClass::smooth;
+}
+
+PartClass EdgeClassifier::operator()(const HalfPlanes& half_planes, bool only_diagonal) const {
+  const std::vector<HalfPlane>& all = half_planes.all();
+  const HalfPlane *nearest[2] = {nullptr, nullptr}, *farthest[2] = {nullptr, nullptr};
+  const auto of_side = [](auto& pair, const HalfPlane& h) -> auto& { return pair[h.side == Sign::positive ? 0 : 1]; };
+  for (const HalfPlane& h : all) {
+    if (h.side == Sign::zero) continue;
+    auto& best = of_side(nearest, h);
+    if (best == nullptr || half_planes.is_nearer(h, *best)) best = &h;
+  }
+  if ((nearest[0] == nullptr) != (nearest[1] == nullptr) && (only_diagonal || all.size() > 1)) return {EdgeClass::outline, {}};
+  if (only_diagonal || all.empty()) return {};
+  if (all.size() == 1) return {EdgeClass::boundary, {}};
+  if (nearest[0] == nullptr) return {EdgeClass::smooth, {}};
+
+  std::vector<const HalfPlane*> counted;
+  const HalfPlane *front = nullptr, *back = nullptr;
+  for (const HalfPlane& h : all) {
+    if (is_inside(h, of_side(nearest, h))) continue;
+    counted.push_back(&h);
+    if (h.side == Sign::zero) {
+      (h.is_front ? front : back) = &h;
+      continue;
+    }
+    auto& last = of_side(farthest, h);
+    if (last == nullptr || half_planes.is_nearer(*last, h)) last = &h;
+  }
+  const auto seen = more_than_flat(half_planes, {nearest[0], nearest[1], front, counted});
+  if (seen) return {seen, {}};
+  return {flat(nearest[0]->face, nearest[1]->face), more_than_flat(half_planes, {farthest[0], farthest[1], back, counted})};
+}
+
+/// An edge of two faces on opposite sides whose angle is far enough from the crease: found without any exact sign. Nothing: to be
+/// looked at closely. Each normal is good to nine digits, and the cosine is trusted to six.
+std::optional<EdgeClass> EdgeClassifier::at_a_glance(EdgeId id) const {
+  const Edge& edge = projected_.mesh().edges[id];
+  const auto triangles = projected_.mesh().triangles_at(id);
+  if (triangles.size() != 2 || !edge.of_face || edge.wire) return std::nullopt;
+  Point3 n[2];
+  Sign side[2];
+  const Point3& a = projected_.point(edge.a);
+  const Point3 along = minus(projected_.point(edge.b), a);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const TriangleId t = triangles[k];
+    side[k] = projected_.side_of_edge(t, edge);
+    const Point3 out = minus(projected_.point(projected_.mesh().apex(t, edge)), a);
+    n[k] = cross(along, out);
+    // The normal errs by some roundings of these products.
+    if (!(norm_max(n[k]) > norm_max(along) * norm_max(out) * 0x1p-20)) return std::nullopt;
+  }
+  if (side[0] * side[1] != Sign::negative) return std::nullopt;
+  const double square = dot(n[0], n[0]) * dot(n[1], n[1]);
+  if (!(square > 0x1p-900 && square < 0x1p900)) return std::nullopt;
+  const double flatness = -dot(n[0], n[1]) / std::sqrt(square);  // the cosine of the deviation from flat
+  if (flatness > crease_.cosine + 1e-6) {
+    const Mesh& mesh = projected_.mesh();
+    return flat(mesh.face_of[triangles[0]], mesh.face_of[triangles[1]]);
+  }
+  if (flatness < crease_.cosine - 1e-6) return EdgeClass::sharp;
+  return std::nullopt;
+}
+
+PartClass EdgeClassifier::operator()(Predicates& exact, EdgeId id, std::span<const EdgeContact> contacts) const {
+  if (exact.arithmetic() == Arithmetic::staged && contacts.empty())
+    if (const auto seen = at_a_glance(id)) return {seen, {}};
+  const Edge& edge = projected_.mesh().edges[id];
+  ExactHalfPlanes half_planes(projected_, exact, edge, last_on_top_);
+  for (const TriangleId t : projected_.mesh().triangles_at(id)) half_planes.add(t);
+  for (const EdgeContact& c : contacts) half_planes.add(c);
+  return with_wire(edge, (*this)(half_planes, edge.diagonal && !edge.of_face));
+}
+
+}  // namespace hsr::internal

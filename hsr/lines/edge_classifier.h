@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "geometry/predicates.h"
+#include "hsr/lines/crease.h"
+#include "hsr/lines/half_planes.h"
+#include "hsr/lines/line_options.h"
+#include "hsr/scene/face_labels.h"
+#include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/scene.h"
+
+namespace hsr::internal {
+
+/// The class of a part of an edge. Nothing: it is never drawn, as a diagonal that is no outline.
+struct PartClass {
+  std::optional<EdgeClass> seen;
+  /// What touches the seen surface there from behind, if that makes an edge: intersection or sharp. It is hidden.
+  std::optional<EdgeClass> behind;
+
+  friend bool operator==(const PartClass&, const PartClass&) = default;
+};
+
+/// The same where the edge is a wire, too, if it is one: a wire where faces make it no more than smooth or joint.
+PartClass with_wire(const Edge& edge, PartClass found);
+
+/// Finds the classes of edges in a view from the faces there as a set of points: whose edges the faces have there, and how they
+/// are cut into faces, means nothing (docs/conventions.md, "Classes of edges").
+///
+/// Exact: yes, but for the angle. Cost: O(m^2) signs of degree 3 for m faces at the part, nearly always m = 2.
+class EdgeClassifier {
+ public:
+  /// @param labels of the faces of the mesh
+  EdgeClassifier(const ProjectedMesh& projected, const FaceLabels& labels, double crease, Coplanar coplanar)
+      : projected_(projected), labels_(labels), crease_(crease), last_on_top_(coplanar == Coplanar::last) {}
+
+  const ProjectedMesh& projected() const { return projected_; }
+  bool last_on_top() const { return last_on_top_; }
+  /// The class of an edge, or of the part of it where it has these contacts.
+  PartClass operator()(Predicates& exact, EdgeId edge, std::span<const EdgeContact> contacts = {}) const;
+  /// The class of a part along which these half-planes are. @param only_diagonal of a face that is cut into triangles
+  PartClass operator()(const HalfPlanes& half_planes, bool only_diagonal) const;
+
+ private:
+  struct Around;
+  std::optional<EdgeClass> at_a_glance(EdgeId id) const;
+  std::optional<EdgeClass> more_than_flat(const HalfPlanes& half_planes, const Around& around) const;
+  EdgeClass flat(FaceId left, FaceId right) const;
+
+  const ProjectedMesh& projected_;
+  const FaceLabels& labels_;
+  Crease crease_;
+  bool last_on_top_;
+};
+
+}  // namespace hsr::internal

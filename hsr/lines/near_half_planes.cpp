@@ -1,0 +1,86 @@
+#include "hsr/lines/near_half_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/vector3.h"
+#include "hsr/scene/facet.h"
+
+namespace hsr::internal {
+
+namespace {
+
+/// The same turn between -pi and pi.
+double turned(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+}  // namespace
+
+NearHalfPlanes::NearHalfPlanes(const Mesh& mesh, const View& view, const Point3& a, const Point3& b, const Point3& middle,
+                               double tolerance, bool last_on_top)
+    : HalfPlanes(last_on_top), mesh_(mesh), tolerance_(tolerance), middle_(middle), along_(unit(minus(b, a))) {
+  const Point3& eye = view.viewpoint.at;
+  const Point3 sight = unit(view.viewpoint.is_direction ? eye : minus(eye, middle));
+  const double d = dot(sight, along_);
+  to_eye_ = unit(sum(sight, -d, along_));
+  left_ = cross(along_, to_eye_);
+}
+
+double NearHalfPlanes::slack(double reach) const {
+  constexpr double most = 0.1, rounding = 1e-12;
+  return std::clamp(2 * tolerance_ / reach, rounding, most);
+}
+
+void NearHalfPlanes::add(TriangleId triangle) {
+  const auto& c = mesh_.triangles[triangle];
+  const Point3 &p = mesh_.points[c[0]], &q = mesh_.points[c[1]], &r = mesh_.points[c[2]];
+  const Point3 into = unit(cross(cross(unit(minus(q, p)), unit(minus(r, p))), along_));
+  double low = 0, high = 0;
+  for (const VertexId v : c) {
+    const double s = dot(minus(mesh_.points[v], middle_), into);
+    low = std::min(low, s);
+    high = std::max(high, s);
+  }
+  if (high > tolerance_) add(triangle, into, high);
+  if (-low > tolerance_) add(triangle, {-into.x, -into.y, -into.z}, -low);
+}
+
+void NearHalfPlanes::add(TriangleId triangle, const Point3& into, double reach) {
+  const double turn = std::atan2(dot(into, left_), dot(into, to_eye_));
+  const TriangleId facet = facet_of(mesh_, triangle);
+  for (std::size_t k = 0; k < all_.size(); ++k) {
+    Angle& known = angles_[k];
+    if (std::fabs(turned(turn - known.turn)) > slack(std::min(reach, known.reach))) continue;
+    if (std::find(known.facets.begin(), known.facets.end(), facet) == known.facets.end()) {
+      known.facets.push_back(facet);
+      share(all_[k], mesh_.face_of[triangle]);
+    }
+    // The one that reaches farther tells its direction better.
+    if (reach > known.reach) {
+      known.turn = turn;
+      known.reach = reach;
+    }
+    return;
+  }
+  angles_.push_back({turn, reach, {facet}});
+  all_.push_back({triangle, {}, Sign::zero, false, false, mesh_.face_of[triangle]});
+  const double across = std::sin(turn);
+  if (std::fabs(across) > slack(reach)) all_.back().side = sign_of(across);
+  all_.back().is_front = all_.back().side == Sign::zero && std::cos(turn) > 0;
+}
+
+Sign NearHalfPlanes::side(const HalfPlane& plane, const HalfPlane& other) const {
+  const double s = std::sin(angle(other).turn - angle(plane).turn);
+  return std::fabs(s) > slack(std::min(angle(plane).reach, angle(other).reach)) ? sign_of(s) : Sign::zero;
+}
+
+bool NearHalfPlanes::is_nearer(const HalfPlane& x, const HalfPlane& y) const {
+  return std::fabs(angle(x).turn) < std::fabs(angle(y).turn);
+}
+
+double NearHalfPlanes::deviation_from_flat(const HalfPlane& x, const HalfPlane& y) const {
+  const double between = std::fabs(turned(angle(x).turn - angle(y).turn));
+  return (std::numbers::pi - between) * 180 / std::numbers::pi;
+}
+
+}  // namespace hsr::internal

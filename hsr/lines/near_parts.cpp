@@ -1,0 +1,123 @@
+#include "hsr/lines/near_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/vector3.h"
+#include "hsr/lines/near_half_planes.h"
+#include "hsr/scene/half_space.h"
+#include "hsr/symbols/cut_plane.h"
+
+namespace hsr::internal {
+
+namespace {
+
+double length_of(const Point3& a) {
+  const double most = norm_max(a);
+  return most > 0 ? most * std::sqrt(dot(over(a, most), over(a, most))) : 0;
+}
+
+}  // namespace
+
+/// The part of the line that is within the tolerance of a triangle; false: none that is longer than the tolerance.
+bool NearParts::clip(const Point3& a, const Point3& b, double length, Contact& contact) const {
+  const auto& c = mesh_.triangles[contact.triangle];
+  const Point3 p[3] = {mesh_.points[c[0]], mesh_.points[c[1]], mesh_.points[c[2]]};
+  const Point3 normal = unit(cross(unit(minus(p[1], p[0])), unit(minus(p[2], p[0]))));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3 inward = unit(cross(normal, minus(p[(k + 1) % 3], p[k])));
+    const double at_a = dot(minus(a, p[k]), inward) + tolerance_, at_b = dot(minus(b, p[k]), inward) + tolerance_;
+    if (at_a < 0 && at_b < 0) return false;
+    if (at_a >= 0 && at_b >= 0) continue;
+    const double t = at_a / (at_a - at_b);
+    if (at_a < 0 && t > contact.from) {
+      contact.from = t;
+      contact.side_from = k;
+    }
+    if (at_b < 0 && t < contact.to) {
+      contact.to = t;
+      contact.side_to = k;
+    }
+  }
+  if (!((contact.to - contact.from) * length > 2 * tolerance_)) return false;
+  const double off_a = dot(minus(a, p[0]), normal), off_b = dot(minus(b, p[0]), normal);
+  const auto off = [&](double t) { return std::fabs(off_a + t * (off_b - off_a)); };
+  return off(contact.from) <= tolerance_ && off(contact.to) <= tolerance_;
+}
+
+std::vector<NearParts::Contact> NearParts::contacts(const Point3& a, const Point3& b) const {
+  std::vector<Contact> all;
+  const double length = length_of(minus(b, a));
+  triangles_.visit_near(a, b, tolerance_, [&](TriangleId t) {
+    Contact contact{t};
+    if (clip(a, b, length, contact)) all.push_back(contact);
+  });
+  std::sort(all.begin(), all.end(), [](const Contact& x, const Contact& y) { return x.triangle < y.triangle; });
+  return all;
+}
+
+/// The class at a parameter of the line, by the faces that are near there; nothing: none is.
+std::optional<PartClass> NearParts::class_at(const Point3& a, const Point3& b, double at, const std::vector<Contact>& near,
+                                             bool only_diagonal) const {
+  NearHalfPlanes half_planes(mesh_, view_, a, b, sum(a, at, minus(b, a)), tolerance_, classifier_.last_on_top());
+  for (const Contact& c : near)
+    if (c.from <= at && at <= c.to) half_planes.add(c.triangle);
+  if (half_planes.all().empty()) return std::nullopt;
+  return classifier_(half_planes, only_diagonal);
+}
+
+/// Where the border of a triangle crosses the edge, by name; nothing where that is not near the parameter `at`.
+void NearParts::add_place(TriangleOcclusion& occlusion, EdgeId id, TriangleId triangle, std::size_t side, double at,
+                          double length, std::vector<Breakpoint>& places) const {
+  if (side == 3) return;
+  const Edge& edge = mesh_.edges[id];
+  const HalfSpace h = half_spaces(projected_, triangle, occlusion.exact())[side];
+  Sign ends[2];
+  for (std::size_t k = 0; k < 2; ++k) {
+    const VertexId v = k == 0 ? edge.a : edge.b;
+    ends[k] = v.value == h.cut.u || v.value == h.cut.v ? Sign::zero : projected_.side(h.plane, v, occlusion.exact());
+  }
+  if (ends[0] * ends[1] != Sign::negative) return;
+  const Breakpoint place = occlusion.place(h.cut);
+  if (std::fabs(place.t - at) * length > 8 * tolerance_) return;
+  if (occlusion.order(occlusion.first(), place) == Sign::negative && occlusion.order(place, occlusion.last()) == Sign::negative)
+    places.push_back(place);
+}
+
+std::vector<EdgePart> NearParts::of_edge(TriangleOcclusion& occlusion, EdgeId id) const {
+  if (!occlusion.start(id)) return {whole_edge(classifier_, occlusion, id)};
+  const Edge& edge = mesh_.edges[id];
+  const Point3 &a = mesh_.points[edge.a], &b = mesh_.points[edge.b];
+  const double length = length_of(minus(b, a));
+  const std::vector<Contact> near = contacts(a, b);
+  std::vector<Breakpoint> places;
+  for (const Contact& c : near) {
+    add_place(occlusion, id, c.triangle, c.side_from, c.from, length, places);
+    add_place(occlusion, id, c.triangle, c.side_to, c.to, length, places);
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [&](const Breakpoint& x, const Breakpoint& y) { return occlusion.order(x, y) == Sign::negative; });
+  std::vector<EdgePart> parts;
+  Breakpoint from = occlusion.first();
+  for (std::size_t k = 0; k <= places.size(); ++k) {
+    const Breakpoint& to = k < places.size() ? places[k] : occlusion.last();
+    // Of places nearer to one another than the tolerance, and to an end, one is enough.
+    const bool is_short = (to.t - from.t) * length <= 2 * tolerance_;
+    if (is_short && (k < places.size() || !parts.empty())) continue;
+    const auto around = class_at(a, b, (from.t + to.t) / 2, near, edge.diagonal && !edge.of_face);
+    const PartClass found = around ? with_wire(edge, *around) : classifier_(occlusion.exact(), id);
+    if (!parts.empty() && parts.back().found == found)
+      parts.back().to = to.cut;
+    else
+      parts.push_back({found, from.cut, to.cut});
+    from = to;
+  }
+  parts.back().to = occlusion.last().cut;
+  return parts;
+}
+
+PartClass NearParts::of_intersection(const Point3& from, const Point3& to) const {
+  return class_at(from, to, 0.5, contacts(from, to), false).value_or(PartClass{EdgeClass::intersection, {}});
+}
+
+}  // namespace hsr::internal

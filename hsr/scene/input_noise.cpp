@@ -1,0 +1,146 @@
+#include "hsr/scene/input_noise.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "geometry/bit_range.h"
+#include "geometry/error.h"
+#include "geometry/merge_points.h"
+#include "geometry/parallel.h"
+#include "geometry/predicates.h"
+#include "geometry/vector3.h"
+#include "hsr/scene/space_tree.h"
+
+namespace hsr {
+
+using namespace internal;
+
+namespace {
+
+constexpr std::size_t most_triangles = 200'000;
+
+/// The unit in the last place of the largest coordinate, of floats if all coordinates are floats.
+double last_place(const Mesh& mesh) {
+  double most = 0;
+  bool are_floats = true;
+  for (const Point3& p : mesh.points)
+    for (int axis = 0; axis < 3; ++axis) {
+      most = std::max(most, std::fabs(p[axis]));
+      are_floats = are_floats && static_cast<double>(static_cast<float>(p[axis])) == p[axis];
+    }
+  return std::ldexp(most, are_floats ? -23 : -52);
+}
+
+/// With one digit, rounded up.
+double one_digit(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)));
+  return std::ceil(x / unit * (1 - 1e-12)) * unit;
+}
+
+/// How many edges of one face are two that would be one if points within the tolerance were.
+std::size_t edges_that_close(const Mesh& mesh, double tolerance) {
+  std::vector<EdgeId> open;
+  std::vector<std::uint32_t> place(mesh.points.size(), 0xffffffffU);  // of a vertex among those of open edges
+  IndexedVector<VertexId, Point3> points;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const Edge& edge = mesh.edges[EdgeId(e)];
+    if (!edge.of_face || mesh.triangles_at(EdgeId(e)).size() != 1) continue;
+    open.emplace_back(e);
+    for (const VertexId v : {edge.a, edge.b}) {
+      if (place[v.value] != 0xffffffffU) continue;
+      place[v.value] = static_cast<std::uint32_t>(points.size());
+      points.push_back(mesh.points[v]);
+    }
+  }
+  if (open.empty()) return 0;
+  IndexedVector<VertexId, VertexId> merged = merge_points(points);
+  try {
+    merge_clusters(points, tolerance, merged);
+  } catch (const InputError&) {
+    return 0;  // details of the model are as small as the noise would be
+  }
+  std::vector<std::pair<VertexId, VertexId>> joined;
+  for (const EdgeId e : open) {
+    const auto end = [&](VertexId v) { return merged[VertexId(place[v.value])]; };
+    joined.push_back(std::minmax(end(mesh.edges[e].a), end(mesh.edges[e].b)));
+  }
+  std::sort(joined.begin(), joined.end());
+  std::size_t close = 0;
+  for (std::size_t i = 0, j = 0; i < joined.size(); i = j) {
+    while (j < joined.size() && joined[j] == joined[i]) ++j;
+    if (j - i > 1) close += j - i;
+  }
+  return close;
+}
+
+struct Flat {
+  Point3 at, normal;
+
+  Flat(const Mesh& mesh, TriangleId t) : at(mesh.points[mesh.triangles[t][0]]) {
+    const auto& c = mesh.triangles[t];
+    normal = unit(cross(unit(minus(mesh.points[c[1]], at)), unit(minus(mesh.points[c[2]], at))));
+  }
+  /// How far the corners of a triangle are from the plane, at most.
+  double farthest(const Mesh& mesh, TriangleId t) const {
+    double most = 0;
+    for (const VertexId v : mesh.triangles[t]) most = std::max(most, std::fabs(dot(minus(mesh.points[v], at), normal)));
+    return most;
+  }
+};
+
+/// Whether a corner of t is not in the plane of s, exactly.
+bool is_off_plane(const Mesh& mesh, TriangleId s, TriangleId t, Predicates& exact) {
+  const auto &c = mesh.triangles[s], &d = mesh.triangles[t];
+  const Plane plane = Plane::of_face(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
+  return std::any_of(d.begin(), d.end(), [&](VertexId v) { return exact.side(plane, mesh.points[v]) != Sign::zero; });
+}
+
+/// Which faces touch another nearly in one plane, and how far off it they are at most.
+std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& farthest) {
+  const std::size_t n = mesh.triangles.size();
+  if (n > most_triangles) return 0;
+  const SpaceTree tree(mesh);
+  std::vector<std::atomic<std::uint8_t>> is_near(mesh.faces.size());
+  std::atomic<double> most = 0;
+  parallel_for_each(n, [&](std::size_t i) {
+    const TriangleId s(i);
+    const Flat flat(mesh, s);
+    Predicates exact(bit_range(mesh.points));
+    tree.visit_near_triangle(mesh, s, tolerance, [&](TriangleId t) {
+      if (t <= s || mesh.face_of[s] == mesh.face_of[t]) return;
+      const auto& d = mesh.triangles[t];
+      if (std::any_of(d.begin(), d.end(), [&](VertexId v) { return mesh.has_corner(s, v); })) return;
+      const double off = std::max(flat.farthest(mesh, t), Flat(mesh, t).farthest(mesh, s));
+      if (off > tolerance || !is_off_plane(mesh, s, t, exact)) return;
+      is_near[mesh.face_of[s].value].store(1, std::memory_order_relaxed);
+      is_near[mesh.face_of[t].value].store(1, std::memory_order_relaxed);
+      double seen = most.load(std::memory_order_relaxed);
+      while (off > seen && !most.compare_exchange_weak(seen, off, std::memory_order_relaxed)) {
+      }
+    });
+  });
+  farthest = most;
+  return static_cast<std::size_t>(std::count_if(is_near.begin(), is_near.end(), [](const auto& f) { return f.load() != 0; }));
+}
+
+}  // namespace
+
+InputNoise noise_of(const Mesh& mesh) {
+  const double ulp = last_place(mesh);
+  if (!(ulp > 0)) return {};
+  const double small = 16 * ulp;
+  InputNoise noise;
+  double farthest = 0;
+  noise.open_edges = edges_that_close(mesh, small);
+  noise.near_planes = faces_in_near_planes(mesh, small, farthest);
+  if (noise.open_edges > 0)
+    noise.tolerance = one_digit(small);
+  else if (noise.near_planes > 0)
+    noise.tolerance = one_digit(std::max(4 * farthest, small));
+  return noise;
+}
+
+}  // namespace hsr

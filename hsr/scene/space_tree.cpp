@@ -1,0 +1,18 @@
+#include "hsr/scene/space_tree.h"
+
+#include "geometry/parallel.h"
+
+namespace hsr::internal {
+
+SpaceTree::SpaceTree(const Mesh& mesh) {
+  std::vector<ImageBox> boxes(mesh.triangles.size(), ImageBox::nothing());
+  parallel_for_each(boxes.size(), [&](std::size_t t) {
+    for (const VertexId v : mesh.triangles[TriangleId(t)]) {
+      const Point3& p = mesh.points[v];
+      boxes[t].add({p.x, p.y, p.z}, {0, 0, 0});
+    }
+  });
+  tree_ = BoxTree(boxes);
+}
+
+}  // namespace hsr::internal

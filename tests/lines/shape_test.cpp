@@ -1,0 +1,336 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <functional>
+#include <set>
+#include <sstream>
+
+#include "tests/lines/checked_lines.h"
+#include "tests/lines/ink.h"
+#include "tests/oracle/exact_vector.h"
+#include "tests/scenes/random_scenes.h"
+
+// A drawing depends on the shape, not on how it is cut into faces.
+
+namespace hsr {
+
+namespace {
+
+using oracle::Vec;
+using scenes::TestScene;
+using Ring = std::vector<std::uint32_t>;
+
+/// A scene whose faces are of objects and materials.
+struct Labelled {
+  TestScene scene;
+  FaceLabels labels;
+
+  std::string ink() const { return ink_of(SceneView(Scene(scene.mesh(), labels), scene.view)); }
+  void add_face(const Ring& ring, std::uint32_t object = 0, std::uint32_t material = 0) {
+    scene.add_face(ring);
+    labels.object.push_back(object);
+    labels.material.push_back(material);
+  }
+  /// With points of its own.
+  void add_face(const std::vector<Point3>& corners, std::uint32_t object = 0, std::uint32_t material = 0) {
+    Ring ring;
+    for (const Point3& p : corners) {
+      ring.push_back(static_cast<std::uint32_t>(scene.points.size()));
+      scene.points.push_back(p);
+    }
+    add_face(ring, object, material);
+  }
+  /// A box between two corners, with points of its own.
+  void add_box(const Point3& a, const Point3& b, std::uint32_t object = 0, std::uint32_t material = 0) {
+    const auto n = static_cast<std::uint32_t>(scene.points.size());
+    for (int k = 0; k < 8; ++k)
+      scene.points.push_back({(k & 1) != 0 ? b.x : a.x, (k & 2) != 0 ? b.y : a.y, (k & 4) != 0 ? b.z : a.z});
+    for (const Ring& f :
+         {Ring{0, 2, 3, 1}, Ring{4, 5, 7, 6}, Ring{0, 1, 5, 4}, Ring{2, 6, 7, 3}, Ring{0, 4, 6, 2}, Ring{1, 3, 7, 5}})
+      add_face({n + f[0], n + f[1], n + f[2], n + f[3]}, object, material);
+  }
+};
+
+Labelled without_faces(const Labelled& x) {
+  Labelled empty = x;
+  empty.scene.polygons.first = {0};
+  empty.scene.polygons.corners.clear();
+  empty.labels = {};
+  return empty;
+}
+
+/// What a face becomes: rings over the points of `to`, to which it may add some.
+using Recut = std::function<std::vector<Ring>(const Mesh& mesh, FaceId face, const Ring& ring, Labelled& to)>;
+
+Labelled recut(const Labelled& x, const Recut& cut) {
+  const Mesh mesh = x.scene.mesh();
+  Labelled y = without_faces(x);
+  for (std::size_t f = 0; f < x.scene.polygons.size(); ++f) {
+    const auto corners = x.scene.polygons[f];
+    const Ring ring(corners.begin(), corners.end());
+    // Faces that are cut into triangles for not being planar are cut otherwise if they have more corners.
+    const bool stays = mesh.faces[FaceId(f)] != FaceUse::planar;
+    for (const Ring& r : stays ? std::vector<Ring>{ring} : cut(mesh, FaceId(f), ring, y))
+      y.add_face(r, x.labels.object[f], x.labels.material[f]);
+  }
+  return y;
+}
+
+/// A point exactly on the segment at t, a power of two; nothing where doubles do not hold it.
+std::optional<Point3> exactly_between(const Point3& a, const Point3& b, double t) {
+  const Point3 p = {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t};
+  const Vec va(a), vb(b);
+  if (!(va + oracle::Q(t) * (vb - va) == Vec(p)) || p == a || p == b) return std::nullopt;
+  return p;
+}
+
+std::uint32_t added(Labelled& to, const Point3& p) {
+  to.scene.points.push_back(p);
+  return static_cast<std::uint32_t>(to.scene.points.size() - 1);
+}
+
+/// Its sides cut in three: its neighbours' are not.
+std::vector<Ring> with_cut_sides(const Mesh&, FaceId, const Ring& ring, Labelled& to) {
+  Ring more;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    more.push_back(ring[k]);
+    const Point3 a = to.scene.points[ring[k]], b = to.scene.points[ring[(k + 1) % ring.size()]];
+    for (const double t : {0.25, 0.5})
+      if (const auto p = exactly_between(a, b, t)) more.push_back(added(to, *p));
+  }
+  return {more};
+}
+
+std::vector<Ring> as_triangles(const Mesh& mesh, FaceId face, const Ring&, Labelled&) {
+  std::vector<Ring> all;
+  for (std::uint32_t t = mesh.first_triangle[face]; t < mesh.first_triangle[FaceId(face.value + 1U)]; ++t) {
+    const auto& c = mesh.triangles[TriangleId(t)];
+    all.push_back({c[0].value, c[1].value, c[2].value});
+  }
+  return all;
+}
+
+/// Each of its triangles cut in two, from a corner to the middle of a side: the sides overlap those of the neighbours.
+std::vector<Ring> in_halves(const Mesh& mesh, FaceId face, const Ring& ring, Labelled& to) {
+  std::vector<Ring> all;
+  for (const Ring& t : as_triangles(mesh, face, ring, to)) {
+    const auto p = exactly_between(to.scene.points[t[0]], to.scene.points[t[1]], 0.5);
+    if (!p) {
+      all.push_back(t);
+      continue;
+    }
+    const std::uint32_t m = added(to, *p);
+    all.push_back({t[0], m, t[2]});
+    all.push_back({m, t[1], t[2]});
+  }
+  return all;
+}
+
+std::vector<Ring> turned_over(const Mesh&, FaceId face, const Ring& ring, Labelled&) {
+  Ring turned = ring;
+  if (face.value % 2 == 0) std::reverse(turned.begin(), turned.end());
+  std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+  return {turned};
+}
+
+Labelled labelled(const TestScene& scene, bool with_labels) {
+  Labelled x{scene, {}};
+  for (std::uint32_t f = 0; f < scene.polygons.size(); ++f) {
+    x.labels.object.push_back(with_labels ? f % 3 : 0);
+    x.labels.material.push_back(with_labels && f % 4 == 0 ? 1 : 0);
+  }
+  return x;
+}
+
+/// The lines of one text that the other has not.
+std::string difference(const std::string& x, const std::string& y) {
+  const auto lines = [](const std::string& text) {
+    std::multiset<std::string> all;
+    std::string key;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+      if (!line.starts_with("  "))
+        key = line;
+      else
+        all.insert(key + ":" + line);
+    }
+    return all;
+  };
+  const auto in_x = lines(x), in_y = lines(y);
+  std::string text;
+  for (const std::string& line : in_x)
+    if (in_y.count(line) != in_x.count(line)) text += "- " + line + "\n";
+  for (const std::string& line : in_y)
+    if (in_y.count(line) != in_x.count(line)) text += "+ " + line + "\n";
+  return text;
+}
+
+void check_cuts(std::uint64_t first_seed, std::uint64_t seeds) {
+  const std::pair<const char*, Recut> ways[] = {{"sides cut in three", with_cut_sides},
+                                                {"as triangles", as_triangles},
+                                                {"in halves", in_halves},
+                                                {"turned over", turned_over}};
+  for (const scenes::Family& family : scenes::families())
+    for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
+      const Labelled x = labelled(family.make(seed), seed % 2 == 0);
+      const std::string ink = x.ink();
+      for (const auto& [name, way] : ways) {
+        INFO(family.name << " " << seed << ": " << name << "\n" << scenes::to_text(x.scene));
+        CHECK(difference(ink, recut(x, way).ink()) == "");
+      }
+    }
+}
+
+TEST_CASE("how the faces of a scene are cut changes no ink", "[lines][metamorphic][shape][C1][C12]") {
+  check_cuts(700'000, 12);
+}
+
+TEST_CASE("how the faces of many scenes are cut changes no ink", "[lines][metamorphic][shape][.][long]") {
+  check_cuts(720'000, 300);
+}
+
+TEST_CASE("cutting twice changes no ink, and joining what was cut gives it back", "[lines][metamorphic][shape][C1]") {
+  for (const char* name : {"polygons", "boxes", "edge_on"})
+    for (std::uint64_t seed = 710'000; seed < 710'010; ++seed) {
+      const Labelled x = labelled(scenes::family(name).make(seed), true);
+      INFO(name << " " << seed << "\n" << scenes::to_text(x.scene));
+      CHECK(difference(x.ink(), recut(recut(x, in_halves), with_cut_sides).ink()) == "");
+    }
+}
+
+// Two boxes side by side, the second as high, or higher: one flat side is one flat side.
+Labelled two_boxes(double height) {
+  Labelled x;
+  x.add_box({0, 0, 0}, {4, 3, 3}, 0);
+  x.add_box({4, 0, 0}, {9, 3, height}, 1);
+  return x;
+}
+
+int lines_of(const Labelled& x, const char* style) {
+  const std::string ink = x.ink();
+  int n = 0;
+  for (std::size_t at = ink.find(style); at != std::string::npos; at = ink.find(style, at + 1)) ++n;
+  return n;
+}
+
+TEST_CASE("one flat side is one flat side, however high its neighbours are", "[lines][shape][C12][C18]") {
+  for (const double height : {3.0, 4.0}) {
+    Labelled x = two_boxes(height);
+    x.scene.view = scenes::from_direction({0, -1, 0});
+    INFO(x.ink());
+    CHECK(lines_of(x, "visible joint") == 1);
+    CHECK(lines_of(x, "visible sharp") == 0);
+    CHECK(lines_of(x, "visible boundary") == 0);
+    // Of one object there is no joint; of two materials there is more.
+    Labelled one = x, painted = x;
+    one.labels.object.assign(12, 0);
+    CHECK(lines_of(one, "joint") == 0);
+    for (std::size_t f = 6; f < 12; ++f) painted.labels.material[f] = 1;
+    CHECK(lines_of(painted, "visible material") == 1);
+    CHECK(lines_of(painted, "joint") == 0);
+  }
+}
+
+TEST_CASE("a side that is cut at a T is smooth", "[lines][shape][C12]") {
+  Labelled x;
+  const std::vector<std::vector<Point3>> panels = {{{0, 0, 0}, {4, 0, 0}, {4, 0, 4}, {0, 0, 4}},
+                                                   {{4, 0, 0}, {8, 0, 0}, {8, 0, 1}, {4, 0, 1}},
+                                                   {{4, 0, 1}, {8, 0, 1}, {8, 0, 4}, {4, 0, 4}}};
+  for (const auto& panel : panels) x.add_face(panel);
+  for (const Point3& direction : {Point3{0, -1, 0}, Point3{1, -2, 1}}) {
+    x.scene.view = scenes::from_direction(direction);
+    CHECK(lines_of(x, "visible boundary") == 4);
+    CHECK(lines_of(x, "visible") == 4);
+  }
+}
+
+// Bricks of 4 x 1 in courses, each course shifted by half a brick.
+TEST_CASE("the joints of a bond are all joints", "[lines][shape][C18]") {
+  Labelled x;
+  std::uint32_t brick = 0;
+  for (int course = 0; course < 3; ++course)
+    for (int k = 0; k < 3; ++k, ++brick) {
+      const double left = 4 * k + 2 * (course % 2);
+      x.add_face(
+          {{left, 0, double(course)}, {left + 4, 0, double(course)}, {left + 4, 0, course + 1.0}, {left, 0, course + 1.0}},
+          brick);
+    }
+  x.scene.view = scenes::from_direction({0, -1, 0});
+  INFO(x.ink());
+  CHECK(lines_of(x, "sharp") == 0);
+  CHECK(lines_of(x, "visible joint") == 2 + 6);  // two beds, and two head joints in each course
+}
+
+/// A slab from z = 0 to 1, and a column under it whose head touches it, or stands in it, or is one body with it.
+TEST_CASE("a column under a slab is dashed, be it a body of its own or not", "[lines][shape][C17][C19]") {
+  const auto dashed = [](const Labelled& x) {
+    std::string ink = x.ink();
+    for (const char* c : {"sharp", "outline", "boundary", "intersection"})
+      for (std::size_t at = ink.find(c); at != std::string::npos; at = ink.find(c))
+        ink.replace(at, std::string(c).size(), "line");
+    return ink;
+  };
+  Labelled touching, gap, fused;
+  touching.add_box({0, 0, 0}, {10, 8, 1}, 0);
+  touching.add_box({3, 3, -5}, {6, 5, 0}, 1);
+  gap.add_box({0, 0, 0}, {10, 8, 1}, 0);
+  gap.add_box({3, 3, -5}, {6, 5, -1}, 1);
+  // One body: the underside of the slab has a hole, as a keyhole, where the column begins.
+  fused.add_box({0, 0, 0}, {10, 8, 1}, 0);
+  fused = recut(fused, [](const Mesh&, FaceId face, const Ring& ring, Labelled& to) {
+    if (face.value != 0) return std::vector<Ring>{ring};
+    const auto n = static_cast<std::uint32_t>(to.scene.points.size());
+    for (const double z : {0.0, -5.0})
+      for (const Point3& p : {Point3{3, 3, z}, Point3{6, 3, z}, Point3{6, 5, z}, Point3{3, 5, z}}) to.scene.points.push_back(p);
+    return std::vector<Ring>{{ring[0], ring[1], ring[2], ring[3], ring[0], n, n + 1, n + 2, n + 3, n},
+                             {n, n + 1, n + 5, n + 4},
+                             {n + 1, n + 2, n + 6, n + 5},
+                             {n + 2, n + 3, n + 7, n + 6},
+                             {n + 3, n, n + 4, n + 7},
+                             {n + 4, n + 5, n + 6, n + 7}};
+  });
+  for (Labelled* x : {&touching, &gap, &fused}) x->scene.view = scenes::from_direction({0, 0, 1});
+  CHECK(lines_of(touching, "hidden") == 4);
+  CHECK(dashed(touching) == dashed(gap));
+  CHECK(dashed(touching) == dashed(fused));
+}
+
+TEST_CASE("the foot of a wall seen edge-on is an edge like any other", "[lines][shape][C2][C7]") {
+  Labelled x;
+  x.add_face({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}});
+  x.add_face({{2, 4, 0}, {6, 4, 0}, {6, 4, 3}, {2, 4, 3}});
+  x.scene.view = scenes::from_direction({0, 0, 1});
+  CHECK(lines_of(x, "visible sharp") + lines_of(x, "visible outline") + lines_of(x, "visible boundary") == 5);
+  // Under the floor it is behind: hidden, and no line on the floor.
+  for (std::size_t k = 4; k < 8; ++k) x.scene.points[k].z = -x.scene.points[k].z;
+  CHECK(lines_of(x, "visible") == 4);
+  CHECK(lines_of(x, "hidden sharp") + lines_of(x, "hidden boundary") == 1);
+}
+
+TEST_CASE("where two boxes touch, their walls seen edge-on make no line", "[lines][shape][C17]") {
+  Labelled x = two_boxes(3);
+  x.scene.view = scenes::from_direction({0, 0, 1});  // both walls of the joint are edge-on and coincide
+  CHECK(lines_of(x, "visible sharp") == 0);
+  CHECK(lines_of(x, "visible joint") == 1);
+  CHECK(lines_of(x, "hidden") == 0);
+}
+
+TEST_CASE("facets that meet at the crease angle are all alike", "[lines][shape][C20]") {
+  Labelled x;
+  const int n = 12;  // 30 degrees, but for the rounding of sines
+  for (int k = 0; k < n; ++k) {
+    const auto at = [](int i) { return 2 * 3.14159265358979323846 * i / 12; };
+    x.add_face({{10 * std::cos(at(k)), 10 * std::sin(at(k)), 0},
+                {10 * std::cos(at(k + 1)), 10 * std::sin(at(k + 1)), 0},
+                {10 * std::cos(at(k + 1)), 10 * std::sin(at(k + 1)), 20},
+                {10 * std::cos(at(k)), 10 * std::sin(at(k)), 20}});
+  }
+  for (Point3& p : x.scene.points) {  // as a file of six digits has it
+    p.x = std::round(p.x * 1e5) / 1e5;
+    p.y = std::round(p.y * 1e5) / 1e5;
+  }
+  x.scene.view = scenes::from_direction({2, -3, 1.5});
+  CHECK(lines_of(x, "sharp") == 0);
+}
+
+}  // namespace
+}  // namespace hsr
