@@ -127,7 +127,7 @@ class OrderCommand {
 
   void run() {
     scene_ = context_.read(a_.models, a_.view);
-    context_.report.set("view", json_of(scene_.view()));
+    context_.report.set("view", cli::json_of(scene_.view()));
     prepared_ = scene_.prepared();
     request_.drawing.field_of_view = scene_.chosen.field_of_view;
     context_.say_notes_of(scene_);
