@@ -9,9 +9,9 @@ namespace hsr {
 
 /// Objects of a model, by name.
 struct ObjectSelection {
-  std::vector<std::string> only;   ///< no others are there, but ghosts; empty: all are
-  std::vector<std::string> hide;   ///< not there
-  std::vector<std::string> ghost;  ///< drawn, and hide nothing
+  std::vector<std::string> only = {};   ///< no others are there, but ghosts; empty: all are
+  std::vector<std::string> hide = {};   ///< not there
+  std::vector<std::string> ghost = {};  ///< drawn, and hide nothing
 
   bool is_empty() const { return only.empty() && hide.empty() && ghost.empty(); }
 };

@@ -10,12 +10,22 @@
 
 namespace hsr::cli {
 
-void ModelArguments::add_to(Options& options, const std::string& name, const std::string& help) {
-  options.add_several(name, models, help).required();
+void ModelArguments::add_to(Options& options) {
   options
-      .add("--from", from, "FORMAT",
-           "What standard input holds, where MODEL is -: obj, off, ply, stl, gltf or glb [by content]")
-      .one_of({"obj", "off", "ply", "stl", "gltf", "glb", "json"});
+      .add_several("MODEL", models,
+                   "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB; several are one scene, - is standard input")
+      .required();
+  options.add("--from", from, "FORMAT", "What standard input holds, where MODEL is - [by content]")
+      .one_of({"obj", "off", "ply", "stl", "gltf", "glb"});
+}
+
+void ModelArguments::add_with_order_to(Options& options) {
+  options
+      .add_several("ORDER.json|MODEL", models,
+                   "hsr-order/1 by anyone, or models whose faces are painted in the files' order; - is standard input")
+      .required();
+  options.add("--from", from, "FORMAT", "What standard input holds; json: an order [a model, by content]")
+      .one_of({"json", "obj", "off", "ply", "stl", "gltf", "glb"});
 }
 
 void ModelArguments::add_objects_to(Options& options) {

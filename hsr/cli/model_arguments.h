@@ -15,10 +15,10 @@ struct ModelArguments {
   std::string from;                 ///< the format of the standard input; empty: by content
   ObjectSelection objects;
 
-  /// MODEL ... and --from. @param help of MODEL
-  void add_to(
-      Options& options, const std::string& name = "MODEL",
-      const std::string& help = "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB; several are one scene, - is standard input");
+  /// MODEL ... and --from.
+  void add_to(Options& options);
+  /// The same for models or a painting order.
+  void add_with_order_to(Options& options);
   /// --only and --hide.
   void add_objects_to(Options& options);
   /// And --ghost, for verbs that draw lines.

@@ -15,7 +15,7 @@ namespace hsr::cli {
 namespace {
 
 constexpr double dot = 1;       // mm: what is no larger than this each way shows nothing
-constexpr double legible = 10;  // mm
+constexpr double legible = 2;   // mm
 constexpr double wanted = 100;  // mm, at most: what a scale is proposed for
 
 /// The largest scale of 1, 2 or 5 and zeros at which `size` is within what is wanted; nothing where there is no size.

@@ -242,8 +242,7 @@ void add_verify(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<VerifyArguments>();
   Options options =
       command.add_verb("verify", "Is a painting order right for a view? The answer, and where it is not", examples);
-  a->models.add_to(options, "ORDER.json|MODEL",
-                   "hsr-order/1 by anyone, or models whose faces are painted in the files' order; - is standard input");
+  a->models.add_with_order_to(options);
   options.add("-o,--output", a->output, "FILE", "A picture of the violations, .svg");
   options.add("--limit", a->limit, "N", "Violations to describe").with_default_shown();
   a->view.add_to(options);

@@ -30,7 +30,7 @@ TEST_CASE("A cube is closed, manifold, oriented, one piece", "[scene_facts]") {
   CHECK(f.used_points == 8);
   CHECK(f.quadrangular == 6);
   CHECK(f.triangles == 12);
-  CHECK(f.used_as == std::array<std::size_t, 4>{6, 0, 0, 0});
+  CHECK(f.used_as == std::array<std::size_t, face_use_count>{6, 0, 0, 0});
   CHECK(f.regular_edges == 12);
   CHECK(f.coplanar_edges == 0);
   CHECK(f.axis_parallel_faces == 6);
