@@ -14,7 +14,7 @@ namespace hsr::cli {
 
 namespace {
 
-constexpr double dot = 1;       // mm: what is no larger than this each way shows nothing
+constexpr double dot = 0.5;     // mm: what is smaller each way is no larger than the pen
 constexpr double legible = 2;   // mm
 constexpr double wanted = 100;  // mm, at most: what a scale is proposed for
 
@@ -35,7 +35,7 @@ std::string note_on_dot(double width, double height, const PageArguments& page) 
   const double larger = std::max(width, height);
   if (!scale || !(larger > 0)) return "";
   const double unit = parse_unit(page.unit), mm = *scale * unit;
-  if (!(larger * mm <= dot)) return "";
+  if (!(larger * mm < dot)) return "";
   std::string text =
       fmt::format("the drawing is {:.3g} x {:.3g} mm on the paper, no more than a dot:", width * mm, height * mm);
   constexpr std::array<std::pair<const char*, const char*>, 3> units = {

@@ -516,7 +516,7 @@ TEST_CASE("fill draws the visible faces, and JSON has them as rings", "[cli][D8]
   const json fragments = json::parse(contents(at / "w.json"))["fragments"];
   REQUIRE(fragments.size() == 2);
   CHECK(fragments[0] ==
-        json::parse(R"({"face": 0, "rings": [[["0", "0", "0"], ["6", "0", "0"], ["6", "6", "0"], ["0", "6", "0"]],
+        json::parse(R"({"face": 0, "object": 0, "rings": [[["0", "0", "0"], ["6", "0", "0"], ["6", "6", "0"], ["0", "6", "0"]],
                                         [["2", "2", "0"], ["2", "4", "0"], ["4", "4", "0"], ["4", "2", "0"]]]})"));
   CHECK(fragments[1]["rings"].size() == 1);
   const json report = json::parse(contents(at / "r.json"))["fragments"];
