@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "hsr/scene/face_labels.h"
+#include "hsr/face_labels.h"
 
 namespace hsr {
 

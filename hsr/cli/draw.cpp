@@ -96,6 +96,7 @@ void describe(Report& report, const Drawing& drawing) {
                          {"near_coincident", drawing.near_coincident},
                          {"merged", drawing.merged},
                          {"short_dropped", drawing.short_dropped},
+                         {"groups_dropped", drawing.groups_dropped},
                          {"scale_mm_per_unit", drawing.scale}});
 }
 

@@ -16,6 +16,9 @@ void PageArguments::add_to(Options& options, const std::string& size_help) {
       .with_default_shown();
   options.add("--unit", unit, "UNIT", "The model's unit: mm, cm, m or in").with_default_shown().one_of({"mm", "cm", "m", "in"});
   options.add("--margin", margin, "MM", "Around the drawing, mm").with_default_shown();
+  options.add(
+      "--min-length", min_length, "MM",
+      "Leave out lines that together with what they are joined to are shorter than this on paper, such as freckles on scans");
   options.add("--size", size, "WxH", size_help);
 }
 
@@ -24,6 +27,8 @@ DrawingOptions PageArguments::options() const {
   DrawingOptions options;
   options.page = parse_page(page);
   options.page.margin = margin;
+  if (!(min_length >= 0)) throw InputError(fmt::format("--min-length: found {}, expected millimetres, 0 or more", min_length));
+  options.min_length = min_length;
   options.scale = parse_scale(scale);
   options.unit = parse_unit(unit);
   return options;

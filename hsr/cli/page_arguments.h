@@ -13,7 +13,7 @@ namespace hsr::cli {
 /// The options that say how large and on what a picture is drawn.
 struct PageArguments {
   std::string page = "A4", scale = "fit", unit = "mm", size;
-  double margin = 10;
+  double margin = 10, min_length = 0;
 
   /// @param size_help what --size is the size of
   void add_to(Options& options, const std::string& size_help);

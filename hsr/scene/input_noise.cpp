@@ -14,9 +14,7 @@
 #include "geometry/vector3.h"
 #include "hsr/scene/space_tree.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -143,4 +141,4 @@ InputNoise noise_of(const Mesh& mesh) {
   return noise;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

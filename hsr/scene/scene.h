@@ -7,7 +7,7 @@
 
 #include "geometry/mesh.h"
 #include "geometry/predicates.h"
-#include "hsr/scene/face_labels.h"
+#include "hsr/face_labels.h"
 #include "hsr/view/view.h"
 
 namespace hsr {

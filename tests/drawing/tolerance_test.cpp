@@ -15,6 +15,8 @@ namespace hsr {
 
 namespace {
 
+using internal::InputNoise;
+using internal::noise_of;
 using scenes::TestScene;
 
 void add_box(TestScene& scene, const Point3& a, const Point3& b) {
