@@ -37,7 +37,8 @@ struct OrderArguments {
   PageArguments page;
   std::string method = "depth-sort", cuts = "few";
   std::string edges = "outline,sharp,boundary,intersection,wire";
-  double crease = 30, opacity = 1;
+  std::string crease = "30";
+  double opacity = 1;
   std::uint64_t seed = 1;
   bool exact = false, check = false;
   CommonArguments common;

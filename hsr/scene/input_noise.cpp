@@ -32,6 +32,19 @@ double last_place(const Mesh& mesh) {
   return std::ldexp(most, are_floats ? -23 : -52);
 }
 
+double largest_side(const Mesh& mesh) {
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Point3& p : mesh.points) {
+      low = std::min(low, p[axis]);
+      high = std::max(high, p[axis]);
+    }
+    largest = std::max(largest, high - low);
+  }
+  return largest;
+}
+
 /// With one digit, rounded up.
 double one_digit(double x) {
   const double unit = std::pow(10.0, std::floor(std::log10(x)));
@@ -127,9 +140,9 @@ std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& far
 }  // namespace
 
 InputNoise noise_of(const Mesh& mesh) {
-  const double ulp = last_place(mesh);
-  if (!(ulp > 0)) return {};
-  const double small = 16 * ulp;
+  const double small = 16 * last_place(mesh);
+  // Far from the origin the last place may be as large as the model.
+  if (!(small > 0) || !(small < 1e-3 * largest_side(mesh))) return {};
   InputNoise noise;
   double farthest = 0;
   noise.open_edges = edges_that_close(mesh, small);
