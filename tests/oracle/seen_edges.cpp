@@ -103,6 +103,10 @@ const char* to_text(EdgeClass edge_class) {
       return "wire";
     case EdgeClass::smooth:
       return "smooth";
+    case EdgeClass::material:
+      return "material";
+    case EdgeClass::joint:
+      return "joint";
   }
   return "no class";
 }
