@@ -144,6 +144,8 @@ PageText page_text(const CompareArguments& a, const ViewedModel& viewed, const C
       "view: " + viewed.chosen.title,
       fmt::format("{0} x {0} samples in the pictures below; {1} runs of each method, {2} thread(s)", a.size, a.runs, a.threads),
       machine_and_date(), std::string("hsr ") + HSR_VERSION};
+  if (a.scene.which_coplanar() == Coplanar::last)
+    text.facts.emplace_back("of faces that coincide the last in the file is on top");
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "geometry/error.h"
 #include "hsr/scene/view_parts.h"
@@ -30,9 +31,11 @@ class CoincidenceFinder {
   CoincidenceFinder(const ProjectedMesh& projected, const Occluders& occluders, Coincidence which)
       : map_(projected), projected_(projected), occluders_(occluders), which_(which) {}
 
+  /// Begins with other triangles s.
+  void turn() { planes_.clear(); }
   /// Whether they are in one plane and have a part in common, one that is seen if that is asked for.
   bool coincide(TriangleId s, TriangleId t) {
-    if (!map_.coplanar(s, t)) return false;
+    if (is_certainly_apart(s, t) || !map_.coplanar(s, t)) return false;
     std::vector<ConvexPiece> pieces = {convex_piece(projected_, s)};
     ConvexPiece& common_part = pieces.front();
     if (projected_.reaches_before_near(s)) cut(map_, common_part, beyond_near(projected_, s));
@@ -43,6 +46,15 @@ class CoincidenceFinder {
   }
 
  private:
+  /// Whether doubles tell that t is not in the plane of s: most pairs go no farther.
+  bool is_certainly_apart(TriangleId s, TriangleId t) {
+    auto known = std::find_if(planes_.begin(), planes_.end(), [&](const auto& p) { return p.first == s; });
+    if (known == planes_.end()) known = planes_.insert(known, {s, projected_.filter(projected_.face_plane(s))});
+    const auto& corners = projected_.mesh().triangles[t];
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](VertexId v) { return known->second(projected_.point(v)).is_certain(); });
+  }
+
   bool is_seen(std::vector<ConvexPiece>& pieces, TriangleId s, TriangleId t) {
     occluders_.tree.visit(common(projected_.box(s), projected_.box(t)), [&](std::uint32_t i) {
       const TriangleId other = occluders_.triangles[i];
@@ -59,6 +71,7 @@ class CoincidenceFinder {
   const Occluders& occluders_;
   Coincidence which_;
   std::vector<MapHalfPlane> shadow_;
+  std::vector<std::pair<TriangleId, PlaneFilter>> planes_;  // of a few triangles that are asked for in turns
 };
 
 }  // namespace
@@ -76,13 +89,15 @@ std::vector<FaceId> under_coincident_faces(const SceneView& scene, const std::ve
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t at) {
     CoincidenceFinder finder(projected, occluders, which);
     BoxTree::PairSearch search;
-    for (std::size_t leaf = at * block; leaf < std::min(leaves, (at + 1) * block); ++leaf)
+    for (std::size_t leaf = at * block; leaf < std::min(leaves, (at + 1) * block); ++leaf) {
+      finder.turn();
       occluders.tree.visit_pairs(static_cast<std::uint32_t>(leaf), search, [&](std::uint32_t i, std::uint32_t k) {
         const TriangleId s = occluders.triangles[i], t = occluders.triangles[k];
         const FaceId f = mesh.face_of[s], g = mesh.face_of[t];
         if (kind[f.value] != kind[g.value] && finder.coincide(s, t))
           found[at].push_back(projected.ties().is_above(f, g) ? g : f);
       });
+    }
   });
   std::vector<FaceId> all;
   for (const std::vector<FaceId>& some : found) all.insert(all.end(), some.begin(), some.end());
