@@ -10,6 +10,7 @@
 #include "geometry/rounded_sum.h"
 #include "hsr/check/error_against_time.h"
 #include "hsr/check/error_csv.h"
+#include "hsr/cli/coincident_note.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/drawing_check.h"
@@ -17,6 +18,7 @@
 #include "hsr/cli/messages.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
+#include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
@@ -39,6 +41,7 @@ struct DrawArguments {
   std::string model;
   std::vector<std::string> outputs;
   ViewOptions view;
+  SceneArguments scene;
   LineArguments lines;
   bool fill = false;
   std::string merge = "none";
@@ -169,6 +172,7 @@ DrawRequest parse(const DrawArguments& a) {
   request.lines = a.lines.options();
   request.lines.why = a.why;
   request.scene = a.lines.scene_options();
+  request.scene.coplanar = a.scene.which_coplanar();
   request.scene.arithmetic = parse_arithmetic(a.arithmetic);
   request.drawing = a.page.options();
   request.drawing.hidden = a.hidden == "none"     ? HiddenLines::none
@@ -203,6 +207,7 @@ class DrawCommand {
   void read();
   void find_lines();
   void find_fragments();
+  void note_coincident_faces();
   void check();
   void measure_errors();
   void draw_page();
@@ -238,7 +243,7 @@ void DrawCommand::read() {
   if (!request_.wants(Format::json)) request_.lines.frame = frame_size(scene_.view(), request_.drawing);
   request_.lines.progress = [this](double done) { context_.progress.show(done); };
   prepared_ = scene_.prepared(request_.scene);
-  exact_ = request_.scene.arithmetic == Arithmetic::staged ? prepared_ : scene_.prepared();
+  exact_ = request_.scene.arithmetic == Arithmetic::staged ? prepared_ : scene_.prepared({.coplanar = request_.scene.coplanar});
   note_idle_options();
   context_.say_notes_of(scene_);
   note_noise();
@@ -303,11 +308,20 @@ void DrawCommand::find_fragments() {
     return a_.lines.method == "roberts" ? roberts_surfaces(*prepared_, options) : visible_fragments(*prepared_, options);
   });
   every_line_.reset();  // it may be large
+  note_coincident_faces();
   decisions_ += fragments_->decisions;
   if (context_.reports())
     report.set("fragments", report.timed("areas", [&] {
       return areas_json(scene_.model, scene_.mesh, scene_.view(), *fragments_, a_.exact);
     }));
+}
+
+/// Which of them is on top was the user's to say, and matters where faces are filled.
+void DrawCommand::note_coincident_faces() {
+  if (!a_.fill || a_.scene.asks_for_coplanar() || context_.is_quiet()) return;
+  const std::string text =
+      context_.report.timed("coincident faces", [&] { return coincident_note(*exact_, scene_.model, Coincidence::seen); });
+  if (!text.empty()) context_.note(text);
 }
 
 void DrawCommand::check() {
@@ -468,6 +482,7 @@ void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
            "exact fragments and of z-buffers of 256, 512, ... samples each way, up to --size [8192]; may be repeated")
       .required();
   a->view.add_to(options);
+  a->scene.add_to(options);
   add_line_options(*a, options);
   add_surface_options(*a, options);
   a->page.add_to(options, "PNG: pixels [150 to the inch]; --check and csv: samples");

@@ -6,6 +6,7 @@
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/output_summary.h"
+#include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/io/write/mesh_json.h"
 #include "hsr/lines/plan.h"
@@ -20,6 +21,7 @@ namespace {
 struct InfoArguments {
   std::string model, mesh;
   ViewOptions view;
+  SceneArguments scene;
   LineArguments lines;
   bool exact = false;
   CommonArguments common;
@@ -131,6 +133,7 @@ void add_facts(Report& report, const Model& model, const SceneFacts& f) {
 void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   LineOptions line_options = a.lines.options();
   SceneOptions scene_options = a.lines.scene_options();
+  scene_options.coplanar = a.scene.which_coplanar();
   scene_options.hidden_lines = false;  // as a drawing is without --hidden
   CommandContext context(a.common, a.model, {a.mesh}, unfinished);
   Report& report = context.report;
@@ -164,6 +167,7 @@ void add_info(CommandLine& command, UnfinishedFiles& unfinished) {
       "info", "Say what a model is: size, topology, defects, the bits it needs, and what a drawing of it takes", examples);
   options.add("MODEL", a->model, "", "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB").required();
   a->view.add_to(options);
+  a->scene.add_to(options);
   a->lines.add_to(options);
   options.begin_group("Options");
   options.add("--mesh", a->mesh, "FILE", "Write the faces as used as JSON");

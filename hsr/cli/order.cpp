@@ -1,16 +1,19 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
 #include "geometry/error.h"
 #include "hsr/check/order_check.h"
+#include "hsr/cli/coincident_note.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/messages.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
+#include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/painting.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
@@ -34,6 +37,7 @@ struct OrderArguments {
   std::string model;
   std::vector<std::string> outputs;
   ViewOptions view;
+  SceneArguments scene;
   PageArguments page;
   std::string method = "depth-sort", cuts = "few";
   std::string edges = "outline,sharp,boundary,intersection,wire";
@@ -128,10 +132,11 @@ class OrderCommand {
 
   void run() {
     scene_ = context_.read(a_.model, a_.view);
-    prepared_ = scene_.prepared();
+    prepared_ = scene_.prepared({.coplanar = a_.scene.which_coplanar()});
     request_.drawing.field_of_view = scene_.chosen.field_of_view;
     context_.say_notes_of(scene_);
     find_order();
+    note_coincident_faces();
     check();
     write();
     if (!is_right_) throw CheckFailed();
@@ -141,6 +146,7 @@ class OrderCommand {
   void find_order();
   PaintersOrder depth_sorted();
   PaintersOrder by_tree();
+  void note_coincident_faces();
   void check();
   void write();
   void write(const std::string& path, Format format, const std::vector<Colour>& colours);
@@ -193,6 +199,18 @@ PaintersOrder OrderCommand::by_tree() {
   return order;
 }
 
+/// Which of them is painted later was the user's to say. Through transparent faces those behind are seen, too.
+void OrderCommand::note_coincident_faces() {
+  if (a_.scene.asks_for_coplanar() || context_.is_quiet()) return;
+  const std::vector<Colour>& colours = scene_.model.palette;
+  const bool is_opaque =
+      a_.opacity == 1 && std::all_of(colours.begin(), colours.end(), [](const Colour& c) { return c[3] == 255; });
+  const std::string text = context_.report.timed("coincident faces", [&] {
+    return coincident_note(*prepared_, scene_.model, is_opaque ? Coincidence::seen : Coincidence::all);
+  });
+  if (!text.empty()) context_.note(text);
+}
+
 void OrderCommand::check() {
   if (!a_.check) return;
   context_.progress.stage("check");
@@ -222,8 +240,10 @@ void OrderCommand::write() {
 
 void OrderCommand::write(const std::string& path, Format format, const std::vector<Colour>& colours) {
   if (format == Format::json) {
-    context_.write(path, order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded),
-                   counted(order_.pieces.size(), "piece"));
+    context_.write(
+        path,
+        order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded, a_.scene.which_coplanar()),
+        counted(order_.pieces.size(), "piece"));
   } else if (format == Format::svg) {
     const Painting painting = paint_on_page(*prepared_, order_, colours, request_.lines, request_.drawing);
     std::string summary = paper_size(painting.width, painting.height);
@@ -277,6 +297,7 @@ void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
   options.add("-o,--output", a->outputs, "FILE", "The order; its ending chooses svg, png or json; may be repeated").required();
   add_order_options(*a, options);
   a->view.add_to(options);
+  a->scene.add_to(options);
   add_picture_options(*a, options);
   a->page.add_to(options, "PNG: pixels, --check: samples [1024x1024]");
   options.begin_group("Numbers");

@@ -10,6 +10,7 @@
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/output_summary.h"
+#include "hsr/cli/scene_arguments.h"
 #include "hsr/io/read/order_json.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/verdict_svg.h"
@@ -23,6 +24,7 @@ namespace {
 struct VerifyArguments {
   std::string input, output;
   ViewOptions view;
+  SceneArguments scene;
   std::uint64_t limit = 10;
   CommonArguments common;
 };
@@ -46,7 +48,8 @@ std::string point_text(const std::array<Rational, 3>& p) {
 
 class Teller {
  public:
-  Teller(const Verdict& verdict, const std::vector<PaintedPolygon>& pieces) : verdict_(verdict), pieces_(pieces) {}
+  Teller(const Verdict& verdict, const std::vector<PaintedPolygon>& pieces, Coplanar coplanar)
+      : verdict_(verdict), pieces_(pieces), coplanar_(coplanar) {}
 
   void say() const {
     fmt::print("{}\n", summary());
@@ -130,8 +133,8 @@ class Teller {
     if (v.fault == Fault::covered_twice)
       return fmt::format("{} and {} cover a place of their face twice {}", name(v.earlier), name(v.later), where);
     if (v.fault == Fault::coplanar)
-      return fmt::format("{} and {} lie in one plane, the higher face is painted last {}", name(v.earlier), name(v.later),
-                         where);
+      return fmt::format("{} and {} lie in one plane, the {} face is painted last {}", name(v.earlier), name(v.later),
+                         coplanar_ == Coplanar::first ? "higher" : "lower", where);
     return fmt::format("{} is painted before {}, but is the nearer {}{}: {} against {}", name(v.earlier), name(v.later), where,
                        v.fault == Fault::piercing ? " (they pierce each other)" : "", point_text(v.witness.of_earlier),
                        point_text(v.witness.of_later));
@@ -150,12 +153,14 @@ class Teller {
 
   const Verdict& verdict_;
   const std::vector<PaintedPolygon>& pieces_;
+  Coplanar coplanar_;
 };
 
 struct Input {
   std::vector<PaintedPolygon> pieces;
   View view;
   std::string title;
+  std::optional<Coplanar> coplanar;  // if the file says so
 };
 
 /// The order of a model's faces.
@@ -163,7 +168,7 @@ Input from_model(const VerifyArguments& a, CommandContext& context) {
   const ViewedModel viewed = context.read(a.input, a.view);
   const Model& model = viewed.model;
   if (!viewed.chosen.note.empty()) context.note(viewed.chosen.note);
-  Input in{{}, viewed.view(), viewed.chosen.title};
+  Input in{{}, viewed.view(), viewed.chosen.title, {}};
   for (std::size_t f = 0; f < model.polygons.size(); ++f) {
     PaintedPolygon p;
     p.face = static_cast<std::uint32_t>(f);
@@ -179,7 +184,7 @@ Input from_model(const VerifyArguments& a, CommandContext& context) {
 Input from_order(const VerifyArguments& a, CommandContext& context) {
   context.progress.stage("reading");
   PaintingFile file = context.report.timed("read", [&] { return read_order(a.input); });
-  Input in{std::move(file.far_to_near), {}, "the file's"};
+  Input in{std::move(file.far_to_near), {}, "the file's", file.coplanar};
   if (!asks_for_view(a.view) && file.view) {
     if (changes_view(a.view))
       throw InputError(
@@ -211,9 +216,11 @@ void run(const VerifyArguments& a, UnfinishedFiles& unfinished) {
   context.progress.stage("verify");
   VerifyOptions options;
   options.limit = a.limit;
+  const Coplanar coplanar = !a.scene.asks_for_coplanar() && in.coplanar ? *in.coplanar : a.scene.which_coplanar();
+  options.ties = coplanar;
   const Verdict verdict = context.report.timed("verify", [&] { return verify(in.pieces, in.view, options); });
   context.progress.clear();
-  const Teller teller(verdict, in.pieces);
+  const Teller teller(verdict, in.pieces, coplanar);
   if (!context.is_quiet()) teller.say();
   if (!a.output.empty())
     context.write(
@@ -236,6 +243,7 @@ void add_verify(CommandLine& command, UnfinishedFiles& unfinished) {
   options.add("-o,--output", a->output, "FILE", "A picture of the violations, .svg");
   options.add("--limit", a->limit, "N", "Violations to describe").with_default_shown();
   a->view.add_to(options);
+  a->scene.add_to(options);
   options.begin_group("Options");
   a->common.add_threads_to(options);
   a->common.add_report_to(options, "The verdict");

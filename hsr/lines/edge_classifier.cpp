@@ -129,7 +129,7 @@ PartClass EdgeClassifier::operator()(Predicates& exact, EdgeId id, std::span<con
   if (exact.arithmetic() == Arithmetic::staged && contacts.empty())
     if (const auto found = at_a_glance(id)) return *found;
   const Edge& edge = projected_.mesh().edges[id];
-  ExactHalfPlanes half_planes(projected_, exact, edge, last_on_top_);
+  ExactHalfPlanes half_planes(projected_, exact, edge);
   for (const TriangleId t : projected_.mesh().triangles_at(id)) half_planes.add(t);
   for (const EdgeContact& c : contacts) half_planes.add(c);
   return with_wire(edge, (*this)(half_planes, edge.diagonal && !edge.of_face));

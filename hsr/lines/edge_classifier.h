@@ -34,14 +34,10 @@ PartClass with_wire(const Edge& edge, PartClass found);
 class EdgeClassifier {
  public:
   /// @param labels of the faces of the mesh
-  EdgeClassifier(const ProjectedMesh& projected, const FaceLabels& labels, const LineOptions& options, Coplanar coplanar)
-      : projected_(projected),
-        labels_(labels),
-        crease_(options.crease, options.crease_goes_on.value_or(options.crease)),
-        last_on_top_(coplanar == Coplanar::last) {}
+  EdgeClassifier(const ProjectedMesh& projected, const FaceLabels& labels, const LineOptions& options)
+      : projected_(projected), labels_(labels), crease_(options.crease, options.crease_goes_on.value_or(options.crease)) {}
 
   const ProjectedMesh& projected() const { return projected_; }
-  bool last_on_top() const { return last_on_top_; }
   /// The class of an edge, or of the part of it where it has these contacts.
   PartClass operator()(Predicates& exact, EdgeId edge, std::span<const EdgeContact> contacts = {}) const;
   /// The class of a part along which these half-planes are. @param only_diagonal of a face that is cut into triangles
@@ -56,7 +52,6 @@ class EdgeClassifier {
   const ProjectedMesh& projected_;
   const FaceLabels& labels_;
   Crease crease_;
-  bool last_on_top_;
 };
 
 }  // namespace hsr::internal

@@ -92,7 +92,7 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
   const Occluders* const containing =
       intersections_ == nullptr ? nullptr
                                 : &parts_.occluders(parts_.options().hidden_lines ? Excluded::none : Excluded::hidden);
-  const EdgeClassifier classifier(projected_, parts_.labels(), options, parts_.options().coplanar);
+  const EdgeClassifier classifier(projected_, parts_.labels(), options);
   std::optional<NearParts> near;
   if (options.tolerance > 0) near.emplace(classifier, parts_.view(), parts_.space_tree(), options.tolerance);
   if (near) classify_intersections(*near);

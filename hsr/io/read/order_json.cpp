@@ -25,6 +25,7 @@ class OrderReader {
       source_.refuse("format", "found " + shown(file, "format") + ", expected \"hsr-order/1\"");
     PaintingFile out;
     if (file.contains("view")) out.view = view(file["view"]);
+    if (file.contains("coplanar")) out.coplanar = coplanar(file["coplanar"]);
     if (!file.contains("pieces") || !file["pieces"].is_array())
       source_.refuse("pieces", "found " + shown(file, "pieces") + ", expected a list");
     for (const Json& piece : file["pieces"]) {
@@ -89,6 +90,12 @@ class OrderReader {
       out.frame = {point(f, "origin"), point(f, "right"), point(f, "up")};
     }
     return out;
+  }
+
+  Coplanar coplanar(const Json& x) const {
+    if (x == "first") return Coplanar::first;
+    if (x == "last") return Coplanar::last;
+    refuse("coplanar", x, "\"first\" or \"last\"");
   }
 
   PaintedPolygon polygon(const Json& piece, const std::string& where) const {
