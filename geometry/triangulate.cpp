@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "geometry/constrained_delaunay.h"
 #include "geometry/ear_cutting.h"
 #include "geometry/flat_orientation.h"
 
@@ -16,6 +17,9 @@ namespace {
 
 using Points = IndexedVector<VertexId, Point3>;
 using Ring = std::vector<VertexId>;
+
+// Ears of fewer corners are as good, and cheaper.
+constexpr std::size_t most_corners_of_ears = 12;
 
 Ring reduce(const Points& points, std::span<const VertexId> polygon, Predicates& predicates) {
   Ring ring;
@@ -198,8 +202,17 @@ FaceUse triangulate(const Points& points, std::span<const VertexId> polygon, Pre
   const auto [axis, turn] = flattening(points, ring, coplanar, predicates);
   const FlatPlane plane{points, predicates, axis, turn};
   if (ring.size() == 4) return cut_quad(plane, ring, triangles) && coplanar ? FaceUse::planar : cut;
-  const EarCutting ears = cut_ears(plane, ring);
+  const bool is_large = ring.size() > most_corners_of_ears;
+  if (coplanar && is_large) {
+    const std::vector<FaceTriangle> delaunay = constrained_delaunay(plane, ring);
+    if (!delaunay.empty()) {
+      triangles.insert(triangles.end(), delaunay.begin(), delaunay.end());
+      return FaceUse::planar;
+    }
+  }
+  EarCutting ears = cut_ears(plane, ring);
   if (coplanar && ears.only_ears && is_free_of_overlap(plane, ring, ears.triangles)) {
+    if (is_large) flip_to_delaunay(plane, ears.triangles);
     triangles.insert(triangles.end(), ears.triangles.begin(), ears.triangles.end());
     return FaceUse::planar;
   }
