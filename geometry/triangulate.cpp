@@ -162,6 +162,15 @@ bool cut_quad(const FlatPlane& plane, const Ring& ring, std::vector<FaceTriangle
   return false;
 }
 
+// Reduced, so that each corner is at another vertex than the two before it: with three vertices it runs around one triangle, more
+// than once. Ears and spikes take off one turn after the other.
+bool is_triangle_over_and_over(const Ring& ring) {
+  if (ring.size() % 3 != 0) return false;
+  for (std::size_t k = 3; k < ring.size(); ++k)
+    if (ring[k] != ring[k - 3]) return false;
+  return true;
+}
+
 // Adds each of `added` once. A side in the ring of one is in the ring of all that equal it.
 void append_once(std::vector<FaceTriangle>& triangles, const std::vector<FaceTriangle>& added) {
   std::vector<FaceTriangle> from_lowest = added;  // equal ones look equal
@@ -196,6 +205,10 @@ FaceUse triangulate(const Points& points, std::span<const VertexId> polygon, Pre
   if (ring.size() == 3) {
     triangles.push_back({{ring[0], ring[1], ring[2]}});
     return FaceUse::planar;
+  }
+  if (is_triangle_over_and_over(ring)) {
+    append_once(triangles, {{{ring[0], ring[1], ring[2]}}});
+    return FaceUse::crosses_itself;
   }
   const bool coplanar = is_coplanar(points, ring, predicates);
   const FaceUse cut = coplanar ? FaceUse::crosses_itself : FaceUse::not_coplanar;
