@@ -198,8 +198,10 @@ class PolygonTriangles {
   bool add_edge(std::size_t k);
   bool crossed_edges(Vertex from, Vertex to, std::vector<std::uint32_t>& crossed) const;
   Half first_crossed(Vertex from, Vertex to) const;
-  bool flip_away(Vertex from, Vertex to, const std::vector<std::uint32_t>& crossed);
-  bool turn_if_convex(Half h);
+  bool flip_from_ends(Vertex from, Vertex to, const std::vector<std::uint32_t>& crossed);
+  bool flip_in_turn(Vertex from, Vertex to, const std::vector<std::uint32_t>& crossed);
+  bool would_cross(Vertex from, Vertex to, Half h) const;
+  bool is_convex(Half h) const;
   bool mark_edges();
   bool add_fan(std::size_t k, std::vector<FaceTriangle>& triangles);
   bool is_finite(Half h) const;
@@ -210,11 +212,12 @@ class PolygonTriangles {
   std::vector<Vertex> polygon_;
   Vertex infinity_;
   HalfEdges mesh_;
-  std::vector<std::uint32_t> visits_;      // of each vertex
-  std::vector<char> is_fixed_, is_given_;  // edges of the polygon; triangles that are given. char: vector<bool> is slow
-  std::vector<std::uint32_t> edge_of_;     // the edge of the polygon that a half-edge is
-  std::vector<Half> half_of_;              // of each edge of the polygon
-  std::vector<std::uint32_t> turned_;      // edges that may not be Delaunay
+  std::vector<std::uint32_t> visits_;     // of each vertex
+  std::vector<char> is_fixed_, crosses_;  // edges of the polygon; edges that cross the one in hand. char: vector<bool> is slow
+  std::vector<char> is_given_;            // triangles
+  std::vector<std::uint32_t> edge_of_;    // the edge of the polygon that a half-edge is
+  std::vector<Half> half_of_;             // of each edge of the polygon
+  std::vector<std::uint32_t> turned_;     // edges that may not be Delaunay
 };
 
 PolygonTriangles::PolygonTriangles(const Places& at, std::vector<Vertex> polygon)
@@ -224,6 +227,7 @@ PolygonTriangles::PolygonTriangles(const Places& at, std::vector<Vertex> polygon
       mesh_(DelaunayPoints(at).take()),
       visits_(at.size()),
       is_fixed_(mesh_.edges()),
+      crosses_(mesh_.edges()),
       is_given_(mesh_.halves() / 3),
       edge_of_(mesh_.halves(), none) {
   for (const Vertex v : polygon_) ++visits_[v];
@@ -270,31 +274,64 @@ bool PolygonTriangles::crossed_edges(Vertex from, Vertex to, std::vector<std::ui
   }
 }
 
-bool PolygonTriangles::turn_if_convex(Half h) {
+// Whether the other diagonal of the two triangles at h is inside them.
+bool PolygonTriangles::is_convex(Half h) const {
   const Vertex u = mesh_.origin(h), w = mesh_.target(h), p = mesh_.apex(h), d = mesh_.apex(mesh_.twin(h));
-  if (at_.orientation(p, u, d) != Sign::positive || at_.orientation(d, w, p) != Sign::positive) return false;
-  mesh_.flip(h);
-  return true;
+  return at_.orientation(p, u, d) == Sign::positive && at_.orientation(d, w, p) == Sign::positive;
 }
 
-// Sloan: turns what crosses the way until nothing does; what still crosses, or cannot be turned yet, waits.
-bool PolygonTriangles::flip_away(Vertex from, Vertex to, const std::vector<std::uint32_t>& crossed) {
+bool PolygonTriangles::would_cross(Vertex from, Vertex to, Half h) const {
+  const Vertex p = mesh_.apex(h), d = mesh_.apex(mesh_.twin(h));
+  if (p == from || p == to || d == from || d == to) return false;
+  return at_.orientation(from, to, p) != at_.orientation(from, to, d);
+}
+
+// Turns what crosses the way: of all that may have changed, what does not cross when turned; only if there is no such edge one that
+// still does, the latest first, so that the ends of the way grow into each other. Many edges between two straight rows of vertices
+// are gone in linear time. False if something is left.
+bool PolygonTriangles::flip_from_ends(Vertex from, Vertex to, const std::vector<std::uint32_t>& crossed) {
+  std::vector<std::uint32_t> changed(crossed.rbegin(), crossed.rend()), convex;
+  for (const std::uint32_t e : crossed) crosses_[e] = 1;
+  std::size_t left = crossed.size(), patience = 64 + 32 * left;
+  while (left > 0 && patience-- > 0) {
+    const bool only_away = !changed.empty();
+    std::vector<std::uint32_t>& candidates = only_away ? changed : convex;
+    if (candidates.empty()) break;
+    const std::uint32_t e = candidates.back();
+    candidates.pop_back();
+    const Half h = mesh_.half_of(e), g = mesh_.twin(h);
+    if (crosses_[e] == 0 || !is_convex(h)) continue;
+    if (!would_cross(from, to, h)) {
+      crosses_[e] = 0;
+      --left;
+      turned_.push_back(e);
+    } else if (only_away) {
+      convex.push_back(e);
+      continue;
+    }
+    mesh_.flip(h);
+    for (const Half side : {h, HalfEdges::next(h), g, HalfEdges::next(g)})
+      if (crosses_[mesh_.edge(side)] != 0) changed.push_back(mesh_.edge(side));
+  }
+  for (const std::uint32_t e : crossed) crosses_[e] = 0;
+  return left == 0;
+}
+
+// Sloan: what still crosses, or cannot be turned yet, waits in a queue.
+bool PolygonTriangles::flip_in_turn(Vertex from, Vertex to, const std::vector<std::uint32_t>& crossed) {
   std::deque<std::uint32_t> waiting(crossed.begin(), crossed.end());
   std::size_t patience = 64 + 8 * crossed.size() * crossed.size();
-  const auto is_end = [&](Vertex v) { return v == from || v == to; };
   while (!waiting.empty()) {
     if (patience-- == 0) return false;
     const std::uint32_t e = waiting.front();
+    const Half h = mesh_.half_of(e);
     waiting.pop_front();
-    if (!turn_if_convex(mesh_.half_of(e))) {
+    const bool turns = is_convex(h), waits = !turns || would_cross(from, to, h);
+    if (turns) mesh_.flip(h);
+    if (waits)
       waiting.push_back(e);
-      continue;
-    }
-    const Vertex a = mesh_.origin(mesh_.half_of(e)), b = mesh_.target(mesh_.half_of(e));
-    if (is_end(a) || is_end(b) || at_.orientation(from, to, a) == at_.orientation(from, to, b))
-      turned_.push_back(e);
     else
-      waiting.push_back(e);
+      turned_.push_back(e);
   }
   return true;
 }
@@ -305,7 +342,11 @@ bool PolygonTriangles::add_edge(std::size_t k) {
   Half h = find(from, to);
   if (h == none) {
     std::vector<std::uint32_t> crossed;
-    if (!crossed_edges(from, to, crossed) || !flip_away(from, to, crossed)) return false;
+    if (!crossed_edges(from, to, crossed)) return false;
+    if (!flip_from_ends(from, to, crossed)) {
+      crossed.clear();
+      if (!crossed_edges(from, to, crossed) || !flip_in_turn(from, to, crossed)) return false;
+    }
     h = find(from, to);
   }
   is_fixed_[mesh_.edge(h)] = 1;
