@@ -1,5 +1,7 @@
 #include "hsr/io/read/model_builder.h"
 
+#include <algorithm>
+
 namespace hsr::internal::read {
 
 std::uint32_t ModelBuilder::colour_number(const Colour& colour) {
@@ -36,11 +38,20 @@ void ModelBuilder::too_many(const char* what) const {
   source_.refuse("", std::string("found more than 4294967294 ") + what + ", expected no more than can be counted in 32 bits");
 }
 
-Model ModelBuilder::finish() {
+void ModelBuilder::add_camera(StoredCamera camera) {
+  const auto is_taken = [&](const std::string& name) {
+    return std::any_of(model_.cameras.begin(), model_.cameras.end(), [&](const StoredCamera& c) { return c.name == name; });
+  };
+  const std::string name = camera.name;
+  for (std::size_t k = 2; is_taken(camera.name); ++k) camera.name = name + " [" + std::to_string(k) + "]";
+  model_.cameras.push_back(std::move(camera));
+}
+
+Model ModelBuilder::finish(bool may_be_empty) {
   if (model_.points.size() > most) too_many("points");
   if (model_.polygons.segments.size() > most) too_many("lines");
   if (faces() > most) too_many("faces");
-  if (faces() == 0 && model_.polygons.segments.empty())
+  if (faces() == 0 && model_.polygons.segments.empty() && !may_be_empty)
     source_.refuse("", model_.points.empty() ? "found no points, faces or lines, expected a model"
                                              : "has points but no faces or lines: nothing to draw");
   colour_by_corners();

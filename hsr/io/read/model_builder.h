@@ -72,10 +72,18 @@ class ModelBuilder {
   /// Colours of points, for faces that have none of their own.
   CornerColours& corner_colours() { return corner_colours_; }
 
+  void set_units(char up_axis, double millimetres) {
+    model_.up_axis = up_axis;
+    model_.unit = millimetres;
+  }
+  /// A camera; the second one of a name is "name [2]".
+  void add_camera(StoredCamera camera);
+
   void note(std::string text) { model_.notes.push_back(std::move(text)); }
 
+  /// @param may_be_empty nothing to draw is no mistake
   /// @throws InputError if nothing could be drawn, or there is too much of it
-  Model finish();
+  Model finish(bool may_be_empty = false);
   /// @throws InputError
   [[noreturn]] void too_many(const char* what) const;
 
