@@ -231,6 +231,7 @@ class DrawCommand {
 void DrawCommand::read() {
   scene_ = context_.read(a_.model, a_.view);
   request_.drawing.field_of_view = scene_.chosen.field_of_view;
+  const std::string unit_note = a_.page.adopt_unit(scene_.model, request_.drawing);
   // Drawings only: JSON is complete.
   if (!request_.wants(Format::json)) request_.lines.frame = frame_size(scene_.view(), request_.drawing);
   request_.lines.progress = [this](double done) { context_.progress.show(done); };
@@ -238,7 +239,8 @@ void DrawCommand::read() {
   exact_ = request_.scene.arithmetic == Arithmetic::staged ? prepared_ : scene_.prepared();
   note_idle_options();
   context_.say_notes_of(scene_);
-  if (scene_.mesh.edges.empty()) context_.note(a_.model + ": every face has no area, the drawing is empty");
+  if (!unit_note.empty()) context_.note(unit_note);
+  if (scene_.mesh.edges.empty()) context_.note(a_.model + ": no face has an area, the drawing is empty");
 }
 
 /// What was asked for and does nothing here.
@@ -388,7 +390,7 @@ std::string DrawCommand::summary_of(Format format, const std::string& bytes) con
     case Format::svg: {
       std::string text = paper_size(drawing_->width, drawing_->height);
       const bool is_empty = drawing_->polylines.empty() && drawing_->fills.fills.empty();
-      if (!is_empty) text += ", " + scale_text(drawing_->scale, a_.page, scene_.view().is_perspective());
+      if (!is_empty) text += ", " + scale_text(drawing_->scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
       text += ", " + counted(straight_lines(*drawing_), "line");
       return a_.fill ? text + ", " + counted(drawing_->fills.fills.size(), "filled area") : text;
     }
