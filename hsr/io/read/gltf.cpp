@@ -73,6 +73,7 @@ class GltfReader {
   struct Placed {
     int node;
     Affine parent;
+    bool is_exact;  // no number of the matrix was rounded
   };
 
   [[noreturn]] void refuse(const std::string& where, const std::string& found, const std::string& expected) const {
@@ -82,7 +83,7 @@ class GltfReader {
   void read_nodes() {
     std::vector<Placed> stack;
     const std::vector<int> roots = root_nodes();
-    for (auto i = roots.rbegin(); i != roots.rend(); ++i) stack.push_back({*i, identity});
+    for (auto i = roots.rbegin(); i != roots.rend(); ++i) stack.push_back({*i, identity, true});
     std::vector<bool> visited(file_.nodes.size(), false);
     while (!stack.empty()) {
       const Placed placed = stack.back();
@@ -93,10 +94,14 @@ class GltfReader {
       if (visited[n]) refuse("node " + std::to_string(n), "a second parent or a cycle", "a tree of nodes");
       visited[n] = true;
       const tinygltf::Node& node = file_.nodes[n];
-      const Affine global = compose_or_keep(placed.parent, local_matrix(node, n));
-      if (node.mesh >= 0) read_instances(node, n, global);
+      bool is_exact = placed.is_exact;
+      const Affine global = compose_or_keep(placed.parent, local_matrix(node, n, is_exact), is_exact);
+      if (node.mesh >= 0) {
+        is_exact_ = is_exact_ && is_exact;
+        read_instances(node, n, global);
+      }
       if (node.camera >= 0) read_camera(node, global);
-      for (auto i = node.children.rbegin(); i != node.children.rend(); ++i) stack.push_back({*i, global});
+      for (auto i = node.children.rbegin(); i != node.children.rend(); ++i) stack.push_back({*i, global, is_exact});
     }
   }
 
@@ -117,7 +122,7 @@ class GltfReader {
     return roots;
   }
 
-  Affine local_matrix(const tinygltf::Node& node, std::size_t n) {
+  Affine local_matrix(const tinygltf::Node& node, std::size_t n, bool& is_exact) const {
     Affine m = identity;
     if (!node.matrix.empty()) {
       if (node.matrix.size() != 16)
@@ -138,15 +143,15 @@ class GltfReader {
       };
       std::array<double, 4> rotation = {0, 0, 0, 1};
       if (!node.rotation.empty()) std::copy(node.rotation.begin(), node.rotation.end(), rotation.begin());
-      m = placement(xyz(node.translation, 0), rotation, xyz(node.scale, 1), is_exact_);
+      m = placement(xyz(node.translation, 0), rotation, xyz(node.scale, 1), is_exact);
     }
     return m;
   }
 
-  Affine compose_or_keep(const Affine& parent, const Affine& local) {
+  static Affine compose_or_keep(const Affine& parent, const Affine& local, bool& is_exact) {
     if (parent == identity) return local;
     if (local == identity) return parent;
-    return compose(parent, local, is_exact_);
+    return compose(parent, local, is_exact);
   }
 
   /// The mesh of a node once, or once for each of its instances, which are objects of their own.
@@ -155,7 +160,7 @@ class GltfReader {
     if (at == node.extensions.end()) return read_mesh(node, n, global);
     const GltfInstances instances(source_, file_, at->second, "node " + std::to_string(n));
     for (std::size_t i = 0; i < instances.size(); ++i)
-      read_mesh(node, n, compose_or_keep(global, instances.placed(i, is_exact_)));
+      read_mesh(node, n, compose_or_keep(global, instances.placed(i, is_exact_), is_exact_));
   }
 
   void read_camera(const tinygltf::Node& node, const Affine& m) {
