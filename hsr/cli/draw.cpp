@@ -53,7 +53,7 @@ const char* const examples = R"(Examples:
   hsr draw part.stl -o part.svg                            iso view on A4
   hsr draw part.stl -o part.svg --hidden dashed            hidden lines dashed, on their own layers
   hsr draw part.obj -o front.svg -o front.png --view front --scale 1:2
-  hsr draw house.glb -o house.svg --eye 20,-30,15 --up-axis y
+  hsr draw house.glb -o house.svg --eye 20,15,30          glTF has y up, in metres
   hsr draw part.ply -o lines.json --edges all --exact      every edge, parameters as "p/q"
   hsr draw part.stl -o part.svg --fill                     filled, with the lines on top
   hsr draw part.stl -o part.svg -o errors.csv              and how wrong a z-buffer is, size by size, against its time
