@@ -240,7 +240,9 @@ void DrawCommand::read() {
   note_idle_options();
   context_.say_notes_of(scene_);
   if (!unit_note.empty()) context_.note(unit_note);
-  if (scene_.mesh.edges.empty()) context_.note(a_.model + ": no face has an area, the drawing is empty");
+  if (scene_.mesh.edges.empty())
+    context_.note(a_.model + (scene_.mesh.faces.empty() ? ": no face is there, the drawing is empty"
+                                                        : ": every face has no area, the drawing is empty"));
 }
 
 /// What was asked for and does nothing here.

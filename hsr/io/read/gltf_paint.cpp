@@ -9,7 +9,7 @@ namespace hsr::internal::read {
 
 namespace {
 
-constexpr double most_steps = 16;  // along each side of a face
+constexpr double least_steps = 4, most_steps = 16;  // along each side of a face
 
 /// The texel of a coordinate in texels.
 std::size_t wrapped(double x, std::size_t size, Wrap wrap) {
@@ -154,7 +154,7 @@ GltfPaint::Coat GltfPaint::of(const std::uint32_t* corners, std::size_t n) const
   }
   const auto &a = places_[corners[0]], &b = places_[corners[1]], &c = places_[corners[2]];
   const double area = std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
-  const auto steps = static_cast<int>(std::clamp(std::ceil(std::sqrt(area)), 1.0, most_steps));
+  const auto steps = static_cast<int>(std::clamp(std::ceil(2 * std::sqrt(area)), least_steps, most_steps));
   LinearColour sum = {};
   double weight = 0;
   std::size_t samples = 0;

@@ -33,7 +33,7 @@ class GltfPictures {
 /// The colours of the faces of one primitive: of its material, times COLOR_0, times the texture.
 ///
 /// glTF computes with amounts of light, and so does this. Of COLOR_0 it takes the mean over the corners of a face, of the texture the
-/// mean over up to 256 texels evenly spaced on the face. The result is rounded once to bytes of sRGB; opacity is no light and is
+/// mean over 16 to 256 texels evenly spaced on the face. The result is rounded once to bytes of sRGB; opacity is no light and is
 /// rounded as it is.
 ///
 /// By alphaMode OPAQUE ignores opacity, BLEND uses it, and MASK leaves out what is below alphaCutoff: a texel, or a whole face.

@@ -188,7 +188,7 @@ bool looks_like_binary_stl(const Source& source) {
 }
 
 bool looks_like_ascii_stl(const Source& source) {
-  TextScanner text(source, {});
+  TextScanner text(source, {.comment = '#', .continuation = false});
   if (!text.skip_lines() || !same_word(text.word(), "solid")) return false;
   // A binary file may begin with "solid" too, but then what follows is not text.
   const std::string_view head = source.bytes.substr(0, 1024);

@@ -71,7 +71,7 @@ TEST_CASE("What is plainly meant is read", "[read][R14]") {
 TEST_CASE("What is not plain is refused in one line", "[read][R14]") {
   const std::string loop = "outer loop\nvertex 0 0 0\nvertex 1 0 0\n";
   CHECK(refusal("a.stl", "solid a\nfacet\n" + loop + "vertex 0 1 0\nendloop\n") ==
-        "a.stl: line 7: found the end of the file, expected endfacet");
+        "a.stl: line 8: found the end of the file, expected endfacet");
   CHECK(refusal("a.stl", "solid a\nfacet\n" + loop + "vertex 0 1 0\nvertex 1 1 0\nendloop\nendfacet\n") ==
         "a.stl: line 7: found \"vertex\", expected endloop");
   CHECK(refusal("a.off", "of\n3 1 0\n") == "a.off: line 1: found \"of\", expected OFF, COFF, NOFF, ...");
