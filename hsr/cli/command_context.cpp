@@ -40,7 +40,7 @@ ViewedModel CommandContext::read(const std::string& path, const ViewOptions& vie
   viewed.model = report.timed("read", [&] { return read_model(path); });
   progress.stage("faces");
   viewed.mesh = report.timed("mesh", [&] { return make_mesh(viewed.model.points, viewed.model.polygons, tolerance); });
-  viewed.chosen = choose_view(view, viewed.mesh);
+  viewed.chosen = choose_view(view, viewed.mesh, viewed.model);
   return viewed;
 }
 
@@ -53,6 +53,7 @@ void CommandContext::note(const std::string& text) {
 void CommandContext::say_notes_of(const ViewedModel& viewed) {
   for (const std::string& text : viewed.model.notes) note(text);
   if (!viewed.chosen.note.empty()) note(viewed.chosen.note);
+  if (!viewed.chosen.up_axis_note.empty()) note(viewed.chosen.up_axis_note);
 }
 
 void CommandContext::write(const std::string& path, const std::string& bytes, const std::string& summary) {

@@ -57,7 +57,7 @@ const char* const examples = R"(Examples:
   hsr draw part.stl -o part.svg                            iso view on A4
   hsr draw part.stl -o part.svg --hidden dashed            hidden lines dashed, on their own layers
   hsr draw part.obj -o front.svg -o front.png --view front --scale 1:2
-  hsr draw house.glb -o house.svg --eye 20,-30,15 --up-axis y
+  hsr draw house.glb -o house.svg --eye 20,15,30          glTF has y up, in metres
   hsr draw part.ply -o lines.json --edges all --exact      every edge, parameters as "p/q"
   hsr draw part.stl -o part.svg --fill                     filled, with the lines on top
   hsr draw part.stl -o part.svg -o errors.csv              and how wrong a z-buffer is, size by size, against its time
@@ -239,6 +239,7 @@ class DrawCommand {
 void DrawCommand::read() {
   scene_ = context_.read(a_.model, a_.view, request_.lines.tolerance);
   request_.drawing.field_of_view = scene_.chosen.field_of_view;
+  const std::string unit_note = a_.page.adopt_unit(scene_.model, request_.drawing);
   // Drawings only: JSON is complete.
   if (!request_.wants(Format::json)) request_.lines.frame = frame_size(scene_.view(), request_.drawing);
   request_.lines.progress = [this](double done) { context_.progress.show(done); };
@@ -247,7 +248,10 @@ void DrawCommand::read() {
   note_idle_options();
   context_.say_notes_of(scene_);
   note_noise();
-  if (scene_.mesh.edges.empty()) context_.note(a_.model + ": every face has no area, the drawing is empty");
+  if (!unit_note.empty()) context_.note(unit_note);
+  if (scene_.mesh.edges.empty())
+    context_.note(a_.model + (scene_.mesh.faces.empty() ? ": no face is there, the drawing is empty"
+                                                        : ": every face has no area, the drawing is empty"));
 }
 
 /// What was asked for and does nothing here.
@@ -420,7 +424,7 @@ std::string DrawCommand::summary_of(Format format, const std::string& bytes) con
     case Format::svg: {
       std::string text = paper_size(drawing_->width, drawing_->height);
       const bool is_empty = drawing_->polylines.empty() && drawing_->fills.fills.empty();
-      if (!is_empty) text += ", " + scale_text(drawing_->scale, a_.page, scene_.view().is_perspective());
+      if (!is_empty) text += ", " + scale_text(drawing_->scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
       text += ", " + counted(straight_lines(*drawing_), "line");
       return a_.fill ? text + ", " + counted(drawing_->fills.fills.size(), "filled area") : text;
     }

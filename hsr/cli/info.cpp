@@ -1,6 +1,9 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <string>
 
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
@@ -63,6 +66,21 @@ std::vector<std::string> defects(const Model& model, const SceneFacts& f) {
   return list;
 }
 
+std::string hexadecimal(const Colour& c) {
+  std::string text = fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]);
+  if (c[3] != 255) text += fmt::format(" ({} % opaque)", std::lround(c[3] / 2.55));
+  return text;
+}
+
+/// How many there are, and what the first ones are.
+template <class Things, class Word>
+std::string listed(const Things& things, const Word& word) {
+  constexpr std::size_t most = 8;
+  std::string text = std::to_string(things.size()) + ": ";
+  for (std::size_t i = 0; i < std::min(most, things.size()); ++i) text += (i == 0 ? "" : ", ") + word(things[i]);
+  return things.size() > most ? text + ", ..." : text;
+}
+
 void print(const Model& model, const SceneFacts& f) {
   fmt::print("{}: {}\n", model.name, model.format);
   fmt::print("  points      {} ({} distinct, {} used)\n", f.points, f.distinct_points, f.used_points);
@@ -70,6 +88,12 @@ void print(const Model& model, const SceneFacts& f) {
              f.quadrangular, f.larger, f.faces_used(), f.triangles);
   if (f.wires > 0) fmt::print("  wires       {}\n", f.wires);
   if (!model.objects.empty()) fmt::print("  objects     {}\n", model.objects.size());
+  if (!model.materials.empty()) fmt::print("  materials   {}\n", model.materials.size());
+  if (!model.palette.empty()) fmt::print("  colours     {}\n", listed(model.palette, hexadecimal));
+  if (!model.cameras.empty())
+    fmt::print("  cameras     {}\n", listed(model.cameras, [](const StoredCamera& c) { return c.name; }));
+  if (model.up_axis) fmt::print("  up axis     {}, by the format\n", *model.up_axis);
+  if (model.unit) fmt::print("  unit        {:g} mm, by the format\n", *model.unit);
   fmt::print("  edges       {} with two faces, {} with one, {} with more\n", f.regular_edges, f.boundary_edges,
              f.non_manifold_edges);
   fmt::print("  closed      {}\n  manifold    {}\n  oriented    {}\n", yes_no(f.is_closed()), yes_no(f.is_manifold()),
@@ -114,6 +138,13 @@ void add_facts(Report& report, const Model& model, const SceneFacts& f) {
   report.set("triangles", f.triangles);
   report.set("wires", f.wires);
   report.set("objects", model.objects);
+  report.set("materials", model.materials);
+  Report::Json cameras = Report::Json::array();
+  for (const StoredCamera& c : model.cameras) cameras.push_back(c.name);
+  report.set("cameras", std::move(cameras));
+  report.set("colours", model.palette.size());
+  report.set("up_axis", model.up_axis ? Report::Json(std::string(1, *model.up_axis)) : Report::Json());
+  report.set("unit_mm", model.unit ? Report::Json(*model.unit) : Report::Json());
   report.set("edges", {{"regular", f.regular_edges},
                        {"boundary", f.boundary_edges},
                        {"non_manifold", f.non_manifold_edges},

@@ -135,6 +135,7 @@ class OrderCommand {
     prepared_ = scene_.prepared({.coplanar = a_.scene.which_coplanar()});
     request_.drawing.field_of_view = scene_.chosen.field_of_view;
     context_.say_notes_of(scene_);
+    if (const std::string note = a_.page.adopt_unit(scene_.model, request_.drawing); !note.empty()) context_.note(note);
     find_order();
     note_coincident_faces();
     check();
@@ -247,7 +248,8 @@ void OrderCommand::write(const std::string& path, Format format, const std::vect
   } else if (format == Format::svg) {
     const Painting painting = paint_on_page(*prepared_, order_, colours, request_.lines, request_.drawing);
     std::string summary = paper_size(painting.width, painting.height);
-    if (!painting.pieces.empty()) summary += ", " + scale_text(painting.scale, a_.page, scene_.view().is_perspective());
+    if (!painting.pieces.empty())
+      summary += ", " + scale_text(painting.scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
     context_.write(path, painting_svg(painting, a_.opacity, scene_.captions()),
                    summary + ", " + counted(painting.pieces.size(), "piece"));
   } else {

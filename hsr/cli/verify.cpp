@@ -203,7 +203,7 @@ Input from_order(const VerifyArguments& a, CommandContext& context) {
     }
     polygons.first.push_back(static_cast<std::uint32_t>(points.size()));
   }
-  const ChosenView chosen = choose_view(a.view, make_mesh(points, polygons));
+  const ChosenView chosen = choose_view(a.view, make_mesh(points, polygons), Model{});
   in.view = chosen.view;
   in.title = chosen.title;
   return in;

@@ -701,3 +701,35 @@ TEST_CASE("an interrupt leaves no half file", "[cli]") {
     fs::remove(d / "a.json");
   }
 }
+
+TEST_CASE("glTF says which axis is up, what the unit is, and through which cameras to look", "[cli][R7][R15]") {
+  const Directory d;
+  // One triangle, (0,0,0) (2,0,0) (0,1,0), and two cameras: one looks along -z, one has no field of view.
+  const std::string points = "AAAAAAAAAAAAAAAAAAAAQAAAAAAAAAAAAAAAAAAAgD8AAAAA";
+  const std::string gltf = write(
+      d / "a.gltf",
+      R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}, {"name": "Street", "camera": 0, "translation": [1, 0.5, 5]}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.5}}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)" +
+          points + "\"}]}");
+  const std::string up = "hsr: note: glTF has y up by its specification: --up-axis y is the default\n";
+  const std::string metres = "hsr: note: glTF has a unit of m by its specification: --unit m is the default\n";
+  const std::string svg = d / "a.svg", start = "draw " + gltf + " -o " + svg;
+  CHECK(run(start + " --view front --scale 1:100").text ==
+        up + metres + "hsr: " + svg + ": 297 x 210 mm, scale 1:100 (10 mm per unit), 3 lines\n");
+  CHECK(run(start + " --view front --scale 1:1 --unit mm --up-axis y").text.find("note") == std::string::npos);
+  CHECK(run(start + " --view front --up-axis z").text.find("1 line") != std::string::npos);  // seen edge-on
+  const Outcome street = run(start + " --view camera:Street -o " + (d / "a.json"));
+  CHECK(street.status == 0);
+  CHECK(street.text.find("note") == std::string::npos);
+  const json view = json::parse(contents(d / "a.json"))["view"];
+  CHECK(view["eye"] == json::array({1.0, 0.5, 5.0, 1.0}));
+  CHECK(view["near"] == 0.1);  // half a unit, of the 5 to the middle of the model
+  check_refused(run(start + " --view camera:Roof"), {"\"camera:Roof\"", "\"camera:Street\""});
+  check_refused(run(start + " --view camera:Street --target 1,2,3"), {"--target"});
+  const std::string model = write(d / "cube.obj", cube);
+  check_refused(run("draw " + model + " -o " + svg + " --view camera:Street"), {"the model has no cameras"});
+}
