@@ -377,6 +377,13 @@ TEST_CASE("an output never takes the place of the model or of another output", "
   CHECK_FALSE(fs::exists(svg));
 }
 
+TEST_CASE("a report on standard output is nothing but JSON", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  CHECK(json::parse(run("info " + model + " --report -").text)["triangles"] == 12);
+  CHECK(json::parse(run("draw " + model + " -q -o " + (d / "a.svg") + " --report -").text)["method"] == "none");
+}
+
 TEST_CASE("two names of one file are found out before it is there", "[cli]") {
   const Directory d;
   write(d / "cube.obj", cube);
