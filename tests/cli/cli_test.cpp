@@ -380,7 +380,7 @@ TEST_CASE("an output never takes the place of the model or of another output", "
 TEST_CASE("a report on standard output is nothing but JSON", "[cli]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube);
-  CHECK(json::parse(run("info " + model + " --report -").text)["triangles"] == 12);
+  CHECK(json::parse(run("info " + model + " -q --report -").text)["triangles"] == 12);
   CHECK(json::parse(run("draw " + model + " -q -o " + (d / "a.svg") + " --report -").text)["method"] == "none");
 }
 
