@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   hsr::bench::Request request;
   CLI::App app{"Times and decisions of visible fragments on generated scenes"};
   app.add_option("--scene", request.scenes,
-                 "knot, city, rand or terrain and a size, as in knot100k; a city's is in boxes of 12");
+                 "knot, city, rand, terrain, plate or quadplate and a size, as in knot100k; a city's is in boxes of 12, a plate's in holes");
   app.add_option("--view", request.views, "oblique, elevation, perspective; default: all three");
   app.add_option("--method", request.method, "visible, or the reference: roberts")
       ->check(CLI::IsMember({"visible", "roberts"}));

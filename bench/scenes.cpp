@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "geometry/error.h"
 
@@ -204,6 +206,133 @@ Model terrain(std::size_t triangles) {
   return model;
 }
 
+namespace {
+
+// A plate with a square grid of holes: one cell of 4 x 4 for each, a hole of 16 corners in its middle.
+constexpr std::size_t corners_of_hole = 16;
+constexpr double cell = 4, thickness = 2, radius = 1.25;
+
+void add_face(Polygons& polygons, const std::vector<std::size_t>& corners) {
+  for (const std::size_t corner : corners) polygons.corners.push_back(static_cast<std::uint32_t>(corner));
+  polygons.first.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
+}
+
+// Every point is made twice, on the bottom and on the top: the one after it.
+class PlateMaker {
+ public:
+  PlateMaker(Model& model, std::size_t holes)
+      : model_(model), row_(std::max<std::size_t>(1, rounded(std::sqrt(static_cast<double>(holes))))), holes_(holes) {}
+
+  void make_one_polygon();
+  void make_quads();
+
+ private:
+  std::size_t add(double x, double y);
+  std::size_t corner(std::size_t hole, std::size_t k) const { return 2 * (corners_of_hole * hole + k % corners_of_hole); }
+  void add_holes();
+  void add_both(std::vector<std::size_t> bottom);
+  void walk_around(std::size_t hole, std::size_t entry, std::vector<std::size_t>& ring) const;
+
+  Model& model_;
+  std::size_t row_, holes_;
+};
+
+std::size_t PlateMaker::add(double x, double y) {
+  model_.points.push_back(to_float32({x, y, 0}));
+  model_.points.push_back(to_float32({x, y, thickness}));
+  return model_.points.size() - 2;
+}
+
+void PlateMaker::add_holes() {
+  for (std::size_t hole = 0; hole < holes_; ++hole) {
+    const double x = (static_cast<double>(hole % row_) + 0.5) * cell, y = (static_cast<double>(hole / row_) + 0.5) * cell;
+    for (std::size_t k = 0; k < corners_of_hole; ++k) {
+      const auto [c, s] = of_turn(static_cast<double>(k) / corners_of_hole);
+      add(x + radius * c, y + radius * s);
+    }
+    for (std::size_t k = 0; k < corners_of_hole; ++k) {
+      const std::size_t a = corner(hole, k), b = corner(hole, k + 1);
+      add_face(model_.polygons, {b, a, a + 1, b + 1});
+    }
+  }
+}
+
+// As seen from above counter-clockwise, on the bottom the other way round.
+void PlateMaker::add_both(std::vector<std::size_t> ring) {
+  for (std::size_t& p : ring) ++p;
+  add_face(model_.polygons, ring);
+  std::reverse(ring.begin(), ring.end());
+  for (std::size_t& p : ring) --p;
+  add_face(model_.polygons, ring);
+}
+
+// Around a hole from one of its corners and back there, clockwise; on the way across to the next hole of the row and, from the
+// first of a row, to the next row.
+void PlateMaker::walk_around(std::size_t hole, std::size_t entry, std::vector<std::size_t>& ring) const {
+  for (std::size_t k = 0; k <= corners_of_hole; ++k) {
+    const std::size_t at = (entry + corners_of_hole - k) % corners_of_hole;
+    ring.push_back(corner(hole, at));
+    const bool crosses_right = at == 0 && hole % row_ + 1 < row_ && hole + 1 < holes_;
+    const bool crosses_up = at == corners_of_hole / 4 && hole % row_ == 0 && hole + row_ < holes_;
+    if (k == corners_of_hole || (!crosses_right && !crosses_up)) continue;
+    if (crosses_right)
+      walk_around(hole + 1, corners_of_hole / 2, ring);
+    else
+      walk_around(hole + row_, 3 * corners_of_hole / 4, ring);
+    ring.push_back(corner(hole, at));
+  }
+}
+
+void PlateMaker::make_one_polygon() {
+  add_holes();
+  const double width = static_cast<double>(row_) * cell, height = static_cast<double>((holes_ + row_ - 1) / row_) * cell;
+  const std::size_t a = add(0, 0), b = add(width, 0), c = add(width, height), d = add(0, height);
+  for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}})
+    add_face(model_.polygons, {from, to, to + 1, from + 1});
+  std::vector<std::size_t> ring = {a};
+  walk_around(0, 10, ring);  // the corner that is nearest to a
+  ring.insert(ring.end(), {a, b, c, d});
+  add_both(ring);
+}
+
+// Cells of 16 quads, each from a side of the hole to the border of the cell.
+void PlateMaker::make_quads() {
+  add_holes();
+  for (std::size_t hole = 0; hole < holes_; ++hole) {
+    const double x = (static_cast<double>(hole % row_) + 0.5) * cell, y = (static_cast<double>(hole / row_) + 0.5) * cell;
+    std::vector<std::size_t> border;
+    for (std::size_t k = 0; k < corners_of_hole; ++k) {
+      const double quarter = static_cast<double>((k + 2) % 4) / 2 - 1;  // from -1 to 1 along one side of the cell
+      const auto [c, s] = of_turn(static_cast<double>((k + 2) / 4) / 4);
+      border.push_back(add(x + cell / 2 * (c - quarter * s), y + cell / 2 * (s + quarter * c)));
+    }
+    for (std::size_t k = 0; k < corners_of_hole; ++k) {
+      const std::size_t next = (k + 1) % corners_of_hole;
+      add_both({corner(hole, k + 1), corner(hole, k), border[k], border[next]});
+      const std::size_t side = (k + 2) / 4 % 4, column = hole % row_;
+      const bool is_outside = side == 0   ? column + 1 == row_ || hole + 1 == holes_
+                              : side == 1 ? hole + row_ >= holes_
+                              : side == 2 ? column == 0
+                                          : hole < row_;
+      if (is_outside) add_face(model_.polygons, {border[k], border[next], border[next] + 1, border[k] + 1});
+    }
+  }
+}
+
+}  // namespace
+
+Model plate(std::size_t holes) {
+  Model model = empty_model("plate");
+  PlateMaker(model, holes).make_one_polygon();
+  return model;
+}
+
+Model quad_plate(std::size_t holes) {
+  Model model = empty_model("quadplate");
+  PlateMaker(model, holes).make_quads();
+  return model;
+}
+
 Model scene(const std::string& name) {
   const std::size_t digits = name.find_first_of("0123456789");
   std::size_t count = 0;
@@ -226,12 +355,14 @@ Model scene(const std::string& name) {
     if (family == "city") model = city(count);
     if (family == "rand") model = crossing_triangles(count);
     if (family == "terrain") model = terrain(count);
+    if (family == "plate") model = plate(count);
+    if (family == "quadplate") model = quad_plate(count);
     if (!model.name.empty()) {
       model.name = name;
       return model;
     }
   }
-  throw InputError("scene '" + name + "': expected knot, city, rand or terrain and a size, as in knot100k");
+  throw InputError("scene '" + name + "': expected knot, city, rand, terrain, plate or quadplate and a size, as in knot100k");
 }
 
 std::string family(const std::string& scene) { return scene.substr(0, scene.find_first_of("0123456789")); }

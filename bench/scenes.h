@@ -26,7 +26,15 @@ Model crossing_triangles(std::size_t triangles);
 /// A height field over an integer grid: value noise of as many octaves as the grid has, so that it is rough at every scale.
 Model terrain(std::size_t triangles);
 
-/// A scene by its name: knot, city, rand or terrain, and a size such as 500, 10k or 1M (of a city: boxes).
+/// A plate with a square grid of round holes of 16 corners. Top and bottom are one polygon each: bridges, which the polygon runs
+/// along twice, join the holes of each row, the first holes of the rows, and one corner of the plate. @pre full rows
+Model plate(std::size_t holes);
+
+/// The same plate of quads: 16 around each hole, to the border of its cell.
+Model quad_plate(std::size_t holes);
+
+/// A scene by its name: knot, city, rand, terrain, plate or quadplate, and a size such as 500, 10k or 1M (of a city: boxes; of
+/// plates: holes, a square number).
 /// @throws InputError for another name
 Model scene(const std::string& name);
 

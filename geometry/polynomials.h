@@ -113,4 +113,16 @@ typename A::Number meet_side_value(const A& a, const Plane& x, const Plane& p, c
   return from_x ? -change : value(a, x, o) * dot(np, cross(nq, nr)) - change;
 }
 
+/// The determinant of the rows (p_i, p_j, |p|^2) for p = a - d, b - d, c - d, where i and j are the coordinates after `axis`. On
+/// a plane that is not parallel to the axis |p - d|^2 is a function of i and j, equal on a circle of that plane to one that is
+/// linear in them, above it outside. So this is the in-circle test in the plane's own metric, and no projected one.
+template <class A>
+typename A::Number in_circle_value(const A& k, const Point3& a, const Point3& b, const Point3& c, const Point3& d, int axis) {
+  const auto p = difference(k, a, d), q = difference(k, b, d), r = difference(k, c, d);
+  const auto minor = [&](const auto& s, const auto& t) {
+    return axis == 0 ? s.y * t.z - s.z * t.y : axis == 1 ? s.z * t.x - s.x * t.z : s.x * t.y - s.y * t.x;
+  };
+  return dot(p, p) * minor(q, r) + dot(q, q) * minor(r, p) + dot(r, r) * minor(p, q);
+}
+
 }  // namespace hsr::internal::polynomials

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "geometry/constrained_delaunay.h"
 #include "geometry/ear_cutting.h"
 #include "geometry/flat_orientation.h"
 
@@ -16,6 +17,9 @@ namespace {
 
 using Points = IndexedVector<VertexId, Point3>;
 using Ring = std::vector<VertexId>;
+
+// Ears of fewer corners are as good, and cheaper.
+constexpr std::size_t most_corners_of_ears = 12;
 
 Ring reduce(const Points& points, std::span<const VertexId> polygon, Predicates& predicates) {
   Ring ring;
@@ -158,6 +162,15 @@ bool cut_quad(const FlatPlane& plane, const Ring& ring, std::vector<FaceTriangle
   return false;
 }
 
+// Reduced, so that each corner is at another vertex than the two before it: with three vertices it runs around one triangle, more
+// than once. Ears and spikes take off one turn after the other.
+bool is_triangle_over_and_over(const Ring& ring) {
+  if (ring.size() % 3 != 0) return false;
+  for (std::size_t k = 3; k < ring.size(); ++k)
+    if (ring[k] != ring[k - 3]) return false;
+  return true;
+}
+
 // Adds each of `added` once. A side in the ring of one is in the ring of all that equal it.
 void append_once(std::vector<FaceTriangle>& triangles, const std::vector<FaceTriangle>& added) {
   std::vector<FaceTriangle> from_lowest = added;  // equal ones look equal
@@ -193,13 +206,26 @@ FaceUse triangulate(const Points& points, std::span<const VertexId> polygon, Pre
     triangles.push_back({{ring[0], ring[1], ring[2]}});
     return FaceUse::planar;
   }
+  if (is_triangle_over_and_over(ring)) {
+    append_once(triangles, {{{ring[0], ring[1], ring[2]}}});
+    return FaceUse::crosses_itself;
+  }
   const bool coplanar = is_coplanar(points, ring, predicates);
   const FaceUse cut = coplanar ? FaceUse::crosses_itself : FaceUse::not_coplanar;
   const auto [axis, turn] = flattening(points, ring, coplanar, predicates);
   const FlatPlane plane{points, predicates, axis, turn};
   if (ring.size() == 4) return cut_quad(plane, ring, triangles) && coplanar ? FaceUse::planar : cut;
-  const EarCutting ears = cut_ears(plane, ring);
+  const bool is_large = ring.size() > most_corners_of_ears;
+  if (coplanar && is_large) {
+    const std::vector<FaceTriangle> delaunay = constrained_delaunay(plane, ring);
+    if (!delaunay.empty()) {
+      triangles.insert(triangles.end(), delaunay.begin(), delaunay.end());
+      return FaceUse::planar;
+    }
+  }
+  EarCutting ears = cut_ears(plane, ring);
   if (coplanar && ears.only_ears && is_free_of_overlap(plane, ring, ears.triangles)) {
+    if (is_large) flip_to_delaunay(plane, ears.triangles);
     triangles.insert(triangles.end(), ears.triangles.begin(), ears.triangles.end());
     return FaceUse::planar;
   }

@@ -31,13 +31,16 @@ struct FaceTriangle {
 ///    If there is no such corner, the lowest that is strictly convex, has no corner strictly inside, and no edge at a corner
 ///    on its border runs inside. If none, the lowest strictly convex corner. If none, the lowest with an area in 3D. If none,
 ///    the rest has no area. Spikes that a cut leaves go as in 1.
+///    A planar face of more than 12 corners gets constrained Delaunay triangles instead (constrained_delaunay.h): they cover the
+///    same, and do it without the slivers that ears leave. Which faces are planar is as rule 5 says of ears.
 /// 5. *Use.* Corners not exactly coplanar: not_coplanar. Coplanar, all cut off by the first two rules and no two triangles
 ///    overlapping: planar. Else crosses_itself. A triangle that comes up again in one face is given once.
 ///
 /// @param triangles appended to
 /// @pre the bit range of `predicates` holds for all `points`
 /// Exact: yes. Source: Meisters 1975 (ears).
-/// Cost: O(m^2) exact signs for m corners, most of them a few flops; O(m^3) for tangles.
+/// Cost: that of constrained_delaunay, about O(m log m), for m corners of a planar face of which no corner is in the midst of an
+/// edge; else O(m^2) exact signs, most of them a few flops; O(m^3) for tangles.
 FaceUse triangulate(const IndexedVector<VertexId, Point3>& points, std::span<const VertexId> polygon, Predicates& predicates,
                     std::vector<FaceTriangle>& triangles);
 

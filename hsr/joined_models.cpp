@@ -71,13 +71,28 @@ std::string common_unit(const std::vector<ModelToJoin>& models) {
   throw InvariantError("joined: no unit, and no coordinate that does not convert");
 }
 
+/// From one up axis to the other.
+Point3 turned(const Point3& p, bool to_y_up) { return to_y_up ? Point3{p.x, p.z, 0 - p.y} : Point3{p.x, 0 - p.z, p.y}; }
+
 void convert(ModelToJoin& part, const std::string& unit, bool is_y_up) {
   if (part.unit != unit) {
     const Rational factor = millimetres(part.unit) / millimetres(unit);
     for (Point3& p : part.model.points) p = {*converted(p.x, factor), *converted(p.y, factor), *converted(p.z, factor)};
   }
   if (part.is_y_up == is_y_up) return;
-  for (Point3& p : part.model.points) p = is_y_up ? Point3{p.x, p.z, 0 - p.y} : Point3{p.x, 0 - p.z, p.y};
+  for (Point3& p : part.model.points) p = turned(p, is_y_up);
+}
+
+/// The cameras in the coordinates of all. A viewpoint is rounded where it is no double there.
+void convert_cameras(ModelToJoin& part, const std::string& unit, bool is_y_up) {
+  const Rational factor = millimetres(part.unit) / millimetres(unit);
+  const auto scaled = [&](double x) { return part.unit == unit ? x : (Rational(x) * factor).to_double(); };
+  for (StoredCamera& c : part.model.cameras) {
+    c.position = {scaled(c.position.x), scaled(c.position.y), scaled(c.position.z)};
+    if (c.near) c.near = scaled(*c.near);
+    if (part.is_y_up == is_y_up) continue;
+    for (Point3* p : {&c.position, &c.direction, &c.up}) *p = turned(*p, is_y_up);
+  }
 }
 
 /// Names of objects for each model: those of its file, or the file's own name.
@@ -129,6 +144,11 @@ class Joiner {
     append(all_.face_material, part.face_material, faces_before, faces,
            [&](std::uint32_t m) { return number_of_material(part.materials[m]); });
     const std::string name = file_name(part);
+    for (StoredCamera camera : part.cameras) {
+      const auto is_taken = [&](const StoredCamera& c) { return c.name == camera.name; };
+      if (std::any_of(all_.cameras.begin(), all_.cameras.end(), is_taken)) camera.name = name + ":" + camera.name;
+      if (std::none_of(all_.cameras.begin(), all_.cameras.end(), is_taken)) all_.cameras.push_back(std::move(camera));
+    }
     for (const std::string& note : part.notes) all_.notes.push_back(name + ": " + note);
     all_.name += (all_.name.empty() ? "" : " + ") + name;
     all_.format += (all_.format.empty() ? "" : " + ") + part.format;
@@ -171,14 +191,20 @@ JoinedModels joined(std::vector<ModelToJoin> models) {
   if (models.size() == 1) return {std::move(models.front().model), models.front().unit, models.front().is_y_up};
   const std::string unit = common_unit(models);
   const bool is_y_up = models.front().is_y_up;
+  const bool says_unit =
+      std::any_of(models.begin(), models.end(), [](const auto& part) { return part.model.unit.has_value(); });
   std::vector<std::vector<std::string>> objects = object_names(models);
   Joiner joiner;
   for (std::size_t m = 0; m < models.size(); ++m) {
     convert(models[m], unit, is_y_up);
+    convert_cameras(models[m], unit, is_y_up);
     joiner.add(models[m].model, std::move(objects[m]));
     models[m].model = {};
   }
-  return {joiner.take(), unit, is_y_up};
+  Model all = joiner.take();
+  if (says_unit) all.unit = millimetres(unit).to_double();
+  if (is_y_up) all.up_axis = 'y';
+  return {std::move(all), unit, is_y_up};
 }
 
 }  // namespace hsr

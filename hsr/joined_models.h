@@ -28,7 +28,8 @@ struct JoinedModels {
 ///   (3) the unit is the first of the models' units to which every coordinate of every model converts without rounding
 ///   (4) every face is of an object: the one that the file names, or else one that is named like the file (without directories);
 ///       a name that two models have gets the file's name and a colon in front in each of them
-///   (5) materials of one name are one material
+///   (5) materials of one name are one material; a camera whose name is taken gets the file's name and a colon in front
+///   (6) the model says what its unit and up axis are where it would not be mm and z, or a model said so
 ///
 /// @throws InputError if there is no such unit: the file, the point, what was found and what was expected; if a unit is not known;
 /// or if there is more than 32 bits can count

@@ -2,17 +2,29 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "hsr/face_labels.h"
 #include "hsr/face_objects.h"
-#include "hsr/scene/face_labels.h"
 
 namespace hsr {
 
 /// Red, green, blue, opacity, each 0 ... 255.
 using Colour = std::array<std::uint8_t, 4>;
+
+/// A camera that a file stores.
+struct StoredCamera {
+  std::string name;
+  Point3 position;
+  Point3 direction;  ///< along which it looks
+  Point3 up;
+  std::optional<double> field_of_view;  ///< vertical, degrees; nothing: a parallel view
+  std::optional<double> aspect_ratio;   ///< width to height, if the file says
+  std::optional<double> near;           ///< the distance of the near plane, if the file says
+};
 
 /// What a file says, before anything is merged, dropped or cut.
 struct Model {
@@ -26,6 +38,9 @@ struct Model {
   std::vector<std::uint32_t> face_object;    ///< index into objects for each face; empty if objects is
   std::vector<std::string> materials;        ///< names of materials, by first use; empty: the file names none
   std::vector<std::uint32_t> face_material;  ///< index into materials for each face; empty like materials. 0xffffffff: none
+  std::optional<char> up_axis;               ///< 'y' where the format says which axis is up
+  std::optional<double> unit;                ///< millimetres in a unit of the model, where the format says
+  std::vector<StoredCamera> cameras;         ///< no two of one name
   std::vector<std::string> notes;            ///< what the reader passed over or repaired, one line each
 };
 

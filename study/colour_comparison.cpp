@@ -64,12 +64,12 @@ Image<Colour> coloured(const Mesh& mesh, const Image<Pixel>& picture, const std:
 
 std::vector<ComparedColours> compare_supersampling(const Mesh& mesh, const View& view, const PaintersOrder& order,
                                                    double order_seconds, const std::function<SampleGrid(int size)>& grid,
-                                                   int size, const Timer& timed) {
+                                                   int size, const Timer& timed, Coplanar coplanar) {
   constexpr int many = 16;
   const std::vector<Colour> colours = colours_of_faces(mesh.faces.size());
   const auto itself = [](TriangleId t) { return t; };
-  const Image<Colour> expected =
-      box_filtered(coloured(mesh, cast(mesh, view, grid(many * size)).triangles, colours, itself), many);
+  const Image<Colour> expected = box_filtered(
+      coloured(mesh, cast(SceneView(mesh, view, {.coplanar = coplanar}), grid(many * size)).triangles, colours, itself), many);
   std::vector<ComparedColours> rows;
   const auto add = [&](const std::string& method, double seconds_before, const auto& draw) {
     for (const int n : {1, 2, 4, 8}) {
@@ -84,10 +84,12 @@ std::vector<ComparedColours> compare_supersampling(const Mesh& mesh, const View&
     }
   };
   add("z-buffer, float", 0, [&](const SampleGrid& g) {
-    return coloured(mesh, z_buffer<float>(mesh, view, g), colours, [](const DepthPixel<float>& p) { return p.triangle; });
+    return coloured(mesh, z_buffer<float>(mesh, view, g, coplanar), colours,
+                    [](const DepthPixel<float>& p) { return p.triangle; });
   });
   PaintersOrder by_centroid;
-  const double sorting = timed([&] { by_centroid = z_sort(mesh, view, DepthKey::centroid); });
+  const double sorting =
+      timed([&] { by_centroid = z_sort(SceneView(mesh, view, {.coplanar = coplanar}), DepthKey::centroid); });
   add("painter, by the centroid", sorting, [&](const SampleGrid& g) { return paint(mesh, view, by_centroid, g, colours, 1); });
   add("painter's order, by depth sort", order_seconds,
       [&](const SampleGrid& g) { return paint(mesh, view, order, g, colours, 1); });
@@ -96,7 +98,7 @@ std::vector<ComparedColours> compare_supersampling(const Mesh& mesh, const View&
 
 std::vector<ComparedColours> compare_transparency(const Mesh& mesh, const View& view, const PaintersOrder& order,
                                                   double order_seconds, const std::function<SampleGrid(int size)>& grid,
-                                                  int size, const Timer& timed) {
+                                                  int size, const Timer& timed, Coplanar coplanar) {
   const std::vector<Colour> colours = colours_of_faces(mesh.faces.size());
   const auto grid_of = [&](int width, int) { return grid(width); };
   const auto by_order = [&](int n) {
@@ -117,13 +119,13 @@ std::vector<ComparedColours> compare_transparency(const Mesh& mesh, const View& 
   for (const int n : {1, 2, 4})
     add("alpha-buffer", square(n), 0, [&](ComparedColours& row) {
       return supersampled(size, size, n, grid_of, [&](const SampleGrid& g) {
-        AlphaBuffer found = alpha_buffer(mesh, view, g, colours, half);
+        AlphaBuffer found = alpha_buffer(mesh, view, g, colours, half, coplanar);
         row.bytes = found.bytes;
         return std::move(found.picture);
       });
     });
   add("A-buffer", "masks of 8 x 4", 0, [&](ComparedColours& row) {
-    ABuffer found = a_buffer(mesh, view, grid(size), colours, half);
+    ABuffer found = a_buffer(mesh, view, grid(size), colours, half, coplanar);
     row.bytes = found.bytes;
     return std::move(found.picture);
   });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hsr/painter/painters_order.h"
+#include "hsr/scene/tie_rule.h"
 #include "study/image_stages.h"
 
 namespace hsr::internal {
@@ -23,7 +24,7 @@ struct ComparedColours {
 /// what supersampling costs and gains. Each face has a colour of its own.
 std::vector<ComparedColours> compare_supersampling(const Mesh& mesh, const View& view, const PaintersOrder& order,
                                                    double order_seconds, const std::function<SampleGrid(int size)>& grid,
-                                                   int size, const Timer& timed);
+                                                   int size, const Timer& timed, Coplanar coplanar = Coplanar::first);
 
 /// Painter's order, alpha-buffer and A-buffer, each face in a colour of its own and half transparent, against the painter's
 /// order with 8 x 8 samples to a pixel.
@@ -32,6 +33,6 @@ std::vector<ComparedColours> compare_supersampling(const Mesh& mesh, const View&
 /// @param grid gives the samples of a size
 std::vector<ComparedColours> compare_transparency(const Mesh& mesh, const View& view, const PaintersOrder& order,
                                                   double order_seconds, const std::function<SampleGrid(int size)>& grid,
-                                                  int size, const Timer& timed);
+                                                  int size, const Timer& timed, Coplanar coplanar = Coplanar::first);
 
 }  // namespace hsr::internal

@@ -78,14 +78,22 @@ ShownPicture shown_order(const Mesh& mesh, const View& view, const SampleGrid& g
   return picture;
 }
 
+/// Makes the scene anew for each method, so that all do all of their work. @pre mesh and view outlive it
+auto views_of(const Mesh& mesh, const View& view, Coplanar coplanar) {
+  return [&mesh, &view, coplanar](Arithmetic arithmetic = Arithmetic::staged) {
+    return SceneView(mesh, view, {.arithmetic = arithmetic, .coplanar = coplanar});
+  };
+}
+
 std::string working_storage(std::size_t bytes) { return std::to_string((bytes + 500) / 1000) + " kB beside the picture"; }
 
 std::string pieces(std::size_t n) { return std::to_string(n) + (n == 1 ? " piece" : " pieces"); }
 
 }  // namespace
 
-std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid) {
+std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid, Coplanar coplanar) {
   std::vector<RunnableMethod> methods;
+  const auto scene = views_of(mesh, view, coplanar);
   const DepthRange range = depth_range(mesh, view, grid);
   const auto resolution = [&](DepthFormat format) {
     const bool is_single =
@@ -94,20 +102,22 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
     return DepthResolution{format, range, (is_single ? 0x1p-22 : 0x1p-51) * std::max(grid.width, grid.height)};
   };
   methods.push_back(runnable<DepthImage<float>>(
-      "z-buffer", "float", [&mesh, &view, grid] { return z_buffer<float>(mesh, view, grid); }, shown_of_z_buffer<float>));
+      "z-buffer", "float", [&mesh, &view, grid, coplanar] { return z_buffer<float>(mesh, view, grid, coplanar); },
+      shown_of_z_buffer<float>));
   methods.back().resolution = resolution(DepthFormat::float32);
   methods.push_back(runnable<DepthImage<double>>(
-      "z-buffer", "double", [&mesh, &view, grid] { return z_buffer<double>(mesh, view, grid); }, shown_of_z_buffer<double>));
+      "z-buffer", "double", [&mesh, &view, grid, coplanar] { return z_buffer<double>(mesh, view, grid, coplanar); },
+      shown_of_z_buffer<double>));
   methods.back().resolution = resolution(DepthFormat::float64);
   methods.back().is_variant = true;
   methods.push_back(runnable<RowZBuffer<float>>(
-      "row z-buffer", "float", [&mesh, &view, grid] { return row_z_buffer<float>(mesh, view, grid); },
+      "row z-buffer", "float", [&mesh, &view, grid, coplanar] { return row_z_buffer<float>(mesh, view, grid, coplanar); },
       [](const RowZBuffer<float>& b) { return shown_of_z_buffer(b.image); },
       [](const RowZBuffer<float>& b) { return working_storage(b.bytes); }));
   methods.back().resolution = resolution(DepthFormat::float32);
   methods.back().is_variant = true;
   methods.push_back(runnable<TiledZBuffer<float>>(
-      "tiled z-buffer", "float", [&mesh, &view, grid] { return tiled_z_buffer<float>(mesh, view, grid); },
+      "tiled z-buffer", "float", [&mesh, &view, grid, coplanar] { return tiled_z_buffer<float>(mesh, view, grid, coplanar); },
       [](const TiledZBuffer<float>& b) { return shown_of_z_buffer(b.image); },
       [](const TiledZBuffer<float>& b) { return working_storage(b.bytes); }));
   methods.back().resolution = resolution(DepthFormat::float32);
@@ -117,16 +127,19 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
            working_storage(s.bytes);
   };
   methods.push_back(runnable<Scanline>(
-      "scanline, whole faces", "double", [&mesh, &view, grid] { return scanline(mesh, view, grid); }, show_scanline,
-      count_spans));
+      "scanline, whole faces", "double", [&mesh, &view, grid, coplanar] { return scanline(mesh, view, grid, coplanar); },
+      show_scanline, count_spans));
   methods.back().resolution = resolution(DepthFormat::float64);
   methods.back().is_variant = true;
   methods.push_back(runnable<Scanline>(
       "scanline, split faces", "double",
-      [&mesh, &view, grid] { return scanline(mesh, view, grid, depth_sort(mesh, view).order); }, show_scanline, count_spans));
+      [&mesh, &view, grid, scene, coplanar] { return scanline(mesh, view, grid, depth_sort(scene()).order, coplanar); },
+      show_scanline, count_spans));
   methods.back().resolution = resolution(DepthFormat::float64);
   methods.back().cost = 4;
-  const auto add = [&](const std::string& method, const std::string& numbers, const DepthBufferOptions& options) {
+  const auto add = [&](const std::string& method, const std::string& numbers, const DepthBufferOptions& given) {
+    DepthBufferOptions options = given;
+    options.ties = coplanar;
     methods.push_back(runnable<DepthBuffer>(
         method, numbers, [&mesh, &view, grid, range, options] { return depth_buffer(mesh, view, grid, range, options); },
         shown));
@@ -145,8 +158,7 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
   methods.back().is_variant = true;
   for (const Arithmetic arithmetic : {Arithmetic::staged, Arithmetic::double_only}) {
     methods.push_back(runnable<CastImage>(
-        "ray casting", name(arithmetic),
-        [&mesh, &view, grid, arithmetic] { return cast(SceneView(mesh, view, {.arithmetic = arithmetic}), grid); },
+        "ray casting", name(arithmetic), [grid, arithmetic, scene] { return cast(scene(arithmetic), grid); },
         [](const CastImage& image) {
           return ShownPicture{image.triangles, {}};
         }));
@@ -156,7 +168,7 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
   const auto add_painter = [&](const std::string& method, DepthKey key) {
     methods.push_back(runnable<Image<TriangleId>>(
         method, "double",
-        [&mesh, &view, grid, key] { return shown_order(mesh, view, grid, z_sort(mesh, view, key)).triangles; },
+        [&mesh, &view, grid, key, scene] { return shown_order(mesh, view, grid, z_sort(scene(), key)).triangles; },
         [](const Image<TriangleId>& image) {
           return ShownPicture{image, {}};
         }));
@@ -166,8 +178,8 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
   methods.back().is_variant = true;
   methods.push_back(runnable<AlphaBuffer>(
       "painter, for each pixel", "double",
-      [&mesh, &view, grid] {
-        return alpha_buffer(mesh, view, grid, std::vector<Colour>(mesh.faces.size(), Colour{0, 0, 0, 255}), 1);
+      [&mesh, &view, grid, coplanar] {
+        return alpha_buffer(mesh, view, grid, std::vector<Colour>(mesh.faces.size(), Colour{0, 0, 0, 255}), 1, coplanar);
       },
       [](const AlphaBuffer& b) {
         return ShownPicture{b.nearest, {}};
@@ -177,8 +189,10 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
   return methods;
 }
 
-std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid) {
+std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid,
+                                                 Coplanar coplanar) {
   std::vector<RunnableMethod> methods;
+  const auto scene = views_of(mesh, view, coplanar);
   const auto show_fragments = [&mesh, &view, grid](const VisibleFragments& fragments) {
     std::uint64_t overlapping = 0;
     return ShownPicture{paint(mesh, view, fragments, grid, overlapping), {}};
@@ -186,25 +200,24 @@ std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& v
   const auto count_fragments = [](const VisibleFragments& f) { return std::to_string(f.fragments.size()) + " fragments"; };
   for (const Arithmetic arithmetic : {Arithmetic::staged, Arithmetic::double_only, Arithmetic::interval, Arithmetic::rational})
     methods.push_back(runnable<VisibleFragments>(
-        "visible fragments", name(arithmetic),
-        [&mesh, &view, arithmetic] { return visible_fragments(SceneView(mesh, view, {.arithmetic = arithmetic})); },
+        "visible fragments", name(arithmetic), [arithmetic, scene] { return visible_fragments(scene(arithmetic)); },
         show_fragments, count_fragments));
   // Other arithmetic than the staged one is for comparison.
   methods[2].cost = 500;
   methods[3].cost = 3000;
   methods.push_back(runnable<VisibleFragments>(
-      "Roberts surfaces", name(Arithmetic::staged), [&mesh, &view] { return roberts_surfaces(mesh, view); }, show_fragments,
+      "Roberts surfaces", name(Arithmetic::staged), [scene] { return roberts_surfaces(scene()); }, show_fragments,
       count_fragments));
   methods.back().cost = 60;
   methods.push_back(runnable<DepthSort>(
-      "depth sort", name(Arithmetic::staged), [&mesh, &view] { return depth_sort(mesh, view); },
+      "depth sort", name(Arithmetic::staged), [scene] { return depth_sort(scene()); },
       [&mesh, &view, grid](const DepthSort& s) { return shown_order(mesh, view, grid, s.order); },
       [](const DepthSort& s) {
         return pieces(s.order.pieces.size()) + ", " + std::to_string(s.counts.cuts_at_intersections + s.counts.cuts_in_cycles) +
                " cuts";
       }));
   methods.push_back(runnable<PaintersOrder>(
-      "BSP", name(Arithmetic::staged), [&mesh, &view] { return BspTree(mesh).order(view); },
+      "BSP", name(Arithmetic::staged), [&mesh, scene] { return BspTree(mesh).order(scene()); },
       [&mesh, &view, grid](const PaintersOrder& order) { return shown_order(mesh, view, grid, order); },
       [](const PaintersOrder& order) { return pieces(order.pieces.size()); }));
   for (RunnableMethod& m : methods) {

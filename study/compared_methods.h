@@ -9,6 +9,7 @@
 #include "hsr/check/picture_check.h"
 #include "hsr/image.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 
 namespace hsr::internal {
@@ -34,8 +35,10 @@ struct RunnableMethod {
 };
 
 /// All methods that make pictures of samples, on one grid. They hold references: mesh and view must live on.
-std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid);
+std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid,
+                                                Coplanar coplanar = Coplanar::first);
 /// All methods in object space, their pictures on the grid.
-std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid);
+std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid,
+                                                 Coplanar coplanar = Coplanar::first);
 
 }  // namespace hsr::internal

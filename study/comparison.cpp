@@ -39,7 +39,7 @@ class Comparer {
   Comparison run() {
     show("truth", 0);
     // What areas are measured against, and how long others may take; its own time is measured like that of the others, later.
-    fragments_seconds_ = timed([&] { fragments_ = visible_fragments(mesh_, view_); });
+    fragments_seconds_ = timed([&] { fragments_ = visible_fragments(scene()); });
     std::vector<int> sizes;
     for (const int size : {options_.size / 4, options_.size / 2, options_.size, 2 * options_.size})
       if (size >= 1) sizes.push_back(size);
@@ -55,6 +55,9 @@ class Comparer {
     if (options_.progress) options_.progress(stage, done);
   }
 
+  /// Anew for each method, so that all do all of their work.
+  SceneView scene() const { return {mesh_, view_, {.coplanar = options_.coplanar}}; }
+
   template <class Work>
   double timed(const Work& work) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options_.threads));
@@ -63,12 +66,12 @@ class Comparer {
 
   void run_at(int size) {
     const SampleGrid grid = grid_(size);
-    const Image<TriangleId> nearest = cast(mesh_, view_, grid).triangles;
+    const Image<TriangleId> nearest = cast(scene(), grid).triangles;
     const bool is_shown = size == options_.size;
     if (is_shown) result_.pictures.push_back({nearest, Image<Mistake>(size, size, Mistake::none), {}});
-    std::vector<RunnableMethod> methods = image_space_methods(mesh_, view_, grid);
+    std::vector<RunnableMethod> methods = image_space_methods(mesh_, view_, grid, options_.coplanar);
     if (is_shown) {
-      std::vector<RunnableMethod> more = object_space_methods(mesh_, view_, grid);
+      std::vector<RunnableMethod> more = object_space_methods(mesh_, view_, grid, options_.coplanar);
       std::move(more.begin(), more.end(), std::back_inserter(methods));
     }
     for (std::size_t k = 0; k < methods.size(); ++k) {
@@ -172,6 +175,7 @@ class Comparer {
         polygons.first.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
       }
       const Mesh mesh = make_mesh({mesh_.points.begin(), mesh_.points.end()}, polygons);
+      const auto part_of_scene = [&] { return SceneView(mesh, view_, {.coplanar = options_.coplanar}); };
       const auto add = [&](Growth& g, const auto& work) {
         double seconds = 0;
         if (!attempt(g.method + ", " + std::to_string(n) + " triangles", true, [&] { seconds = timed(work); })) return;
@@ -179,17 +183,17 @@ class Comparer {
         g.seconds.push_back(seconds);
       };
       DepthImage<float> image;
-      add(all[0], [&] { image = z_buffer<float>(mesh, view_, grid); });
-      const Image<TriangleId> nearest = cast(mesh, view_, grid).triangles;
+      add(all[0], [&] { image = z_buffer<float>(mesh, view_, grid, options_.coplanar); });
+      const Image<TriangleId> nearest = cast(part_of_scene(), grid).triangles;
       std::size_t wrong = 0, covered = 0;
       for (std::size_t k = 0; k < nearest.pixels.size(); ++k) {
         wrong += image.pixels[k].triangle != nearest.pixels[k] ? 1U : 0U;
         covered += nearest.pixels[k].is_valid() ? 1U : 0U;
       }
       all[0].wrong_share.push_back(covered == 0 ? 0 : static_cast<double>(wrong) / static_cast<double>(covered));
-      add(all[1], [&] { (void)visible_fragments(mesh, view_); });
-      add(all[2], [&] { (void)depth_sort(mesh, view_); });
-      add(all[3], [&] { (void)BspTree(mesh).order(view_); });
+      add(all[1], [&] { (void)visible_fragments(part_of_scene()); });
+      add(all[2], [&] { (void)depth_sort(part_of_scene()); });
+      add(all[3], [&] { (void)BspTree(mesh).order(part_of_scene()); });
     }
     for (Growth& g : all) {
       g.slope = log_log_slope(g.faces, g.seconds);
@@ -201,7 +205,7 @@ class Comparer {
     show("stages", 0);
     LineOptions options;
     options.classes.fill(true);
-    for (const LeftOut& l : plan_lines(SceneView(mesh_, view_), options).left_out) result_.left_out.push_back(l);
+    for (const LeftOut& l : plan_lines(scene(), options).left_out) result_.left_out.push_back(l);
     const double with = timed([&] { (void)visible_lines(mesh_, view_, options); });
     constexpr std::array<const char*, stage_count> names = {"edges outside the picture", "one convex body",
                                                             "far sides of closed bodies", "what is hidden behind large faces",
@@ -214,7 +218,7 @@ class Comparer {
                                 timed([&] { (void)visible_lines(SceneView(mesh_, view_, without), options); }),
                                 "changes nothing"});
     }
-    const double fragments = timed([&] { (void)visible_fragments(mesh_, view_); });
+    const double fragments = timed([&] { (void)visible_fragments(scene()); });
     SceneOptions all;
     all.stages.fill(When::never);
     result_.stages.push_back({"fragments: far sides, hidden faces", "left out", fragments,
@@ -230,9 +234,9 @@ class Comparer {
     const int size = std::max(1, options_.size / 4);
     attempt("supersampling, transparency", true, [&] {
       PaintersOrder order;
-      const double seconds = timed([&] { order = depth_sort(mesh_, view_).order; });
-      result_.supersampling = compare_supersampling(mesh_, view_, order, seconds, grid_, size, timer);
-      result_.transparency = compare_transparency(mesh_, view_, order, seconds, grid_, size, timer);
+      const double seconds = timed([&] { order = depth_sort(scene()).order; });
+      result_.supersampling = compare_supersampling(mesh_, view_, order, seconds, grid_, size, timer, options_.coplanar);
+      result_.transparency = compare_transparency(mesh_, view_, order, seconds, grid_, size, timer, options_.coplanar);
     });
   }
   void append(std::vector<ComparedStage> stages) {
@@ -247,9 +251,9 @@ class Comparer {
       const double build = timed([&] { tree.emplace(mesh_); });
       std::vector<std::uint32_t> far_to_near;
       const double walks = timed([&] {
-        for (int k = 0; k < frames; ++k) tree->walk(view_, far_to_near);
+        for (int k = 0; k < frames; ++k) tree->walk(view_, far_to_near, options_.coplanar);
       });
-      const double sort = timed([&] { (void)depth_sort(mesh_, view_); });
+      const double sort = timed([&] { (void)depth_sort(scene()); });
       result_.stages.push_back({"frame: 36 frames by one BSP, walked for each, instead of a depth sort for each", "coherence",
                                 build + walks, frames * sort, std::to_string(tree->pieces()) + " pieces a frame"});
     });

@@ -10,6 +10,7 @@
 #include "hsr/image.h"
 #include "hsr/lines/plan.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 #include "study/colour_comparison.h"
 #include "study/image_stages.h"
@@ -69,6 +70,7 @@ struct ComparisonOptions {
   int runs = 3;     ///< of each method, all shuffled; slow ones run once
   int threads = 1;  ///< of what is timed
   std::uint64_t seed = 1;
+  Coplanar coplanar = Coplanar::first;                                  ///< which of coincident faces every method shows
   std::function<void(const std::string& stage, double done)> progress;  ///< may throw to cancel
 };
 

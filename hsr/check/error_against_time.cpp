@@ -18,6 +18,7 @@ namespace {
 template <class Real>
 ErrorAgainstTime of_z_buffer(const char* numbers, const SceneView& scene, const VisibleFragments& fragments,
                              const SampleGrid& grid, const Image<TriangleId>& nearest, int runs) {
+  const TieRule ties = scene.options().coplanar;
   ErrorAgainstTime row;
   row.method = "z-buffer";
   row.numbers = numbers;
@@ -26,9 +27,9 @@ ErrorAgainstTime of_z_buffer(const char* numbers, const SceneView& scene, const 
   DepthImage<Real> image;
   row.seconds = seconds_of_runs(runs, [&] {
     image = {};  // or two are held at once
-    image = z_buffer<Real>(scene.mesh(), scene.view(), grid);
+    image = z_buffer<Real>(scene.mesh(), scene.view(), grid, ties);
   });
-  row.samples = check_z_buffer(scene.mesh(), scene.view(), grid, image, nearest);
+  row.samples = check_z_buffer(scene.mesh(), scene.view(), grid, image, nearest, ties);
   Image<TriangleId> shown(grid.width, grid.height);
   std::transform(image.pixels.begin(), image.pixels.end(), shown.pixels.begin(), [](const auto& p) { return p.triangle; });
   row.area = check_area(scene, fragments, grid, shown);
@@ -66,7 +67,9 @@ std::vector<ErrorAgainstTime> error_against_time(const SceneView& scene, const V
   exact.threads = static_cast<int>(std::min<std::size_t>(
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism), tbb::info::default_concurrency()));
   exact.samples.other = exact.samples.wrong;  // nothing would excuse it
-  exact.seconds = seconds_of_runs(options.runs, [&] { (void)visible_fragments(scene.mesh(), scene.view()); });
+  exact.seconds = seconds_of_runs(options.runs, [&] {
+    (void)visible_fragments(SceneView(scene.mesh(), scene.view(), {.coplanar = scene.options().coplanar}));
+  });
   if (!rows.empty()) exact.area.visible = rows.back().area.visible;
   rows.push_back(std::move(exact));
   show();

@@ -124,8 +124,8 @@ class SeenTriangles {
 template <class Real>
 class Judge {
  public:
-  Judge(const Mesh& mesh, const View& view, const SampleGrid& grid)
-      : triangles_(mesh, view, grid), width_(grid.width), height_(grid.height) {}
+  Judge(const Mesh& mesh, const View& view, const SampleGrid& grid, TieRule ties)
+      : triangles_(mesh, view, grid), ties_(ties), width_(grid.width), height_(grid.height) {}
 
   /// @param shown what the z-buffer has @param nearest the truth; another facet
   Difference why(const DepthPixel<Real>& shown, TriangleId nearest, int i, int j) {
@@ -152,8 +152,8 @@ class Judge {
       if (of_c || !c->is_edge_within_reach(i, j)) return Difference::other;
       return c->reach_x < HUGE_VAL ? Difference::edge : Difference::unbounded;
     }
-    // Of equal depths the lowest index is shown.
-    if (z == nullptr || of_c->value > of_z->value || (of_c->value == of_z->value && nearest < shown.triangle))
+    // Of equal depths the one on top is shown.
+    if (z == nullptr || of_c->value > of_z->value || (of_c->value == of_z->value && ties_.is_above(nearest, shown.triangle)))
       return Difference::other;
     const double bound = (of_c->error + of_z->error) * Bounded<Real>::grow;
     if (!(bound < HUGE_VAL) || !z->has_area) return Difference::unbounded;
@@ -164,6 +164,7 @@ class Judge {
 
  private:
   SeenTriangles<Real> triangles_;
+  TieRule ties_;
   int width_, height_;
 };
 
@@ -171,10 +172,10 @@ class Judge {
 
 template <class Real>
 ZBufferCheck check_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const DepthImage<Real>& image,
-                            const Image<TriangleId>& seen) {
+                            const Image<TriangleId>& seen, TieRule ties) {
   constexpr int rows = 16;
   std::vector<ZBufferCheck> parts(static_cast<std::size_t>((samples.height + rows - 1) / rows));
-  tbb::enumerable_thread_specific<Judge<Real>> judges([&] { return Judge<Real>(mesh, view, samples); });
+  tbb::enumerable_thread_specific<Judge<Real>> judges([&] { return Judge<Real>(mesh, view, samples, ties); });
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
     ZBufferCheck& part = parts[p];
     const int first = static_cast<int>(p) * rows;
@@ -215,8 +216,8 @@ ZBufferCheck check_z_buffer(const Mesh& mesh, const View& view, const SampleGrid
 }
 
 template ZBufferCheck check_z_buffer(const Mesh&, const View&, const SampleGrid&, const DepthImage<float>&,
-                                     const Image<TriangleId>&);
+                                     const Image<TriangleId>&, TieRule);
 template ZBufferCheck check_z_buffer(const Mesh&, const View&, const SampleGrid&, const DepthImage<double>&,
-                                     const Image<TriangleId>&);
+                                     const Image<TriangleId>&, TieRule);
 
 }  // namespace hsr

@@ -7,6 +7,7 @@
 #include "hsr/check/fragment_check.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/z_buffer.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -41,11 +42,11 @@ struct ZBufferCheck {
 /// Exact: yes. Cost: O(samples), and per triangle at a differing sample some dozens of rationals; parallel.
 template <class Real>
 ZBufferCheck check_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const DepthImage<Real>& image,
-                            const Image<TriangleId>& seen);
+                            const Image<TriangleId>& seen, TieRule ties = {});
 
 extern template ZBufferCheck check_z_buffer(const Mesh&, const View&, const SampleGrid&, const DepthImage<float>&,
-                                            const Image<TriangleId>&);
+                                            const Image<TriangleId>&, TieRule);
 extern template ZBufferCheck check_z_buffer(const Mesh&, const View&, const SampleGrid&, const DepthImage<double>&,
-                                            const Image<TriangleId>&);
+                                            const Image<TriangleId>&, TieRule);
 
 }  // namespace hsr

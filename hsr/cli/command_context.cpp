@@ -33,13 +33,14 @@ CommandContext::CommandContext(const CommonArguments& common, const std::vector<
   threads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*common.threads));
 }
 
-ViewedModel CommandContext::read(const ModelArguments& models, const ViewOptions& view, double tolerance) {
+ViewedModel CommandContext::read(const ModelArguments& models, const ViewOptions& view, double tolerance,
+                                 const std::string& unit) {
   ViewedModel viewed;
   progress.stage("reading");
-  viewed.model = report.timed("read", [&] { return models.read(); });
+  viewed.model = report.timed("read", [&] { return models.read(unit, view.up_axis); });
   progress.stage("faces");
   viewed.mesh = report.timed("mesh", [&] { return make_mesh(viewed.model.points, viewed.model.polygons, tolerance); });
-  viewed.chosen = choose_view(view, viewed.mesh);
+  viewed.chosen = choose_view(view, viewed.mesh, viewed.model);
   return viewed;
 }
 
@@ -52,6 +53,7 @@ void CommandContext::note(const std::string& text) {
 void CommandContext::say_notes_of(const ViewedModel& viewed) {
   for (const std::string& text : viewed.model.notes) note(text);
   if (!viewed.chosen.note.empty()) note(viewed.chosen.note);
+  if (!viewed.chosen.up_axis_note.empty()) note(viewed.chosen.up_axis_note);
 }
 
 void CommandContext::write(const std::string& path, const std::string& bytes, const std::string& summary) {

@@ -68,8 +68,8 @@ class CommandContext {
   bool reports() const { return !common_.report.empty(); }
 
   /// Reads the models, as one, and chooses the view.
-  /// @param tolerance below which points are one
-  ViewedModel read(const ModelArguments& models, const ViewOptions& view, double tolerance = 0);
+  /// @param tolerance below which points are one @param unit of all models; empty: what each of them says
+  ViewedModel read(const ModelArguments& models, const ViewOptions& view, double tolerance = 0, const std::string& unit = {});
   /// Says something about the input or the options, unless quiet.
   void note(const std::string& text);
   /// The notes that come with a model and its view.

@@ -9,6 +9,7 @@
 #include "hsr/cli/directory.h"
 #include "hsr/cli/messages.h"
 #include "hsr/cli/page_arguments.h"
+#include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/shading.h"
 #include "study/comparison.h"
 #include "study/comparison_csv.h"
@@ -25,6 +26,7 @@ struct CompareArguments {
   ModelArguments models;
   std::string directory;
   ViewOptions view;
+  SceneArguments scene;
   int size = 1024, runs = 3, threads = 1;
   std::uint64_t seed = 1;
   CommonArguments common;
@@ -116,6 +118,7 @@ Comparison compared(const CompareArguments& a, const ViewedModel& viewed, Comman
   options.runs = a.runs;
   options.threads = a.threads;
   options.seed = a.seed;
+  options.coplanar = a.scene.which_coplanar();
   options.progress = [&](const std::string& stage, double done) { context.progress.show(stage, done); };
   const auto samples = [&](int size) { return samples_for(viewed.view(), viewed.mesh, drawing_options, size, size); };
   return context.report.timed(
@@ -143,6 +146,8 @@ PageText page_text(const CompareArguments& a, const ViewedModel& viewed, const C
       "view: " + viewed.chosen.title,
       fmt::format("{0} x {0} samples in the pictures below; {1} runs of each method, {2} thread(s)", a.size, a.runs, a.threads),
       machine_and_date(), std::string("hsr ") + HSR_VERSION};
+  if (a.scene.which_coplanar() == Coplanar::last)
+    text.facts.emplace_back("of faces that coincide the last in the file is on top");
   return text;
 }
 
@@ -186,6 +191,7 @@ void add_compare(CommandLine& command, UnfinishedFiles& unfinished) {
   options.add("-o,--output", a->directory, "DIR", "The directory of the results; made if it is not there").required();
   a->models.add_objects_to(options);
   a->view.add_to(options);
+  a->scene.add_to(options);
   options.begin_group("Runs");
   options.add("--size", a->size, "N", "Samples each way; sizes from a quarter to twice this are compared").with_default_shown();
   options.add("--runs", a->runs, "N", "Of each method, in shuffled order; slow ones run once").with_default_shown();

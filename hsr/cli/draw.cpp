@@ -10,6 +10,7 @@
 #include "geometry/rounded_sum.h"
 #include "hsr/check/error_against_time.h"
 #include "hsr/check/error_csv.h"
+#include "hsr/cli/coincident_note.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/drawing_check.h"
@@ -18,6 +19,7 @@
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
 #include "hsr/cli/paper_note.h"
+#include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
@@ -40,6 +42,7 @@ struct DrawArguments {
   ModelArguments models;
   std::vector<std::string> outputs;
   ViewOptions view;
+  SceneArguments scene;
   LineArguments lines;
   bool fill = false;
   std::string merge = "none";
@@ -55,7 +58,7 @@ const char* const examples = R"(Examples:
   hsr draw part.stl -o part.svg                            iso view on A4
   hsr draw part.stl -o part.svg --hidden dashed            hidden lines dashed, on their own layers
   hsr draw part.obj -o front.svg -o front.png --view front --scale 1:2
-  hsr draw house.glb -o house.svg --eye 20,-30,15 --up-axis y
+  hsr draw house.glb -o house.svg --eye 20,15,30          glTF has y up, in metres
   hsr draw part.ply -o lines.json --edges all --exact      every edge, parameters as "p/q"
   hsr draw part.stl -o part.svg --fill                     filled, with the lines on top
   hsr draw part.stl -o part.svg -o errors.csv              and how wrong a z-buffer is, size by size, against its time
@@ -100,6 +103,7 @@ void describe(Report& report, const Drawing& drawing) {
                          {"near_coincident", drawing.near_coincident},
                          {"merged", drawing.merged},
                          {"short_dropped", drawing.short_dropped},
+                         {"groups_dropped", drawing.groups_dropped},
                          {"scale_mm_per_unit", drawing.scale}});
 }
 
@@ -174,6 +178,7 @@ DrawRequest parse(const DrawArguments& a) {
   request.lines = a.lines.options();
   request.lines.why = a.why;
   request.scene = a.lines.scene_options();
+  request.scene.coplanar = a.scene.which_coplanar();
   request.scene.arithmetic = parse_arithmetic(a.arithmetic);
   request.drawing = a.page.options();
   request.drawing.hidden = a.hidden == "none"     ? HiddenLines::none
@@ -208,6 +213,7 @@ class DrawCommand {
   void read();
   void find_lines();
   void find_fragments();
+  void note_coincident_faces();
   void check();
   void measure_errors();
   void draw_page();
@@ -239,22 +245,26 @@ class DrawCommand {
 };
 
 void DrawCommand::read() {
-  scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance);
+  scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance, a_.page.unit);
   objects_ = objects_of(scene_.model);
   request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = scene_.chosen.field_of_view;
+  const std::string unit_note = a_.page.adopt_unit(scene_.model, request_.drawing);
   // Drawings only: JSON is complete.
   if (!request_.wants(Format::json)) request_.lines.frame = frame_size(scene_.view(), request_.drawing);
   request_.lines.progress = [this](double done) { context_.progress.show(done); };
   prepared_ = scene_.prepared(request_.scene);
-  exact_ = request_.scene.arithmetic == Arithmetic::staged ? prepared_ : scene_.prepared();
+  exact_ = request_.scene.arithmetic == Arithmetic::staged ? prepared_ : scene_.prepared({.coplanar = request_.scene.coplanar});
   note_idle_options();
   context_.say_notes_of(scene_);
   note_noise();
+  if (!unit_note.empty()) context_.note(unit_note);
   context_.report.set("view", json_of(scene_.view()));
-  if (scene_.mesh.edges.empty())
-    context_.note(scene_.model.name + (a_.models.objects.is_empty() ? ": every face has no area, the drawing is empty"
-                                                                    : ": no face with an area is left, the drawing is empty"));
+  if (!scene_.mesh.edges.empty()) return;
+  const char* const why = !a_.models.objects.is_empty() ? "no face with an area is left"
+                          : scene_.mesh.faces.empty()   ? "no face is there"
+                                                        : "every face has no area";
+  context_.note(fmt::format("{}: {}, the drawing is empty", scene_.model.name, why));
 }
 
 /// What was asked for and does nothing here.
@@ -315,11 +325,20 @@ void DrawCommand::find_fragments() {
     return a_.lines.method == "roberts" ? roberts_surfaces(*prepared_, options) : visible_fragments(*prepared_, options);
   });
   every_line_.reset();  // it may be large
+  note_coincident_faces();
   decisions_ += fragments_->decisions;
   if (context_.reports())
     report.set("fragments", report.timed("areas", [&] {
       return areas_json(scene_.model, scene_.mesh, scene_.view(), *fragments_, a_.exact);
     }));
+}
+
+/// Which of them is on top was the user's to say, and matters where faces are filled.
+void DrawCommand::note_coincident_faces() {
+  if (!a_.fill || a_.scene.asks_for_coplanar() || context_.is_quiet()) return;
+  const std::string text =
+      context_.report.timed("coincident faces", [&] { return coincident_note(*exact_, scene_.model, Coincidence::seen); });
+  if (!text.empty()) context_.note(text);
 }
 
 void DrawCommand::check() {
@@ -379,14 +398,15 @@ std::string DrawCommand::note_on_size() const {
   if (request_.drawing.field_of_view || scene_.mesh.edges.empty()) return "";
   if (!scene_.view().is_perspective()) {
     const PaperRectangle all = paper_rectangle(scene_.mesh, scene_.view());
-    return note_on_dot(all.right - all.left, all.top - all.bottom, a_.page);
+    return note_on_dot(all.right - all.left, all.top - all.bottom, request_.drawing.scale, request_.drawing.unit);
   }
   if (drawing_->points.empty() || !(drawing_->scale > 0)) return "";
   const auto extent = [&](auto coordinate) {
     const auto [low, high] = std::ranges::minmax(drawing_->points, {}, coordinate);
     return static_cast<double>(coordinate(high) - coordinate(low)) / 1000 / drawing_->scale;
   };
-  return note_on_dot(extent([](const PaperPoint& p) { return p.x; }), extent([](const PaperPoint& p) { return p.y; }), a_.page);
+  return note_on_dot(extent([](const PaperPoint& p) { return p.x; }), extent([](const PaperPoint& p) { return p.y; }),
+                     request_.drawing.scale, request_.drawing.unit);
 }
 
 void DrawCommand::write() {
@@ -434,7 +454,7 @@ std::string DrawCommand::summary_of(Format format, const std::string& bytes) con
     case Format::svg: {
       std::string text = paper_size(drawing_->width, drawing_->height);
       const bool is_empty = drawing_->polylines.empty() && drawing_->fills.fills.empty();
-      if (!is_empty) text += ", " + scale_text(drawing_->scale, a_.page, scene_.view().is_perspective());
+      if (!is_empty) text += ", " + scale_text(drawing_->scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
       text += ", " + counted(straight_lines(*drawing_), "line");
       return a_.fill ? text + ", " + counted(drawing_->fills.fills.size(), "filled area") : text;
     }
@@ -500,6 +520,7 @@ void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
   a->models.add_objects_to(options);
   a->models.add_ghosts_to(options);
   a->view.add_to(options);
+  a->scene.add_to(options);
   add_line_options(*a, options);
   add_surface_options(*a, options);
   a->page.add_to(options, "PNG: pixels [150 to the inch]; --check and csv: samples");

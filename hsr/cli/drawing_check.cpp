@@ -39,10 +39,11 @@ void say(const ZBufferCheck& z, const char* numbers) {
 DrawingCheck check_drawing(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples) {
   const Mesh& mesh = scene.mesh();
   const View& view = scene.view();
+  const TieRule ties = scene.options().coplanar;
   const Image<TriangleId> nearest = cast(scene, samples).triangles;
   return {check_fragments(scene, fragments, samples, nearest),
-          check_z_buffer(mesh, view, samples, z_buffer<float>(mesh, view, samples), nearest),
-          check_z_buffer(mesh, view, samples, z_buffer<double>(mesh, view, samples), nearest)};
+          check_z_buffer(mesh, view, samples, z_buffer<float>(mesh, view, samples, ties), nearest, ties),
+          check_z_buffer(mesh, view, samples, z_buffer<double>(mesh, view, samples, ties), nearest, ties)};
 }
 
 Report::Json json_of(const DrawingCheck& check) {

@@ -1,11 +1,15 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <string>
 
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/output_summary.h"
+#include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/io/write/mesh_json.h"
 #include "hsr/lines/plan.h"
@@ -21,6 +25,7 @@ struct InfoArguments {
   ModelArguments models;
   std::string mesh;
   ViewOptions view;
+  SceneArguments scene;
   LineArguments lines;
   bool exact = false;
   CommonArguments common;
@@ -62,6 +67,21 @@ std::vector<std::string> defects(const Model& model, const SceneFacts& f) {
   return list;
 }
 
+std::string hexadecimal(const Colour& c) {
+  std::string text = fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]);
+  if (c[3] != 255) text += fmt::format(" ({} % opaque)", std::lround(c[3] / 2.55));
+  return text;
+}
+
+/// How many there are, and what the first ones are.
+template <class Things, class Word>
+std::string listed(const Things& things, const Word& word) {
+  constexpr std::size_t most = 8;
+  std::string text = std::to_string(things.size()) + ": ";
+  for (std::size_t i = 0; i < std::min(most, things.size()); ++i) text += (i == 0 ? "" : ", ") + word(things[i]);
+  return things.size() > most ? text + ", ..." : text;
+}
+
 void print(const Model& model, const SceneFacts& f) {
   fmt::print("{}: {}\n", model.name, model.format);
   fmt::print("  points      {} ({} distinct, {} used)\n", f.points, f.distinct_points, f.used_points);
@@ -69,6 +89,12 @@ void print(const Model& model, const SceneFacts& f) {
              f.quadrangular, f.larger, f.faces_used(), f.triangles);
   if (f.wires > 0) fmt::print("  wires       {}\n", f.wires);
   if (!model.objects.empty()) fmt::print("  objects     {}\n", model.objects.size());
+  if (!model.materials.empty()) fmt::print("  materials   {}\n", model.materials.size());
+  if (!model.palette.empty()) fmt::print("  colours     {}\n", listed(model.palette, hexadecimal));
+  if (!model.cameras.empty())
+    fmt::print("  cameras     {}\n", listed(model.cameras, [](const StoredCamera& c) { return c.name; }));
+  if (model.up_axis) fmt::print("  up axis     {}, by the format\n", *model.up_axis);
+  if (model.unit) fmt::print("  unit        {:g} mm, by the format\n", *model.unit);
   fmt::print("  edges       {} with two faces, {} with one, {} with more\n", f.regular_edges, f.boundary_edges,
              f.non_manifold_edges);
   fmt::print("  closed      {}\n  manifold    {}\n  oriented    {}\n", yes_no(f.is_closed()), yes_no(f.is_manifold()),
@@ -113,6 +139,13 @@ void add_facts(Report& report, const Model& model, const SceneFacts& f) {
   report.set("triangles", f.triangles);
   report.set("wires", f.wires);
   report.set("objects", model.objects);
+  report.set("materials", model.materials);
+  Report::Json cameras = Report::Json::array();
+  for (const StoredCamera& c : model.cameras) cameras.push_back(c.name);
+  report.set("cameras", std::move(cameras));
+  report.set("colours", model.palette.size());
+  report.set("up_axis", model.up_axis ? Report::Json(std::string(1, *model.up_axis)) : Report::Json());
+  report.set("unit_mm", model.unit ? Report::Json(*model.unit) : Report::Json());
   report.set("edges", {{"regular", f.regular_edges},
                        {"boundary", f.boundary_edges},
                        {"non_manifold", f.non_manifold_edges},
@@ -133,6 +166,7 @@ void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   a.models.check();
   LineOptions line_options = a.lines.options();
   SceneOptions scene_options = a.lines.scene_options();
+  scene_options.coplanar = a.scene.which_coplanar();
   scene_options.hidden_lines = false;  // as a drawing is without --hidden
   CommandContext context(a.common, a.models.models, {a.mesh}, unfinished);
   Report& report = context.report;
@@ -146,8 +180,10 @@ void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   context.progress.stage("plan");
   const LinePlan plan = report.timed("plan", [&] { return plan_lines(viewed.prepared(scene_options), line_options); });
   context.progress.clear();
-  print(viewed.model, facts);
-  print(plan, viewed.chosen.title, a.lines.edges);
+  if (a.common.report != "-") {  // the report says the same, and a program reads it
+    print(viewed.model, facts);
+    print(plan, viewed.chosen.title, a.lines.edges);
+  }
   add_facts(report, viewed.model, facts);
   report.set("view", viewed.chosen.title);
   report.set("method", plan.method);
@@ -166,11 +202,13 @@ void add_info(CommandLine& command, UnfinishedFiles& unfinished) {
       "info", "Say what a model is: size, topology, defects, the bits it needs, and what a drawing of it takes", examples);
   a->models.add_to(options);
   a->view.add_to(options);
+  a->scene.add_to(options);
   a->lines.add_to(options);
   options.begin_group("Options");
   options.add("--mesh", a->mesh, "FILE", "Write the faces as used as JSON");
   options.add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
-  options.add("--report", a->common.report, "FILE", "The facts and times as JSON; - for the standard output");
+  options.add("--report", a->common.report, "FILE",
+              "The facts and times as JSON; - for the standard output, instead of the text");
   a->common.add_quiet_to(options, "Only the facts: no progress, nothing about files");
   options.on_run([a, &unfinished] { run(*a, unfinished); });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -57,6 +58,21 @@ EdgeClasses parse_classes(const std::string& text) {
   return classes;
 }
 
+/// One angle, or a larger and a smaller.
+std::vector<double> parse_creases(const std::string& text) {
+  std::vector<double> angles;
+  for (const std::string& part : split(text, ',')) {
+    double angle = -1;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), angle);
+    if (error != std::errc() || end != part.data() + part.size() || !(angle >= 0 && angle <= 180) || angles.size() == 2)
+      throw InputError("--crease: found \"" + text + "\", expected degrees from 0 to 180, or two such as 30,25");
+    angles.push_back(angle);
+  }
+  if (angles.size() == 2 && angles[1] > angles[0])
+    throw InputError("--crease: found \"" + text + "\", expected the second angle to be the smaller");
+  return angles;
+}
+
 std::array<When, stage_count> parse_stages(const std::string& text) {
   std::array<When, stage_count> stages{};
   if (text.empty()) return stages;
@@ -104,14 +120,14 @@ void LineArguments::add_to(Options& options) {
 }
 
 LineOptions LineArguments::options() const {
-  if (!(crease >= 0 && crease <= 180))
-    throw InputError(fmt::format("--crease: found {}, expected degrees from 0 to 180", crease));
   if (!(tolerance >= 0 && std::isfinite(tolerance)))
     throw InputError(fmt::format("--tolerance: found {}, expected a length of 0 or more", tolerance));
   LineOptions options;
   options.tolerance = tolerance;
   options.classes = parse_classes(edges);
-  options.crease = crease;
+  const auto creases = parse_creases(crease);
+  options.crease = creases.front();
+  if (creases.size() == 2) options.crease_goes_on = creases.back();
   options.method = method == "appel" ? LineMethod::appel : method == "roberts" ? LineMethod::roberts : LineMethod::automatic;
   return options;
 }

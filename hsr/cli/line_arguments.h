@@ -11,7 +11,8 @@ namespace hsr::cli {
 /// The options that say which lines are looked for, and how.
 struct LineArguments {
   std::string edges = "outline,sharp,boundary,intersection,wire,material", method = "auto", stages;
-  double crease = 30, tolerance = 0;
+  std::string crease = "30";
+  double tolerance = 0;
 
   void add_to(Options& options);
   /// @throws InputError naming the option

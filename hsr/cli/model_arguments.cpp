@@ -5,6 +5,7 @@
 
 #include "geometry/error.h"
 #include "hsr/cli/standard_input.h"
+#include "hsr/drawing/page.h"
 #include "hsr/io/read/read.h"
 #include "hsr/joined_models.h"
 
@@ -47,9 +48,15 @@ void ModelArguments::check() const {
     throw InputError("--from: found no MODEL that is -, expected it with standard input only: the format of a file is its own");
 }
 
-Model ModelArguments::read() const {
+Model ModelArguments::read(const std::string& unit, const std::string& up_axis) const {
   std::vector<ModelToJoin> parts;
-  for (const std::string& path : models) parts.push_back({path == "-" ? read_standard_input(from) : read_model(path)});
+  for (const std::string& path : models) {
+    ModelToJoin part{path == "-" ? read_standard_input(from) : read_model(path)};
+    // What is given for all is no reason to convert anything: the options say it again where it is used.
+    if (unit.empty()) part.unit = name_of_unit(part.model.unit.value_or(1));
+    if (up_axis.empty()) part.is_y_up = part.model.up_axis == 'y';
+    parts.push_back(std::move(part));
+  }
   Model model = joined(std::move(parts)).model;
   select(model, objects);
   return model;

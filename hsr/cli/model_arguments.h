@@ -27,8 +27,9 @@ struct ModelArguments {
   /// @throws InputError where standard input is asked for twice, or its format is given and it is not read
   void check() const;
   /// One model of all of them, with the objects that are wanted.
+  /// @param unit, up_axis what holds for all models; empty: what each of them says, else mm and z
   /// @throws InputError as readers, joined() and select() do
-  Model read() const;
+  Model read(const std::string& unit, const std::string& up_axis) const;
 };
 
 }  // namespace hsr::cli

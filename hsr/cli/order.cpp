@@ -1,16 +1,19 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
 #include "geometry/error.h"
 #include "hsr/check/order_check.h"
+#include "hsr/cli/coincident_note.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/messages.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
+#include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/painting.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
@@ -34,10 +37,12 @@ struct OrderArguments {
   ModelArguments models;
   std::vector<std::string> outputs;
   ViewOptions view;
+  SceneArguments scene;
   PageArguments page;
   std::string method = "depth-sort", cuts = "few";
-  std::string edges = "outline,sharp,boundary,intersection,wire";
-  double crease = 30, opacity = 1;
+  std::string edges = "outline,sharp,boundary,intersection,wire,material";
+  std::string crease = "30";
+  double opacity = 1;
   std::uint64_t seed = 1;
   bool exact = false, check = false;
   CommonArguments common;
@@ -126,12 +131,14 @@ class OrderCommand {
       : a_(a), request_(parse(a)), context_(a.common, a.models.models, paths_of(request_.outputs), unfinished) {}
 
   void run() {
-    scene_ = context_.read(a_.models, a_.view);
+    scene_ = context_.read(a_.models, a_.view, 0, a_.page.unit);
     context_.report.set("view", cli::json_of(scene_.view()));
-    prepared_ = scene_.prepared();
+    prepared_ = scene_.prepared({.coplanar = a_.scene.which_coplanar()});
     request_.drawing.field_of_view = scene_.chosen.field_of_view;
     context_.say_notes_of(scene_);
+    if (const std::string note = a_.page.adopt_unit(scene_.model, request_.drawing); !note.empty()) context_.note(note);
     find_order();
+    note_coincident_faces();
     check();
     write();
     if (!is_right_) throw CheckFailed();
@@ -141,6 +148,7 @@ class OrderCommand {
   void find_order();
   PaintersOrder depth_sorted();
   PaintersOrder by_tree();
+  void note_coincident_faces();
   void check();
   void write();
   void write(const std::string& path, Format format, const std::vector<Colour>& colours);
@@ -193,6 +201,18 @@ PaintersOrder OrderCommand::by_tree() {
   return order;
 }
 
+/// Which of them is painted later was the user's to say. Through transparent faces those behind are seen, too.
+void OrderCommand::note_coincident_faces() {
+  if (a_.scene.asks_for_coplanar() || context_.is_quiet()) return;
+  const std::vector<Colour>& colours = scene_.model.palette;
+  const bool is_opaque =
+      a_.opacity == 1 && std::all_of(colours.begin(), colours.end(), [](const Colour& c) { return c[3] == 255; });
+  const std::string text = context_.report.timed("coincident faces", [&] {
+    return coincident_note(*prepared_, scene_.model, is_opaque ? Coincidence::seen : Coincidence::all);
+  });
+  if (!text.empty()) context_.note(text);
+}
+
 void OrderCommand::check() {
   if (!a_.check) return;
   context_.progress.stage("check");
@@ -222,12 +242,15 @@ void OrderCommand::write() {
 
 void OrderCommand::write(const std::string& path, Format format, const std::vector<Colour>& colours) {
   if (format == Format::json) {
-    context_.write(path, order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded),
-                   counted(order_.pieces.size(), "piece"));
+    context_.write(
+        path,
+        order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded, a_.scene.which_coplanar()),
+        counted(order_.pieces.size(), "piece"));
   } else if (format == Format::svg) {
     const Painting painting = paint_on_page(*prepared_, order_, colours, request_.lines, request_.drawing);
     std::string summary = paper_size(painting.width, painting.height);
-    if (!painting.pieces.empty()) summary += ", " + scale_text(painting.scale, a_.page, scene_.view().is_perspective());
+    if (!painting.pieces.empty())
+      summary += ", " + scale_text(painting.scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
     context_.write(path, painting_svg(painting, a_.opacity, scene_.captions()),
                    summary + ", " + counted(painting.pieces.size(), "piece"));
   } else {
@@ -262,7 +285,8 @@ void add_picture_options(OrderArguments& a, Options& options) {
   options.add("--opacity", a.opacity, "A", "Of every face, times its own in the file; more than 0, at most 1")
       .with_default_shown();
   options
-      .add("--edges", a.edges, "LIST", "SVG: classes of edges to draw on the faces: outline,sharp,boundary,wire,smooth or all")
+      .add("--edges", a.edges, "LIST",
+           "SVG: classes of edges to draw on the faces, or all: outline,sharp,boundary,wire,material,smooth,joint")
       .with_default_shown();
   options.add("--crease", a.crease, "DEG", "An edge is sharp if its faces deviate from flat by more than this")
       .with_default_shown();
@@ -282,6 +306,7 @@ void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
   a->models.add_objects_to(options);
   add_order_options(*a, options);
   a->view.add_to(options);
+  a->scene.add_to(options);
   add_picture_options(*a, options);
   a->page.add_to(options, "PNG: pixels, --check: samples [1024x1024]");
   options.begin_group("Numbers");

@@ -33,9 +33,9 @@ std::string counted(std::uint64_t count, const std::string& one) {
 
 std::string paper_size(double width, double height) { return fmt::format("{:.6g} x {:.6g} mm", width, height); }
 
-std::string scale_text(double mm_per_unit, const PageArguments& page, bool is_perspective) {
+std::string scale_text(double mm_per_unit, double unit, const PageArguments& page, bool is_perspective) {
   const std::string at = is_perspective ? " at the target" : "", per_unit = millimetres(mm_per_unit) + " mm per unit";
-  const std::string ratio = parse_scale(page.scale) ? page.scale : plain_ratio(mm_per_unit / parse_unit(page.unit));
+  const std::string ratio = parse_scale(page.scale) ? page.scale : plain_ratio(mm_per_unit / unit);
   if (ratio.empty()) return "scale " + per_unit + at;
   return "scale " + ratio + at + " (" + per_unit + ")";
 }

@@ -15,8 +15,8 @@ std::string paper_size(double width, double height);
 
 /// The scale of a page as a draughtsman reads it: "scale 1:2 (0.5 mm per unit)" where it was asked for or is a plain ratio, else
 /// "scale 3.474 mm per unit"; in perspective it is that at the target.
-/// @param mm_per_unit millimetres of paper to a unit of the model
-std::string scale_text(double mm_per_unit, const PageArguments& page, bool is_perspective);
+/// @param mm_per_unit millimetres of paper to a unit of the model @param unit millimetres that this unit is
+std::string scale_text(double mm_per_unit, double unit, const PageArguments& page, bool is_perspective);
 
 /// "1240 x 1754 pixels", from what the file itself says.
 /// @pre `png` holds a PNG file

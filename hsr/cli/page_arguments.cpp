@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "geometry/error.h"
+#include "hsr/cli/model_defaults.h"
 
 namespace hsr::cli {
 
@@ -14,8 +15,11 @@ void PageArguments::add_to(Options& options, const std::string& size_help) {
       .with_default_shown();
   options.add("--scale", scale, "RATIO", "Paper to model, such as 1:5 or 2:1 (perspective: at the target), or fit")
       .with_default_shown();
-  options.add("--unit", unit, "UNIT", "The model's unit: mm, cm, m or in").with_default_shown().one_of({"mm", "cm", "m", "in"});
+  options.add("--unit", unit, "UNIT", "The model's unit: mm, cm, m or in [glTF: m, else mm]").one_of({"mm", "cm", "m", "in"});
   options.add("--margin", margin, "MM", "Around the drawing, mm").with_default_shown();
+  options.add(
+      "--min-length", min_length, "MM",
+      "Leave out lines that together with what they are joined to are shorter than this on paper, such as freckles on scans");
   options.add("--size", size, "WxH", size_help);
 }
 
@@ -24,9 +28,16 @@ DrawingOptions PageArguments::options() const {
   DrawingOptions options;
   options.page = parse_page(page);
   options.page.margin = margin;
+  if (!(min_length >= 0)) throw InputError(fmt::format("--min-length: found {}, expected millimetres, 0 or more", min_length));
+  options.min_length = min_length;
   options.scale = parse_scale(scale);
-  options.unit = parse_unit(unit);
+  if (!unit.empty()) options.unit = parse_unit(unit);
   return options;
+}
+
+std::string PageArguments::adopt_unit(const Model& model, DrawingOptions& options) const {
+  options.unit = unit_of(unit, model);
+  return unit.empty() && options.scale ? unit_note(model) : std::string();
 }
 
 SampleGrid samples_for(const View& view, const Mesh& mesh, const DrawingOptions& options, int width, int height) {

@@ -6,19 +6,22 @@
 #include "geometry/mesh.h"
 #include "hsr/cli/command_line.h"
 #include "hsr/drawing/drawing.h"
+#include "hsr/model.h"
 #include "hsr/raster/samples.h"
 
 namespace hsr::cli {
 
 /// The options that say how large and on what a picture is drawn.
 struct PageArguments {
-  std::string page = "A4", scale = "fit", unit = "mm", size;
-  double margin = 10;
+  std::string page = "A4", scale = "fit", unit, size;  ///< an empty unit: the model's
+  double margin = 10, min_length = 0;
 
   /// @param size_help what --size is the size of
   void add_to(Options& options, const std::string& size_help);
   /// @throws InputError naming the option
   DrawingOptions options() const;
+  /// Puts the unit of the model into the options, where none was given. @returns a note if that made a difference, or nothing
+  std::string adopt_unit(const Model& model, DrawingOptions& options) const;
 };
 
 /// The samples of the picture: what the field of view frames, or all of the model.

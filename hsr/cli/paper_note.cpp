@@ -30,11 +30,10 @@ std::optional<std::string> plain_scale(double size) {
 
 }  // namespace
 
-std::string note_on_dot(double width, double height, const PageArguments& page) {
-  const auto scale = parse_scale(page.scale);
+std::string note_on_dot(double width, double height, std::optional<double> scale, double unit) {
   const double larger = std::max(width, height);
   if (!scale || !(larger > 0)) return "";
-  const double unit = parse_unit(page.unit), mm = *scale * unit;
+  const double mm = *scale * unit;
   if (!(larger * mm < dot)) return "";
   std::string text =
       fmt::format("the drawing is {:.3g} x {:.3g} mm on the paper, no more than a dot:", width * mm, height * mm);

@@ -12,6 +12,7 @@
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/output_summary.h"
+#include "hsr/cli/scene_arguments.h"
 #include "hsr/io/read/order_json.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/verdict_svg.h"
@@ -26,6 +27,7 @@ struct VerifyArguments {
   ModelArguments models;
   std::string output;
   ViewOptions view;
+  SceneArguments scene;
   std::uint64_t limit = 10;
   CommonArguments common;
 };
@@ -57,7 +59,8 @@ std::string point_text(const std::array<Rational, 3>& p) {
 
 class Teller {
  public:
-  Teller(const Verdict& verdict, const std::vector<PaintedPolygon>& pieces) : verdict_(verdict), pieces_(pieces) {}
+  Teller(const Verdict& verdict, const std::vector<PaintedPolygon>& pieces, Coplanar coplanar)
+      : verdict_(verdict), pieces_(pieces), coplanar_(coplanar) {}
 
   void say() const {
     fmt::print("{}\n", summary());
@@ -141,8 +144,8 @@ class Teller {
     if (v.fault == Fault::covered_twice)
       return fmt::format("{} and {} cover a place of their face twice {}", name(v.earlier), name(v.later), where);
     if (v.fault == Fault::coplanar)
-      return fmt::format("{} and {} lie in one plane, the higher face is painted last {}", name(v.earlier), name(v.later),
-                         where);
+      return fmt::format("{} and {} lie in one plane, the {} face is painted last {}", name(v.earlier), name(v.later),
+                         coplanar_ == Coplanar::first ? "higher" : "lower", where);
     return fmt::format("{} is painted before {}, but is the nearer {}{}: {} against {}", name(v.earlier), name(v.later), where,
                        v.fault == Fault::piercing ? " (they pierce each other)" : "", point_text(v.witness.of_earlier),
                        point_text(v.witness.of_later));
@@ -161,12 +164,14 @@ class Teller {
 
   const Verdict& verdict_;
   const std::vector<PaintedPolygon>& pieces_;
+  Coplanar coplanar_;
 };
 
 struct Input {
   std::vector<PaintedPolygon> pieces;
   View view;
   std::string title, name;
+  std::optional<Coplanar> coplanar;  // if the file says so
 };
 
 /// The order of a model's faces.
@@ -174,7 +179,7 @@ Input from_model(const VerifyArguments& a, CommandContext& context) {
   const ViewedModel viewed = context.read(a.models, a.view);
   const Model& model = viewed.model;
   if (!viewed.chosen.note.empty()) context.note(viewed.chosen.note);
-  Input in{{}, viewed.view(), viewed.chosen.title, viewed.name()};
+  Input in{{}, viewed.view(), viewed.chosen.title, viewed.name(), {}};
   for (std::size_t f = 0; f < model.polygons.size(); ++f) {
     PaintedPolygon p;
     p.face = static_cast<std::uint32_t>(f);
@@ -190,7 +195,7 @@ Input from_model(const VerifyArguments& a, CommandContext& context) {
 Input from_order(const VerifyArguments& a, const std::string& path, CommandContext& context) {
   context.progress.stage("reading");
   PaintingFile file = context.report.timed("read", [&] { return read_order(path); });
-  Input in{std::move(file.far_to_near), {}, "the file's", std::filesystem::path(path).filename().string()};
+  Input in{std::move(file.far_to_near), {}, "the file's", std::filesystem::path(path).filename().string(), file.coplanar};
   if (!asks_for_view(a.view) && file.view) {
     if (changes_view(a.view))
       throw InputError(
@@ -209,7 +214,7 @@ Input from_order(const VerifyArguments& a, const std::string& path, CommandConte
     }
     polygons.first.push_back(static_cast<std::uint32_t>(points.size()));
   }
-  const ChosenView chosen = choose_view(a.view, make_mesh(points, polygons));
+  const ChosenView chosen = choose_view(a.view, make_mesh(points, polygons), Model{});
   in.view = chosen.view;
   in.title = chosen.title;
   return in;
@@ -224,9 +229,11 @@ void run(const VerifyArguments& a, UnfinishedFiles& unfinished) {
   context.progress.stage("verify");
   VerifyOptions options;
   options.limit = a.limit;
+  const Coplanar coplanar = !a.scene.asks_for_coplanar() && in.coplanar ? *in.coplanar : a.scene.which_coplanar();
+  options.ties = coplanar;
   const Verdict verdict = context.report.timed("verify", [&] { return verify(in.pieces, in.view, options); });
   context.progress.clear();
-  const Teller teller(verdict, in.pieces);
+  const Teller teller(verdict, in.pieces, coplanar);
   if (!context.is_quiet()) teller.say();
   if (!a.output.empty())
     context.write(a.output, verdict_svg(verdict, in.pieces, in.view, {in.name, "view: " + in.title}),
@@ -246,6 +253,7 @@ void add_verify(CommandLine& command, UnfinishedFiles& unfinished) {
   options.add("-o,--output", a->output, "FILE", "A picture of the violations, .svg");
   options.add("--limit", a->limit, "N", "Violations to describe").with_default_shown();
   a->view.add_to(options);
+  a->scene.add_to(options);
   options.begin_group("Options");
   a->common.add_threads_to(options);
   a->common.add_report_to(options, "The verdict");

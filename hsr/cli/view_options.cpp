@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "geometry/error.h"
+#include "hsr/cli/model_defaults.h"
+#include "hsr/cli/stored_camera.h"
 #include "hsr/view/view.h"
 
 namespace hsr::cli {
@@ -84,7 +86,8 @@ Point3 parse_point(const std::string& option, const std::string& text) {
 
 void ViewOptions::add_to(Options& options) {
   options.begin_group("View");
-  options.add("--view", name, "NAME", "front, back, left, right, top, bottom or iso [iso]");
+  options.add("--view", name, "NAME",
+              "front, back, left, right, top, bottom or iso [iso]; camera:NAME: a camera of a glTF file");
   options.add("--eye", eye, "X,Y,Z", "Perspective from this point");
   options.add("--target", target, "X,Y,Z", "The point looked at [centre of the bounding box]");
   options.add("--direction", direction, "X,Y,Z", "Parallel view; the direction points toward the viewer");
@@ -95,24 +98,25 @@ void ViewOptions::add_to(Options& options) {
   options.add("--fov", field_of_view, "DEG",
               "Perspective: frame this angle, across the shorter side, instead of all beyond the near plane");
   options.add("--near", near, "D", "Perspective: distance of the near plane [a thousandth of eye to target]");
-  options.add("--up-axis", up_axis, "AXIS", "The model's up axis, y or z: turns the views, never the model")
-      .with_default_shown()
+  options.add("--up-axis", up_axis, "AXIS", "The model's up axis, y or z: turns the views, never the model [glTF: y, else z]")
       .one_of({"y", "z"});
 }
 
-ChosenView choose_view(const ViewOptions& o, const Mesh& mesh) {
+ChosenView choose_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
   if (static_cast<int>(!o.name.empty()) + static_cast<int>(!o.eye.empty()) + static_cast<int>(!o.direction.empty()) > 1)
     throw InputError("view: found more than one of --view, --eye and --direction, expected one");
-  if (o.eye.empty() && (o.near || o.field_of_view))
+  if (o.eye.empty() && !names_camera(o.name) && (o.near || o.field_of_view))
     throw InputError("view: found --near or --fov without --eye, expected them in perspective only: add --eye X,Y,Z");
   if (o.field_of_view && !(*o.field_of_view > 0 && *o.field_of_view < 180))
     throw InputError(fmt::format("--fov: found {}, expected degrees, more than 0 and less than 180", *o.field_of_view));
   if (o.near && !(*o.near > 0)) throw InputError(fmt::format("--near: found {}, expected a distance above 0", *o.near));
-  if (!o.oblique.empty() && !o.eye.empty())
-    throw InputError("view: found --oblique with --eye, expected it with --view or --direction: it is a parallel view");
-  const bool y_up = o.up_axis == "y";
+  if (!o.oblique.empty() && (!o.eye.empty() || names_camera(o.name)))
+    throw InputError("view: found --oblique with --eye or a camera, expected it with --direction or another --view");
+  if (names_camera(o.name)) return view_through_camera(o, mesh, model);
+  const bool y_up = up_axis_of(o.up_axis, model) == 'y';
   const Point3 target = o.target.empty() ? centre(mesh) : parse_point("--target", o.target);
   ChosenView chosen;
+  if (o.up_axis.empty() && (o.up.empty() || (o.eye.empty() && o.direction.empty()))) chosen.up_axis_note = up_axis_note(model);
   if (!o.eye.empty()) {
     const Point3 eye = parse_point("--eye", o.eye);
     if (eye == target) throw InputError("--eye: found the point looked at itself, expected another: add --target X,Y,Z");

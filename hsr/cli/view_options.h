@@ -6,6 +6,7 @@
 #include "geometry/mesh.h"
 #include "hsr/cli/command_line.h"
 #include "hsr/cli/json_value.h"
+#include "hsr/model.h"
 #include "hsr/view/view.h"
 
 namespace hsr::cli {
@@ -14,7 +15,7 @@ namespace hsr::cli {
 struct ViewOptions {
   std::string name, eye, target, direction, up, oblique;
   std::optional<double> field_of_view, near;
-  std::string up_axis = "z";
+  std::string up_axis;  ///< y or z; empty: the model's
 
   void add_to(Options& options);
 };
@@ -24,11 +25,12 @@ struct ChosenView {
   View view;
   std::string title;  ///< "iso", "direction 1,2,3", "eye 1,2,3"
   std::optional<double> field_of_view;
-  std::string note;  ///< what was chosen without being asked, or empty
+  std::string note;          ///< what was chosen without being asked, or empty
+  std::string up_axis_note;  ///< the same for the up axis
 };
 
 /// @throws InputError for values that are no view of this model
-ChosenView choose_view(const ViewOptions& options, const Mesh& mesh);
+ChosenView choose_view(const ViewOptions& options, const Mesh& mesh, const Model& model);
 
 /// As reports have it.
 JsonValue json_of(const View& view);

@@ -25,8 +25,16 @@ std::vector<Segment> segments(const SceneView& scene, const VisibleLines& lines)
       PlacedPoint from = coordinates.at(support, cuts[0]);
       for (std::uint32_t k = 0; k < line.intervals(); ++k) {
         const PlacedPoint to = coordinates.at(support, cuts[k + 1]);
-        all[first[i] + k] = {
-            from, to, line.edge_class, line.hidden(k), support.a, support.b, faces, static_cast<std::uint32_t>(i), k};
+        all[first[i] + k] = {from,
+                             to,
+                             line.edge_class,
+                             line.hidden(k),
+                             line.is_behind,
+                             support.a,
+                             support.b,
+                             faces,
+                             static_cast<std::uint32_t>(i),
+                             k};
         from = to;
       }
     }

@@ -14,6 +14,7 @@ struct Segment {
   PlacedPoint from, to;
   EdgeClass edge_class = EdgeClass::smooth;
   bool is_hidden = false;
+  bool is_behind = false;      ///< Line::is_behind: hidden by what it touches
   VertexId a, b;               ///< the edge runs from a to b; not valid: an intersection
   std::vector<FaceId> faces;   ///< at the edge, or the two of an intersection; ascending, each once
   std::uint32_t line = 0;      ///< it is a part of lines[line],
@@ -31,7 +32,8 @@ struct Segment {
 /// Exact: rounded once. Cost: O(n), parallel; rationals only where enclosures leave two doubles open.
 std::vector<Segment> segments(const SceneView& scene, const VisibleLines& lines);
 
-/// The faces that hide a part of the segment, ascending, each once; of a visible segment none.
+/// The faces that hide a part of the segment, ascending, each once; of a visible segment none. What only touches a surface from
+/// behind may have none, too.
 /// Exact: yes. Cost: that of one edge of roberts().
 std::vector<FaceId> occluders_of(const SceneView& scene, const VisibleLines& lines, const Segment& segment);
 

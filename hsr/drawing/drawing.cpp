@@ -17,6 +17,7 @@
 #include "hsr/drawing/near_lines.h"
 #include "hsr/drawing/overlay.h"
 #include "hsr/drawing/placement.h"
+#include "hsr/drawing/short_chains.h"
 #include "hsr/view/frustum.h"
 
 namespace hsr {
@@ -335,7 +336,15 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
     return std::pair(x.style, x.object) < std::pair(y.style, y.object);
   });
   Collector collector(drawing, mesh, lines, overlay);
-  for (const std::uint32_t c : order) collector.add(chains[c], chains.closed[c] != 0, distinct, of_line);
+  std::vector<std::uint8_t> is_short(chains.size(), 0);
+  if (options.min_length > 0) is_short = in_short_groups(distinct.lines, chains, options.min_length * 1000);
+  for (const std::uint32_t c : order) {
+    if (is_short[c] != 0) {
+      ++drawing.groups_dropped;
+      continue;
+    }
+    collector.add(chains[c], chains.closed[c] != 0, distinct, of_line);
+  }
   return drawing;
 }
 

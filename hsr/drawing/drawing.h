@@ -28,6 +28,8 @@ struct DrawingOptions {
   Arithmetic arithmetic = Arithmetic::staged;  ///< double_only is taken as staged
   /// Last, on the written coordinates: also leave out what runs within 0.01 mm of a stronger line; see near_lines.h.
   bool leave_out_near = false;
+  /// Millimetres: lines that are joined to one another and together shorter than this are left out, such as freckles on scans.
+  double min_length = 0;
   /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
   const FaceObjects* objects = nullptr;
 };
@@ -81,6 +83,7 @@ struct Drawing {
   std::uint64_t near_coincident = 0;  ///< lines left out within 0.01 mm of a stronger one, wholly or in part
   std::uint64_t merged = 0;           ///< joints between collinear parts that became one line
   std::uint64_t short_dropped = 0;    ///< joined lines under 0.01 mm
+  std::uint64_t groups_dropped = 0;   ///< joined lines in groups under DrawingOptions::min_length
   DecisionCounts decisions;
 
   std::span<const PaperPoint> points_of(const Polyline& p) const {

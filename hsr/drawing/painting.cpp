@@ -38,7 +38,7 @@ VisibleLines all_edges(const Mesh& mesh, const ProjectedMesh& projected) {
 std::vector<std::uint8_t> edges_of_classes(const ViewParts& parts, const LineOptions& options) {
   const ProjectedMesh& projected = parts.projected();
   std::vector<std::uint8_t> asked(parts.mesh().edges.size(), 0);
-  const EdgeClassifier classifier(projected, parts.labels(), options.crease, parts.options().coplanar);
+  const EdgeClassifier classifier(projected, parts.labels(), options);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, asked.size(), 512), [&](const Range& range) {
     Predicates exact = projected.predicates();

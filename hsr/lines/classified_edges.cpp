@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/parallel.h"
 #include "hsr/lines/edge_parts.h"
 #include "hsr/lines/near_parts.h"
@@ -21,6 +22,7 @@ struct ClassifiedEdges::Finder {
   const NearParts* near;
   TriangleOcclusion occlusion{classifier.projected()};
   std::vector<RequestedPart> parts = {};  // of edges that have several, or anything behind
+  std::vector<EdgeId> may_go_on = {};     // whole edges
 
   bool is_requested(const std::optional<EdgeClass>& c) const { return c && options.classes[static_cast<std::size_t>(*c)]; }
 
@@ -31,9 +33,10 @@ struct ClassifiedEdges::Finder {
       found = near->of_edge(occlusion, id);
     else if (has_contact)
       found = edge_parts(classifier, occlusion, id, *occluders);
-    else if (const EdgePart whole = whole_edge(classifier, occlusion, id); !whole.found.behind)
+    else if (const EdgePart whole = whole_edge(classifier, occlusion, id); !whole.found.behind) {
+      if (whole.found.may_go_on) may_go_on.push_back(id);
       return wanted(id, whole.found.seen);
-    else
+    } else
       found.push_back(whole);
     const bool is_whole = found.size() == 1;
     if (!is_whole) {
@@ -42,6 +45,7 @@ struct ClassifiedEdges::Finder {
     } else if (found.front().found.behind) {
       if (const auto c = wanted(id, found.front().found.seen)) parts.push_back({id, *c});
     }
+    if (is_whole && found.front().found.may_go_on && !found.front().found.behind) may_go_on.push_back(id);
     if (with_behind) add_behind(id, found);
     return is_whole && !found.front().found.behind ? wanted(id, found.front().found.seen) : std::nullopt;
   }
@@ -65,6 +69,31 @@ struct ClassifiedEdges::Finder {
   }
 };
 
+namespace {
+
+/// Edges that lead to a sharp one over others of their kind are sharp, too.
+void go_on(const Mesh& mesh, const std::vector<std::vector<EdgeId>>& may_go_on,
+           const std::vector<std::vector<RequestedPart>>& parts, std::vector<std::uint8_t>& edge_classes) {
+  DisjointSets chains(mesh.points.size());
+  for (const auto& block : may_go_on)
+    for (const EdgeId e : block) chains.join(mesh.edges[e].a.value, mesh.edges[e].b.value);
+  std::vector<std::uint8_t> is_sharp(mesh.points.size(), 0);  // by root
+  const auto mark = [&](EdgeId e) {
+    for (const VertexId v : {mesh.edges[e].a, mesh.edges[e].b}) is_sharp[chains.find(v.value)] = 1;
+  };
+  constexpr auto sharp = static_cast<std::uint8_t>(EdgeClass::sharp);
+  for (std::size_t e = 0; e < edge_classes.size(); ++e)
+    if (edge_classes[e] == sharp) mark(EdgeId(e));
+  for (const auto& block : parts)
+    for (const RequestedPart& p : block)
+      if (p.edge_class == EdgeClass::sharp && !p.is_behind) mark(p.edge);
+  for (const auto& block : may_go_on)
+    for (const EdgeId e : block)
+      if (is_sharp[chains.find(mesh.edges[e].a.value)] != 0) edge_classes[e.value] = sharp;
+}
+
+}  // namespace
+
 ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOptions& options, const ViewFrustum* outside,
                                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind,
                                  const NearParts* near) {
@@ -74,6 +103,7 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
   std::vector<std::uint8_t> edge_classes(mesh.edges.size(), none);
   std::vector<DecisionCounts> counts((mesh.edges.size() + edges_of_block - 1) / edges_of_block);
   std::vector<std::vector<RequestedPart>> parts(counts.size());
+  std::vector<std::vector<EdgeId>> may_go_on(counts.size());
   tbb::parallel_for(Range(0, counts.size(), 1), [&](const Range& range) {
     for (std::size_t block = range.begin(); block < range.end(); ++block) {
       Finder finder{classifier, options, occluders, with_behind, near};
@@ -85,10 +115,13 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
           edge_classes[e] = static_cast<std::uint8_t>(*c);
       }
       parts[block] = std::move(finder.parts);
+      may_go_on[block] = std::move(finder.may_go_on);
       counts[block] = finder.occlusion.exact().counts();
     }
   });
   for (const DecisionCounts& c : counts) decisions += c;
+  if (options.crease_goes_on && options.classes[static_cast<std::size_t>(EdgeClass::sharp)])
+    go_on(mesh, may_go_on, parts, edge_classes);
   edges = parallel_collect<EdgeId>(edge_classes.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e)
       if (edge_classes[e] != none) part.emplace_back(e);

@@ -89,12 +89,15 @@ PartClass EdgeClassifier::operator()(const HalfPlanes& half_planes, bool only_di
   }
   const auto seen = more_than_flat(half_planes, {nearest[0], nearest[1], front, counted});
   if (seen) return {seen, {}};
-  return {flat(nearest[0]->face, nearest[1]->face), more_than_flat(half_planes, {farthest[0], farthest[1], back, counted})};
+  const bool may_go_on = crease_.goes_on_degrees < crease_.degrees &&
+                         half_planes.deviation_from_flat(*nearest[0], *nearest[1]) > crease_.goes_on_degrees;
+  return {flat(nearest[0]->face, nearest[1]->face), more_than_flat(half_planes, {farthest[0], farthest[1], back, counted}),
+          may_go_on};
 }
 
 /// An edge of two faces on opposite sides whose angle is far enough from the crease: found without any exact sign. Nothing: to be
 /// looked at closely. Each normal is good to nine digits, and the cosine is trusted to six.
-std::optional<EdgeClass> EdgeClassifier::at_a_glance(EdgeId id) const {
+std::optional<PartClass> EdgeClassifier::at_a_glance(EdgeId id) const {
   const Edge& edge = projected_.mesh().edges[id];
   const auto triangles = projected_.mesh().triangles_at(id);
   if (triangles.size() != 2 || !edge.of_face || edge.wire) return std::nullopt;
@@ -116,17 +119,17 @@ std::optional<EdgeClass> EdgeClassifier::at_a_glance(EdgeId id) const {
   const double flatness = -dot(n[0], n[1]) / std::sqrt(square);  // the cosine of the deviation from flat
   if (flatness > crease_.cosine + 1e-6) {
     const Mesh& mesh = projected_.mesh();
-    return flat(mesh.face_of[triangles[0]], mesh.face_of[triangles[1]]);
+    return PartClass{flat(mesh.face_of[triangles[0]], mesh.face_of[triangles[1]]), {}, flatness < crease_.goes_on_cosine};
   }
-  if (flatness < crease_.cosine - 1e-6) return EdgeClass::sharp;
+  if (flatness < crease_.cosine - 1e-6) return PartClass{EdgeClass::sharp, {}};
   return std::nullopt;
 }
 
 PartClass EdgeClassifier::operator()(Predicates& exact, EdgeId id, std::span<const EdgeContact> contacts) const {
   if (exact.arithmetic() == Arithmetic::staged && contacts.empty())
-    if (const auto seen = at_a_glance(id)) return {seen, {}};
+    if (const auto found = at_a_glance(id)) return *found;
   const Edge& edge = projected_.mesh().edges[id];
-  ExactHalfPlanes half_planes(projected_, exact, edge, last_on_top_);
+  ExactHalfPlanes half_planes(projected_, exact, edge);
   for (const TriangleId t : projected_.mesh().triangles_at(id)) half_planes.add(t);
   for (const EdgeContact& c : contacts) half_planes.add(c);
   return with_wire(edge, (*this)(half_planes, edge.diagonal && !edge.of_face));

@@ -4,10 +4,10 @@
 #include <span>
 
 #include "geometry/predicates.h"
+#include "hsr/face_labels.h"
 #include "hsr/lines/crease.h"
 #include "hsr/lines/half_planes.h"
 #include "hsr/lines/line_options.h"
-#include "hsr/scene/face_labels.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/scene.h"
 
@@ -18,6 +18,8 @@ struct PartClass {
   std::optional<EdgeClass> seen;
   /// What touches the seen surface there from behind, if that makes an edge: intersection or sharp. It is hidden.
   std::optional<EdgeClass> behind;
+  /// Whether it would be sharp if it led to something sharp: it is over the second crease and not over the first.
+  bool may_go_on = false;
 
   friend bool operator==(const PartClass&, const PartClass&) = default;
 };
@@ -32,11 +34,10 @@ PartClass with_wire(const Edge& edge, PartClass found);
 class EdgeClassifier {
  public:
   /// @param labels of the faces of the mesh
-  EdgeClassifier(const ProjectedMesh& projected, const FaceLabels& labels, double crease, Coplanar coplanar)
-      : projected_(projected), labels_(labels), crease_(crease), last_on_top_(coplanar == Coplanar::last) {}
+  EdgeClassifier(const ProjectedMesh& projected, const FaceLabels& labels, const LineOptions& options)
+      : projected_(projected), labels_(labels), crease_(options.crease, options.crease_goes_on.value_or(options.crease)) {}
 
   const ProjectedMesh& projected() const { return projected_; }
-  bool last_on_top() const { return last_on_top_; }
   /// The class of an edge, or of the part of it where it has these contacts.
   PartClass operator()(Predicates& exact, EdgeId edge, std::span<const EdgeContact> contacts = {}) const;
   /// The class of a part along which these half-planes are. @param only_diagonal of a face that is cut into triangles
@@ -44,14 +45,13 @@ class EdgeClassifier {
 
  private:
   struct Around;
-  std::optional<EdgeClass> at_a_glance(EdgeId id) const;
+  std::optional<PartClass> at_a_glance(EdgeId id) const;
   std::optional<EdgeClass> more_than_flat(const HalfPlanes& half_planes, const Around& around) const;
   EdgeClass flat(FaceId left, FaceId right) const;
 
   const ProjectedMesh& projected_;
   const FaceLabels& labels_;
   Crease crease_;
-  bool last_on_top_;
 };
 
 }  // namespace hsr::internal

@@ -7,6 +7,7 @@
 #include "geometry/predicates.h"
 #include "hsr/lines/crease.h"
 #include "hsr/scene/projected_mesh.h"
+#include "hsr/scene/tie_rule.h"
 
 namespace hsr::internal {
 
@@ -45,27 +46,26 @@ class HalfPlanes {
   virtual double deviation_from_flat(const HalfPlane& x, const HalfPlane& y) const = 0;
 
  protected:
-  /// @param last_on_top of faces that coincide the one of the highest index is on top, else the one of the lowest
-  explicit HalfPlanes(bool last_on_top) : last_on_top_(last_on_top) {}
+  explicit HalfPlanes(TieRule ties) : ties_(ties) {}
 
   /// Another face in a half-plane that is known.
   void share(HalfPlane& known, FaceId other) const {
     known.is_shared = true;
-    if (last_on_top_ ? known.face < other : other < known.face) known.face = other;
+    if (ties_.is_above(other, known.face)) known.face = other;
   }
 
   std::vector<HalfPlane> all_;
 
  private:
-  bool last_on_top_;
+  TieRule ties_;
 };
 
 /// The half-planes of the faces that contain the part, told apart exactly.
 /// Cost: O(m^2) signs of degree 3 for m faces at the part, nearly always m = 2.
 class ExactHalfPlanes : public HalfPlanes {
  public:
-  ExactHalfPlanes(const ProjectedMesh& projected, Predicates& exact, const Edge& edge, bool last_on_top)
-      : HalfPlanes(last_on_top), projected_(projected), exact_(exact), edge_(edge) {}
+  ExactHalfPlanes(const ProjectedMesh& projected, Predicates& exact, const Edge& edge)
+      : HalfPlanes(projected.ties()), projected_(projected), exact_(exact), edge_(edge) {}
 
   /// A triangle that has the edge as its own.
   void add(TriangleId at_edge) {

@@ -40,6 +40,9 @@ struct LineOptions {
   /// fragments are bounded by them.
   bool diagonals = false;
   double crease = 30;  ///< degrees; edges that deviate more from flat are sharp
+  /// Degrees, at most `crease`: an edge that deviates more than this is sharp, too, if others of its kind lead from it to a sharp one,
+  /// as along a fillet whose angle hovers at the crease (hysteresis, Canny 1986). Nothing: the same as `crease`.
+  std::optional<double> crease_goes_on = {};
   /// In units of the model: for classes, an edge within this of a face or of an edge lies in it, and a face that reaches less than
   /// this away from an edge is not there. Noise of the input, not of the computation: what hides what stays exact. 0: none.
   double tolerance = 0;

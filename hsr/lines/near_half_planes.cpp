@@ -17,8 +17,8 @@ double turned(double angle) { return std::remainder(angle, 2 * std::numbers::pi)
 }  // namespace
 
 NearHalfPlanes::NearHalfPlanes(const Mesh& mesh, const View& view, const Point3& a, const Point3& b, const Point3& middle,
-                               double tolerance, bool last_on_top)
-    : HalfPlanes(last_on_top), mesh_(mesh), tolerance_(tolerance), middle_(middle), along_(unit(minus(b, a))) {
+                               double tolerance, TieRule ties)
+    : HalfPlanes(ties), mesh_(mesh), tolerance_(tolerance), middle_(middle), along_(unit(minus(b, a))) {
   const Point3& eye = view.viewpoint.at;
   const Point3 sight = unit(view.viewpoint.is_direction ? eye : minus(eye, middle));
   const double d = dot(sight, along_);

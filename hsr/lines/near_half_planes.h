@@ -17,7 +17,7 @@ class NearHalfPlanes : public HalfPlanes {
  public:
   /// @param a, b the ends of the line, not one point of the image @param middle a point of the part
   NearHalfPlanes(const Mesh& mesh, const View& view, const Point3& a, const Point3& b, const Point3& middle, double tolerance,
-                 bool last_on_top);
+                 TieRule ties);
 
   /// A triangle that contains the part, but for the tolerance.
   void add(TriangleId triangle);

@@ -59,7 +59,7 @@ std::vector<NearParts::Contact> NearParts::contacts(const Point3& a, const Point
 /// The class at a parameter of the line, by the faces that are near there; nothing: none is.
 std::optional<PartClass> NearParts::class_at(const Point3& a, const Point3& b, double at, const std::vector<Contact>& near,
                                              bool only_diagonal) const {
-  NearHalfPlanes half_planes(mesh_, view_, a, b, sum(a, at, minus(b, a)), tolerance_, classifier_.last_on_top());
+  NearHalfPlanes half_planes(mesh_, view_, a, b, sum(a, at, minus(b, a)), tolerance_, projected_.ties());
   for (const Contact& c : near)
     if (c.from <= at && at <= c.to) half_planes.add(c.triangle);
   if (half_planes.all().empty()) return std::nullopt;

@@ -93,7 +93,7 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
   const Occluders* const containing =
       intersections_ == nullptr ? nullptr
                                 : &parts_.occluders(parts_.options().hidden_lines ? Excluded::none : Excluded::hidden);
-  const EdgeClassifier classifier(projected_, parts_.labels(), options.crease, parts_.options().coplanar);
+  const EdgeClassifier classifier(projected_, parts_.labels(), options);
   std::optional<NearParts> near;
   if (options.tolerance > 0) near.emplace(classifier, parts_.view(), parts_.space_tree(), options.tolerance);
   if (near) classify_intersections(*near);
@@ -117,7 +117,7 @@ void Plan::add_ghosts() {
   const Mesh* const ghosts = parts_.mesh().ghosts.get();
   if (ghosts == nullptr) return;
   const ProjectedMesh projected(*ghosts, parts_.view(), projected_.arithmetic());
-  const EdgeClassifier classifier(projected, parts_.labels(), options_.crease, parts_.options().coplanar);
+  const EdgeClassifier classifier(projected, parts_.labels(), options_);
   requested_->add_ghosts(projected_, classifier, options_, outside_ ? &*outside_ : nullptr);
 }
 

@@ -23,9 +23,9 @@ struct Fragment {
   double nearness = 0;  // the sum over the samples of the mask
 
   double mean() const { return nearness / std::popcount(mask); }
-  bool is_before(const Fragment& other) const {
+  bool is_before(const Fragment& other, TieRule ties) const {
     const double a = mean(), b = other.mean();
-    return a != b ? a > b : facet < other.facet;
+    return a != b ? a > b : ties.is_above(facet, other.facet);
   }
 };
 
@@ -78,11 +78,11 @@ class Fragments {
 /// The light of one pixel.
 class Resolver {
  public:
-  Resolver(const Mesh& mesh, const std::vector<Colour>& colours, double opacity)
-      : mesh_(mesh), colours_(colours), opacity_(opacity) {}
+  Resolver(const Mesh& mesh, const std::vector<Colour>& colours, double opacity, TieRule ties)
+      : mesh_(mesh), colours_(colours), opacity_(opacity), ties_(ties) {}
 
   Colour operator()(std::vector<Fragment>& fragments) {
-    std::sort(fragments.begin(), fragments.end(), [](const Fragment& a, const Fragment& b) { return a.is_before(b); });
+    std::sort(fragments.begin(), fragments.end(), [&](const Fragment& a, const Fragment& b) { return a.is_before(b, ties_); });
     Light sum{};
     const auto add = [&](const Light& light, float share) {
       for (std::size_t k = 0; k < 3; ++k) sum[k] += light[k] * share;
@@ -114,12 +114,13 @@ class Resolver {
   const Mesh& mesh_;
   const std::vector<Colour>& colours_;
   double opacity_;
+  TieRule ties_;
 };
 
 }  // namespace
 
 ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
-                 double opacity) {
+                 double opacity, TieRule ties) {
   const DrawnTriangles<double> triangles(mesh, view, samples);
   Fragments made(mesh, samples);
   for (std::size_t k = 0; k < triangles.size(); ++k)
@@ -129,7 +130,7 @@ ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, 
   result.picture = Image<Colour>(samples.width, samples.height);
   result.fragments = made.lists().size();
   result.bytes = triangles.memory() + made.lists().bytes();
-  Resolver resolve(mesh, colours, opacity);
+  Resolver resolve(mesh, colours, opacity, ties);
   std::vector<Fragment> fragments;
   for (int j = 0; j < samples.height; ++j)
     for (int i = 0; i < samples.width; ++i) {

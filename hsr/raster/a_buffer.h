@@ -8,6 +8,7 @@
 #include "hsr/image.h"
 #include "hsr/model.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 
 namespace hsr::internal {
@@ -27,12 +28,12 @@ struct ABuffer {
 ///   (1) where the order of the fragments of a pixel is one order for all of it, the mean of the colours of 8 x 4 samples
 ///   (2) opaque fragments that cover a pixel end its list: what is behind them is never looked at
 ///
-/// Fragments are in the order of their mean depths; where faces pierce each other within a pixel one of them has it all.
+/// Fragments are in the order of their mean depths, of equal ones the one on top first; where faces pierce each other within a pixel one of them has it all.
 /// (Carpenter estimates shares from the range of depths; within a pixel neither is right.)
 /// @param colours of each face; its opacity is multiplied by `opacity`, 0 ... 1
 /// Exact: no. Cost: O(n + fragments log fragments); one thread, but for the corners.
 /// Source: Carpenter 1984.
 ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
-                 double opacity);
+                 double opacity, TieRule ties = {});
 
 }  // namespace hsr::internal

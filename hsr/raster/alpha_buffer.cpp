@@ -14,15 +14,15 @@ struct Layer {
   double nearness = 0;
   TriangleId triangle;
 
-  bool is_behind(const Layer& other) const {
-    return nearness != other.nearness ? nearness < other.nearness : triangle > other.triangle;
+  bool is_behind(const Layer& other, TieRule ties) const {
+    return nearness != other.nearness ? nearness < other.nearness : ties.is_above(other.triangle, triangle);
   }
 };
 
 }  // namespace
 
 AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
-                         double opacity) {
+                         double opacity, TieRule ties) {
   const DrawnTriangles<double> triangles(mesh, view, samples);
   SampleLists<Layer> lists(samples.width, samples.height);
   for (std::size_t k = 0; k < triangles.size(); ++k)
@@ -46,7 +46,7 @@ AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& s
     for (int i = 0; i < samples.width; ++i) {
       lists.copy(i, j, layers);
       result.most_layers = std::max(result.most_layers, layers.size());
-      std::sort(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.is_behind(b); });
+      std::sort(layers.begin(), layers.end(), [&](const Layer& a, const Layer& b) { return a.is_behind(b, ties); });
       Light light = white_light;
       for (const Layer& layer : layers) {
         const Colour& c = colours[mesh.face_of[layer.triangle].value];

@@ -8,6 +8,7 @@
 #include "hsr/image.h"
 #include "hsr/model.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 
 namespace hsr::internal {
@@ -25,13 +26,13 @@ struct AlphaBuffer {
 /// list of its layers; these are sorted by depth, and their colours laid over one another from far to near, on white.
 ///
 ///   (1) the colours of a painter's order (paint(), painted_order.h), to the byte, where doubles tell the layers and the depths
-///       of a sample as they are; of equal depths the lowest index is in front
+///       of a sample as they are; of equal depths the one on top is in front
 ///   (2) the same for any order of the triangles, but for equal depths
 ///
 /// @param colours of each face; its opacity is multiplied by `opacity`, 0 ... 1
 /// Exact: no. Cost: O(n + layers log layers); one thread, but for the corners.
 /// Source: Catmull 1974 names the lists that transparency needs; Porter & Duff 1984, "over".
 AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
-                         double opacity);
+                         double opacity, TieRule ties = {});
 
 }  // namespace hsr::internal

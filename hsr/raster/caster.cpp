@@ -116,7 +116,7 @@ class Tile {
       --uncovered_;
     } else if (!(low > high_[k])) {
       const Sign s = nearer(t, nearest_[k], i, j);
-      if (s == Sign::negative || (s == Sign::zero && nearest_[k] < t)) return false;
+      if (s == Sign::negative || (s == Sign::zero && projected_.ties().is_above(nearest_[k], t))) return false;
     }
     low_[k] = low;
     high_[k] = high;

@@ -25,7 +25,7 @@ struct CastImage {
 ///
 ///   (1) triangles that share an edge, and lie on both sides of it as seen, leave no sample between them and share none
 ///   (2) samples on edges are decided as if moved (samples.h); so are equal depths of triangles that cross there
-///   (3) of triangles in one plane the lowest index is seen; triangles seen edge-on are not
+///   (3) of triangles in one plane the one on top is seen (TieRule); triangles seen edge-on are not
 ///   (4) the result does not depend on the number of threads, nor the counts
 ///
 /// @throws PreconditionError if the samples are no doubles, or the viewpoint is in their plane

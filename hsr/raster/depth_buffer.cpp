@@ -263,7 +263,7 @@ DepthBuffer drawn(const Mesh& mesh, const View& view, const SampleGrid& samples,
   const auto depth_of = [&](double nearness) { return buffer.interpolated(nearness); };
   const DrawnTriangles<Real, decltype(depth_of)> triangles(mesh, view, samples, depth_of);
   for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const TriangleId t(k);
+    const TriangleId t(options.ties.from_top(k, triangles.size()));
     triangles.visit(t, [&](const auto& a, const auto& b, const auto& c) { buffer.draw(t, a, b, c); });
   }
   return std::move(buffer).result();

@@ -2,6 +2,7 @@
 
 #include "hsr/image.h"
 #include "hsr/raster/depth_format.h"
+#include "hsr/scene/tie_rule.h"
 
 namespace hsr::internal {
 
@@ -22,6 +23,7 @@ struct DepthBufferOptions {
   /// Added to each depth: steps of the format (of floats: at depth 1), and multiples of the triangle's largest slope. Above 0:
   /// farther away.
   double bias = 0, slope_bias = 0;
+  TieRule ties = {};  ///< what is on top is drawn first
 };
 
 /// A picture by a depth buffer, and the depths that it has at the end.
@@ -35,7 +37,7 @@ struct DepthBuffer {
 ///
 ///   (1) all begins at depth 1; for `greater` and `gequal`, which look for what is farthest, at 0
 ///   (2) samples nearer than the near plane or beyond the far plane are not drawn
-///   (3) with `less`, of equal depths the lowest index is shown; with `lequal` the highest
+///   (3) with `less`, of equal depths the one on top is shown; with `lequal` the lowest
 ///   (4) samples on edges as z_buffer() has them
 ///
 /// Fixed formats interpolate in doubles and round to the nearest step; the floats of 32 bits do all with floats.

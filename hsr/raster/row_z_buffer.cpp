@@ -13,13 +13,14 @@ constexpr std::uint32_t nothing = 0xffffffffU;
 template <class Real>
 class RowDrawer {
  public:
-  RowDrawer(const Mesh& mesh, const View& view, const SampleGrid& samples)
-      : triangles_(mesh, view, samples), row_(static_cast<std::size_t>(samples.width)) {
+  RowDrawer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties)
+      : triangles_(mesh, view, samples), ties_(ties), row_(static_cast<std::size_t>(samples.width)) {
     result_.image = DepthImage<Real>(samples.width, samples.height);
     first_.resize(static_cast<std::size_t>(samples.height), nothing);
     next_.resize(triangles_.size(), nothing);
-    // From the last, each in front of its bucket's list: so the lists ascend.
-    for (std::size_t k = triangles_.size(); k-- > 0;) {
+    // From the lowest, each in front of its bucket's list: so the lists begin on top.
+    for (std::size_t n = triangles_.size(); n-- > 0;) {
+      const std::size_t k = ties_.from_top(n, triangles_.size());
       int top = samples.height;
       triangles_.visit(TriangleId(k), [&](const auto& a, const auto& b, const auto& c) {
         const auto box = ScannedTriangle<Real>::box(a, b, c, samples.width, samples.height);
@@ -58,13 +59,13 @@ class RowDrawer {
     });
   }
 
-  /// Active triangles ascend: of equal depths the lowest index is shown.
+  /// Active triangles begin on top: of equal depths the first is shown.
   void activate(int j) {
     const auto before = static_cast<std::ptrdiff_t>(active_.size());
     for (std::uint32_t k = first_[static_cast<std::size_t>(j)]; k != nothing; k = next_[k])
       visit(TriangleId(k), [&](const ScannedTriangle<Real>& scanned) { active_.push_back({TriangleId(k), scanned}); });
     std::inplace_merge(active_.begin(), active_.begin() + before, active_.end(),
-                       [](const Active& a, const Active& b) { return a.triangle < b.triangle; });
+                       [&](const Active& a, const Active& b) { return ties_.is_above(a.triangle, b.triangle); });
     result_.most_active = std::max(result_.most_active, active_.size());
   }
 
@@ -81,6 +82,7 @@ class RowDrawer {
   }
 
   DrawnTriangles<Real> triangles_;
+  TieRule ties_;
   std::vector<std::uint32_t> first_;  // by row: of the triangles that begin there
   std::vector<std::uint32_t> next_;   // by triangle: the next that begins in the same row
   std::vector<Active> active_;
@@ -91,11 +93,11 @@ class RowDrawer {
 }  // namespace
 
 template <class Real>
-RowZBuffer<Real> row_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples) {
-  return RowDrawer<Real>(mesh, view, samples).drawn();
+RowZBuffer<Real> row_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties) {
+  return RowDrawer<Real>(mesh, view, samples, ties).drawn();
 }
 
-template RowZBuffer<float> row_z_buffer(const Mesh&, const View&, const SampleGrid&);
-template RowZBuffer<double> row_z_buffer(const Mesh&, const View&, const SampleGrid&);
+template RowZBuffer<float> row_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
+template RowZBuffer<double> row_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
 
 }  // namespace hsr::internal

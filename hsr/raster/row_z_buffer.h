@@ -22,9 +22,9 @@ struct RowZBuffer {
 /// Exact: no. Cost: O(n + crossings of triangles and rows + samples drawn); one thread, but for the corners.
 /// Source: Myers 1975; Rogers 1985, "scan line z-buffer".
 template <class Real>
-RowZBuffer<Real> row_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples);
+RowZBuffer<Real> row_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties = {});
 
-extern template RowZBuffer<float> row_z_buffer(const Mesh&, const View&, const SampleGrid&);
-extern template RowZBuffer<double> row_z_buffer(const Mesh&, const View&, const SampleGrid&);
+extern template RowZBuffer<float> row_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
+extern template RowZBuffer<double> row_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
 
 }  // namespace hsr::internal

@@ -38,7 +38,7 @@ struct Crossing {
 
 class Scanner {
  public:
-  explicit Scanner(const SampleGrid& samples) : width_(samples.width), height_(samples.height) {}
+  Scanner(const SampleGrid& samples, TieRule ties) : ties_(ties), width_(samples.width), height_(samples.height) {}
 
   void add_triangle(TriangleId t, Corner a, Corner b, Corner c) {
     Drawn scanned;
@@ -159,16 +159,17 @@ class Scanner {
   /// Faces that do not pierce are in one order all along the part of the row that both have; but they may meet just where it
   /// begins, and there rounding would decide. So they are compared at the end of it where they are farther apart. Equal depths
   /// are decided as those of a sample moved by (e, e^2).
-  static bool is_nearer(const Face& f, const Face& g, int i, int j) {
+  bool is_nearer(const Face& f, const Face& g, int i, int j) const {
     const int last = std::max(i, std::min(f.row_end, g.row_end) - 1);
     const double at_first = f.at(i, j) - g.at(i, j), at_last = f.at(last, j) - g.at(last, j);
     const double nearer = std::fabs(at_last) > std::fabs(at_first) ? at_last : at_first;
     if (nearer != 0) return nearer > 0;
     if (f.right != g.right) return f.right > g.right;
     if (f.down != g.down) return f.down > g.down;
-    return f.shown < g.shown;
+    return ties_.is_above(f.shown, g.shown);
   }
 
+  TieRule ties_;
   int width_, height_;
   std::vector<Face> faces_;
   std::vector<FaceEdge> edges_, active_;
@@ -197,8 +198,8 @@ std::array<double, 3> depth_plane(const Mesh& mesh, const View& view, const Samp
 
 }  // namespace
 
-Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples) {
-  Scanner scanner(samples);
+Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties) {
+  Scanner scanner(samples, ties);
   const DrawnTriangles<double> triangles(mesh, view, samples);
   for (std::size_t k = 0; k < triangles.size(); ++k)
     triangles.visit(TriangleId(k),
@@ -206,8 +207,8 @@ Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples)
   return std::move(scanner).scanned();
 }
 
-Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, const PaintersOrder& pieces) {
-  Scanner scanner(samples);
+Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, const PaintersOrder& pieces, TieRule ties) {
+  Scanner scanner(samples, ties);
   const SampleProjection<double> project(view, samples);
   std::vector<Corner> corners;
   for (const OrderedPiece& piece : pieces.pieces) {

@@ -7,6 +7,7 @@
 #include "hsr/image.h"
 #include "hsr/painter/painters_order.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 
 namespace hsr::internal {
@@ -30,14 +31,15 @@ struct Scanline {
 ///   (1) where no two triangles pierce or coincide, the depths of z_buffer<double>(), but for rounding
 ///
 /// Exact: no. Degenerate: samples on edges as z_buffer() has them; of two faces that a row shows as one line, the
-/// lowest index. Cost: O(n log n + crossings of edges and rows + samples); one thread.
+/// one on top. Cost: O(n log n + crossings of edges and rows + samples); one thread.
 /// Source: Wylie, Romney, Evans & Erdahl 1967; Bouknight 1970; Foley, van Dam, Feiner & Hughes 1990, "scan-line algorithms".
-Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples);
+Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties = {});
 
 /// The scanline algorithm on the pieces of a painter's order, which do not pierce each other since the depth sort has cut them
 /// (hsr/painter/sort/depth_sort.h). The cuts of cyclic overlaps are not needed here, and do no harm.
 ///
 ///   (2) the picture of the nearest faces, but for edges that rounding moves and depths that it ties
-Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, const PaintersOrder& pieces);
+Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, const PaintersOrder& pieces,
+                  TieRule ties = {});
 
 }  // namespace hsr::internal

@@ -107,8 +107,9 @@ class Tile {
 template <class Real>
 class TileDrawer {
  public:
-  TileDrawer(const Mesh& mesh, const View& view, const SampleGrid& samples)
+  TileDrawer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties)
       : triangles_(mesh, view, samples),
+        ties_(ties),
         columns_((samples.width + tile_size - 1) / tile_size),
         rows_((samples.height + tile_size - 1) / tile_size) {
     result_.image = DepthImage<Real>(samples.width, samples.height);
@@ -167,14 +168,16 @@ class TileDrawer {
     DepthImage<Real>& image = result_.image;
     const int left = k % columns_ * tile_size, top = k / columns_ * tile_size;
     bool is_begun = false;
-    for (const Block& block : blocks_) {
-      const auto at = static_cast<std::size_t>(k);
-      for (std::uint32_t e = block.first[at]; e < block.first[at + 1]; ++e) {
+    for (std::size_t block_place = 0; block_place < blocks_.size(); ++block_place) {
+      const Block& block = blocks_[ties_.from_top(block_place, blocks_.size())];
+      const std::uint32_t first = block.first[static_cast<std::size_t>(k)], end = block.first[static_cast<std::size_t>(k) + 1];
+      for (std::uint32_t e = 0; e < end - first; ++e) {
+        const TriangleId t = block.triangles[first + ties_.from_top(e, end - first)];
         if (!is_begun) tile.begin(left, top, std::min(tile_size, image.width - left), std::min(tile_size, image.height - top));
         is_begun = true;
-        triangles_.visit(block.triangles[e], [&](const auto& a, const auto& b, const auto& c) {
+        triangles_.visit(t, [&](const auto& a, const auto& b, const auto& c) {
           ScannedTriangle<Real> scanned;
-          if (scanned.set(a, b, c, image.width, image.height)) tile.draw(block.triangles[e], scanned);
+          if (scanned.set(a, b, c, image.width, image.height)) tile.draw(t, scanned);
         });
       }
     }
@@ -182,6 +185,7 @@ class TileDrawer {
   }
 
   DrawnTriangles<Real> triangles_;
+  TieRule ties_;
   int columns_, rows_;
   std::vector<Block> blocks_;
   TiledZBuffer<Real> result_;
@@ -190,11 +194,11 @@ class TileDrawer {
 }  // namespace
 
 template <class Real>
-TiledZBuffer<Real> tiled_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples) {
-  return TileDrawer<Real>(mesh, view, samples).drawn();
+TiledZBuffer<Real> tiled_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties) {
+  return TileDrawer<Real>(mesh, view, samples, ties).drawn();
 }
 
-template TiledZBuffer<float> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&);
-template TiledZBuffer<double> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&);
+template TiledZBuffer<float> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
+template TiledZBuffer<double> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
 
 }  // namespace hsr::internal

@@ -22,9 +22,9 @@ struct TiledZBuffer {
 /// Exact: no. Cost: O(n + entries + samples drawn).
 /// Source: Fuchs et al. 1989 (Pixel-Planes 5, regions of the screen); Molnar, Cox, Ellsworth & Fuchs 1994 (sort-middle).
 template <class Real>
-TiledZBuffer<Real> tiled_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples);
+TiledZBuffer<Real> tiled_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties = {});
 
-extern template TiledZBuffer<float> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&);
-extern template TiledZBuffer<double> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&);
+extern template TiledZBuffer<float> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
+extern template TiledZBuffer<double> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
 
 }  // namespace hsr::internal

@@ -42,23 +42,23 @@ class Drawer {
 }  // namespace
 
 template <class Real>
-DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples) {
+DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties) {
   Drawer<Real> draw(mesh, view, samples);
-  for (std::size_t k = 0; k < draw.size(); ++k) draw(TriangleId(k));
+  for (std::size_t k = 0; k < draw.size(); ++k) draw(TriangleId(ties.from_top(k, draw.size())));
   return std::move(draw).image();
 }
 
 template <class Real>
-DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples,
-                          std::span<const TriangleId> triangles) {
+DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, std::span<const TriangleId> triangles,
+                          TieRule ties) {
   Drawer<Real> draw(mesh, view, samples);
-  for (const TriangleId t : triangles) draw(t);
+  for (std::size_t k = 0; k < triangles.size(); ++k) draw(triangles[ties.from_top(k, triangles.size())]);
   return std::move(draw).image();
 }
 
-template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&);
-template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&);
-template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&, std::span<const TriangleId>);
-template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&, std::span<const TriangleId>);
+template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
+template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
+template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&, std::span<const TriangleId>, TieRule);
+template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&, std::span<const TriangleId>, TieRule);
 
 }  // namespace hsr

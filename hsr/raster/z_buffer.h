@@ -6,6 +6,7 @@
 #include "geometry/mesh.h"
 #include "hsr/image.h"
 #include "hsr/raster/samples.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -26,7 +27,7 @@ using DepthImage = Image<DepthPixel<Real>>;
 /// compared with, and that may be wrong. Each triangle beyond the near plane is drawn by scanlines; the depth at a sample is
 /// that of the triangle's plane.
 ///
-///   (1) a sample has the triangle nearest there, as exactly as Real tells; of equally near ones the lowest index
+///   (1) a sample has the triangle nearest there, as exactly as Real tells; of equally near ones the one on top
 ///   (2) a sample on an edge is decided as samples.h says, as exactly as Real tells; triangles that share an edge leave no gap
 ///       and share no sample
 ///   (3) triangles with a corner that Real cannot hold, or that is seen 2^60 samples away, are not drawn
@@ -34,14 +35,15 @@ using DepthImage = Image<DepthPixel<Real>>;
 /// Exact: no. Cost: O(n + samples drawn); one thread, but for the corners.
 /// Source: Catmull 1974.
 template <class Real>
-DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples);
+DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties = {});
 /// The z-buffer of some triangles only, such as those that culling leaves. @pre ascending
 template <class Real>
-DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, std::span<const TriangleId> triangles);
+DepthImage<Real> z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, std::span<const TriangleId> triangles,
+                          TieRule ties = {});
 
-extern template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&);
-extern template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&);
-extern template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&, std::span<const TriangleId>);
-extern template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&, std::span<const TriangleId>);
+extern template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
+extern template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);
+extern template DepthImage<float> z_buffer(const Mesh&, const View&, const SampleGrid&, std::span<const TriangleId>, TieRule);
+extern template DepthImage<double> z_buffer(const Mesh&, const View&, const SampleGrid&, std::span<const TriangleId>, TieRule);
 
 }  // namespace hsr

@@ -14,9 +14,7 @@
 #include "geometry/vector3.h"
 #include "hsr/scene/space_tree.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -32,6 +30,19 @@ double last_place(const Mesh& mesh) {
       are_floats = are_floats && static_cast<double>(static_cast<float>(p[axis])) == p[axis];
     }
   return std::ldexp(most, are_floats ? -23 : -52);
+}
+
+double largest_side(const Mesh& mesh) {
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Point3& p : mesh.points) {
+      low = std::min(low, p[axis]);
+      high = std::max(high, p[axis]);
+    }
+    largest = std::max(largest, high - low);
+  }
+  return largest;
 }
 
 /// With one digit, rounded up.
@@ -129,9 +140,9 @@ std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& far
 }  // namespace
 
 InputNoise noise_of(const Mesh& mesh) {
-  const double ulp = last_place(mesh);
-  if (!(ulp > 0)) return {};
-  const double small = 16 * ulp;
+  const double small = 16 * last_place(mesh);
+  // Far from the origin the last place may be as large as the model.
+  if (!(small > 0) || !(small < 1e-3 * largest_side(mesh))) return {};
   InputNoise noise;
   double farthest = 0;
   noise.open_edges = edges_that_close(mesh, small);
@@ -143,4 +154,4 @@ InputNoise noise_of(const Mesh& mesh) {
   return noise;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

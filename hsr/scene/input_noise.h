@@ -4,7 +4,7 @@
 
 #include "geometry/mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Signs that coordinates were rounded after the model was made: drawn exactly, such noise shows.
 struct InputNoise {
@@ -19,4 +19,4 @@ struct InputNoise {
 /// planes. Cost: O(n log n) in edges of one face, and in triangles.
 InputNoise noise_of(const Mesh& mesh);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -21,8 +21,8 @@ constexpr double u = ErrorBounded::u;
 
 }  // namespace
 
-ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arithmetic, const BitRange& others)
-    : mesh_(&mesh), arithmetic_(arithmetic) {
+ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arithmetic, const BitRange& others, TieRule ties)
+    : mesh_(&mesh), arithmetic_(arithmetic), ties_(ties) {
   // Only of the points that are used: a stray one far away must not cost the others the fast arithmetic.
   std::vector<char> is_used(mesh.points.size(), 0);
   tbb::parallel_for(Range(0, mesh.edges.size(), 4096), [&](const Range& range) {

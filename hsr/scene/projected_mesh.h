@@ -5,6 +5,7 @@
 #include "geometry/plane_filter.h"
 #include "geometry/predicates.h"
 #include "hsr/scene/box_tree.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 
 namespace hsr::internal {
@@ -29,12 +30,14 @@ using ImagePoint = Point2;
 class ProjectedMesh {
  public:
   /// @param others bit range of what else predicates and filters will meet: the samples of an image
-  ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arithmetic, const BitRange& others = {});
+  /// @param ties which of coincident faces is seen
+  ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arithmetic, const BitRange& others = {}, TieRule ties = {});
 
   const Mesh& mesh() const { return *mesh_; }
   const Viewpoint& eye() const { return eye_; }
   bool is_perspective() const { return !eye_.is_direction; }
   Arithmetic arithmetic() const { return arithmetic_; }
+  TieRule ties() const { return ties_; }
   Camera camera() const { return {eye_, target_}; }
   /// The rows that image coordinates in perspective are taken along.
   const std::array<Point3, 2>& rows() const { return row_; }
@@ -103,6 +106,7 @@ class ProjectedMesh {
 
   const Mesh* mesh_;
   Arithmetic arithmetic_, filter_arithmetic_;
+  TieRule ties_;
   IndexedVector<VertexId, Point3> points_;
   int power_ = 0;  // points are multiplied by 2^power_
   Viewpoint eye_;

@@ -7,7 +7,8 @@
 
 #include "geometry/mesh.h"
 #include "geometry/predicates.h"
-#include "hsr/scene/face_labels.h"
+#include "hsr/face_labels.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -33,12 +34,6 @@ enum class When : unsigned char { automatic, always, never };
 /// A stage that a result does without, and why; or what a stage saved.
 struct LeftOut {
   std::string stage, why;
-};
-
-/// Which of coincident faces is on top.
-enum class Coplanar : unsigned char {
-  first,  ///< the one of the lowest index, which GL_LESS leaves visible in file order
-  last,   ///< the one of the highest index, as painters lay one on the other
 };
 
 struct SceneOptions {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <mutex>
 
-#include "hsr/scene/face_labels.h"
+#include "hsr/face_labels.h"
 #include "hsr/scene/intersections.h"
 #include "hsr/scene/made_once.h"
 #include "hsr/scene/space_tree.h"

@@ -26,7 +26,7 @@ const ViewParts& ViewParts::shared() const {
 }
 
 const ProjectedMesh& ViewParts::projected() const {
-  return projected_.get([&] { return ProjectedMesh(mesh(), view_, options_.arithmetic, others_); });
+  return projected_.get([&] { return ProjectedMesh(mesh(), view_, options_.arithmetic, others_, options_.coplanar); });
 }
 
 const std::vector<ImageBox>& ViewParts::boxes() const {

@@ -295,7 +295,7 @@ void LineEnvelope::insert(const TriangleFilter& face, const Linear& of_t, const 
         choose(low, high, (at_low != Sign::zero ? at_low : at_high) == Sign::positive);
       } else if (map_.coplanar(t, part.seen)) {
         depends_on_side_ = true;
-        choose(low, high, t < part.seen);
+        choose(low, high, projected_.ties().is_above(t, part.seen));
       } else {
         depends_on_side_ |= !(is_meeting_ && meets_here(t) && meets_here(part.seen));
         choose(low, high, nearer_beside(t, part.seen) == Sign::positive);

@@ -39,7 +39,7 @@ struct SeenPart {
 /// Which triangle is visible just beside a part of a line: the lower envelope of the faces over it. One object per thread.
 ///
 /// "Just beside" settles what coincides in the image: a triangle that ends at the line is there on its own side only; of two
-/// that meet in the line the one that is nearer beside it is seen; of two in one plane the lower index.
+/// that meet in the line the one that is nearer beside it is seen; of two in one plane the one on top (TieRule).
 /// Doubles with proven bounds tell most places and depths apart; the symbols decide the others.
 /// Exact: yes. Cost: O(k m) for the k triangles that overlap the part and m parts. Source: Hart & Sharir 1986 (envelopes of
 /// segments), here of faces over a line.

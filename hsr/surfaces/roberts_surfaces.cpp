@@ -10,9 +10,9 @@
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/rings.h"
+#include "hsr/surfaces/shadow.h"
 #include "hsr/visibility_map/convex_piece.h"
 #include "hsr/visibility_map/map_predicates.h"
-#include "hsr/visibility_map/triangle_sides.h"
 
 namespace hsr::internal {
 
@@ -29,46 +29,10 @@ class Subtraction {
   MapPredicates& map() { return map_; }
 
  private:
-  bool shadow(TriangleId t, TriangleId facet, std::vector<MapHalfPlane>& half_planes);
-  void subtract(std::vector<ConvexPiece>& pieces, const std::vector<MapHalfPlane>& shadow);
-
   MapPredicates map_;
   const ProjectedMesh& projected_;
   const Occluders& occluders_;
 };
-
-/// Where t hides the facet: within t, where its plane is the nearer one, and beyond the near plane. False: nowhere, since of
-/// two in one plane the lower index is seen.
-bool Subtraction::shadow(TriangleId t, TriangleId facet, std::vector<MapHalfPlane>& half_planes) {
-  half_planes.clear();
-  const bool coplanar = map_.coplanar(t, facet);
-  if (coplanar && t > facet) return false;
-  for (std::size_t k = 0; k < 3; ++k) half_planes.push_back(side_of_triangle(projected_, t, k));
-  if (!coplanar) {
-    const MapLine meet = MapLine::meet(t, facet);
-    const Sign nearer = projected_.facing(t) * projected_.facing(facet);
-    half_planes.push_back({meet, meet.u == t.value ? nearer : -nearer});
-  }
-  if (projected_.reaches_before_near(t)) half_planes.push_back(beyond_near(projected_, t));
-  return true;
-}
-
-void Subtraction::subtract(std::vector<ConvexPiece>& pieces, const std::vector<MapHalfPlane>& shadow) {
-  std::vector<ConvexPiece> left;
-  for (ConvexPiece& piece : pieces) {
-    ConvexPiece rest = piece;
-    std::vector<ConvexPiece> outside;
-    for (const MapHalfPlane& h : shadow) {
-      if (auto part = cut(map_, rest, h)) outside.push_back(std::move(*part));
-      if (rest.points.empty()) break;
-    }
-    if (rest.points.empty())
-      left.push_back(std::move(piece));
-    else
-      std::move(outside.begin(), outside.end(), std::back_inserter(left));
-  }
-  pieces = std::move(left);
-}
 
 void Subtraction::visible_sides(TriangleId facet, std::vector<MapSide>& sides) {
   const Mesh& mesh = projected_.mesh();
@@ -84,8 +48,10 @@ void Subtraction::visible_sides(TriangleId facet, std::vector<MapSide>& sides) {
     occluders_.tree.visit(projected_.box(t), [&](std::uint32_t i) {
       const TriangleId other = occluders_.triangles[i];
       if (other >= facet && other < end) return true;
-      if (!shadow(other, facet, half_planes)) return true;
-      subtract(pieces, half_planes);
+      const bool are_coplanar = map_.coplanar(other, facet);
+      if (are_coplanar && projected_.ties().is_above(facet, other)) return true;
+      shadow_on(projected_, other, facet, are_coplanar, half_planes);
+      subtract(map_, pieces, half_planes);
       return !pieces.empty();
     });
     for (const ConvexPiece& piece : pieces)

@@ -7,7 +7,7 @@ namespace hsr {
 /// The visible part of each face: the regularised closure of its points that no other face hides, as connected regions.
 ///
 ///   (1) fragments of different faces do not overlap, and together they cover the union of all images
-///   (2) of two faces in one plane the one with the lower index is visible; a face seen edge-on has no fragment
+///   (2) of two faces in one plane the one on top (TieRule) is visible; a face seen edge-on has no fragment
 ///   (3) a face that is cut into triangles has the fragments of its triangles
 ///   (4) the result does not depend on the number of threads; roberts_surfaces(), and other stages, give the same rings, but in
 ///       each facet perhaps in another order, from another corner on, and with corners by other names

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "geometry/error.h"
+#include "geometry/mesh.h"
 
 using hsr::Model;
 
@@ -41,8 +42,19 @@ TEST_CASE("a scene has about as many triangles as its name says", "[bench][scene
   }
 }
 
+TEST_CASE("a plate is closed and planar, as one polygon and of quads", "[bench][scenes]") {
+  for (const auto& [name, faces] : {std::pair{"plate36", 36 * 16 + 6U}, {"quadplate36", 36 * 48 + 6 * 16U}}) {
+    CAPTURE(name);
+    const hsr::Model model = hsr::bench::scene(name);
+    const hsr::Mesh mesh = hsr::make_mesh(model.points, model.polygons);
+    CHECK(mesh.faces.size() == faces);
+    CHECK(std::all_of(mesh.faces.begin(), mesh.faces.end(), [](hsr::FaceUse use) { return use == hsr::FaceUse::planar; }));
+    for (std::size_t e = 0; e < mesh.edges.size(); ++e) REQUIRE(mesh.triangles_at(hsr::EdgeId(e)).size() == 2);
+  }
+}
+
 TEST_CASE("the coordinates of the scenes are float32 values", "[bench][scenes]") {
-  for (const char* name : {"knot1k", "city1k", "rand1k", "terrain1k"}) {
+  for (const char* name : {"knot1k", "city1k", "rand1k", "terrain1k", "plate100", "quadplate100"}) {
     CAPTURE(name);
     const Model model = hsr::bench::scene(name);
     CHECK(std::all_of(model.points.begin(), model.points.end(), [](const hsr::Point3& p) {

@@ -312,6 +312,27 @@ TEST_CASE("an output never takes the place of the model or of another output", "
   CHECK_FALSE(fs::exists(svg));
 }
 
+TEST_CASE("an exact order is read back", "[cli][J4]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube), order = d / "v.json";
+  for (const std::string view : {"--view iso", "--eye 3,4,5 --near 0.1"}) {
+    REQUIRE(run("order " + model + " -q --exact " + view + " -o " + order).status == 0);
+    CHECK(run("verify " + order).status == 0);
+  }
+  std::string text = contents(order);
+  const std::size_t at = text.find("\"eye\": [\"");
+  REQUIRE(at != std::string::npos);
+  text.replace(at, text.find(',', at) - at, "\"eye\": [\"1/3\"");
+  check_refused(run("verify " + write(d / "w.json", text)), {"w.json", "eye", "a double"});
+}
+
+TEST_CASE("a report on standard output is nothing but JSON", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  CHECK(json::parse(run("info " + model + " -q --report -").text)["triangles"] == 12);
+  CHECK(json::parse(run("draw " + model + " -q -o " + (d / "a.svg") + " --report -").text)["method"] == "none");
+}
+
 TEST_CASE("two names of one file are found out before it is there", "[cli]") {
   const Directory d;
   write(d / "cube.obj", cube);
@@ -635,4 +656,36 @@ TEST_CASE("an interrupt leaves no half file", "[cli]") {
     if (!interrupted) CHECK(json::parse(contents(d / "a.json"))["format"] == "hsr-lines/1");
     fs::remove(d / "a.json");
   }
+}
+
+TEST_CASE("glTF says which axis is up, what the unit is, and through which cameras to look", "[cli][R7][R15]") {
+  const Directory d;
+  // One triangle, (0,0,0) (2,0,0) (0,1,0), and two cameras: one looks along -z, one has no field of view.
+  const std::string points = "AAAAAAAAAAAAAAAAAAAAQAAAAAAAAAAAAAAAAAAAgD8AAAAA";
+  const std::string gltf = write(
+      d / "a.gltf",
+      R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}, {"name": "Street", "camera": 0, "translation": [1, 0.5, 5]}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.5}}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)" +
+          points + "\"}]}");
+  const std::string up = "hsr: note: glTF has y up by its specification: --up-axis y is the default\n";
+  const std::string metres = "hsr: note: glTF has a unit of m by its specification: --unit m is the default\n";
+  const std::string svg = d / "a.svg", start = "draw " + gltf + " -o " + svg;
+  CHECK(run(start + " --view front --scale 1:100").text ==
+        up + metres + "hsr: " + svg + ": 297 x 210 mm, scale 1:100 (10 mm per unit), 3 lines\n");
+  CHECK(run(start + " --view front --scale 1:1 --unit mm --up-axis y").text.find("note") == std::string::npos);
+  CHECK(run(start + " --view front --up-axis z").text.find("1 line") != std::string::npos);  // seen edge-on
+  const Outcome street = run(start + " --view camera:Street -o " + (d / "a.json"));
+  CHECK(street.status == 0);
+  CHECK(street.text.find("note") == std::string::npos);
+  const json view = json::parse(contents(d / "a.json"))["view"];
+  CHECK(view["eye"] == json::array({1.0, 0.5, 5.0, 1.0}));
+  CHECK(view["near"] == 0.1);  // half a unit, of the 5 to the middle of the model
+  check_refused(run(start + " --view camera:Roof"), {"\"camera:Roof\"", "\"camera:Street\""});
+  check_refused(run(start + " --view camera:Street --target 1,2,3"), {"--target"});
+  const std::string model = write(d / "cube.obj", cube);
+  check_refused(run("draw " + model + " -o " + svg + " --view camera:Street"), {"the model has no cameras"});
 }

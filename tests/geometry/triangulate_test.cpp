@@ -167,6 +167,15 @@ TEST_CASE("A polygon that runs around twice crosses itself", "[geometry][triangu
   CHECK(c.use == FaceUse::crosses_itself);
   CHECK(c.corners() == std::vector{triangle(0, 1, 3), triangle(1, 2, 3)});  // each once
 
+  for (const std::size_t turns : {2, 3, 100'000}) {  // of a triangle, whichever corner is first
+    Ring around;
+    for (std::size_t k = 0; k < 3 * turns; ++k) around.emplace_back((k + 1) % 3);
+    const Cut once = cut(square, around);
+    CHECK(once.use == FaceUse::crosses_itself);
+    CHECK(once.corners() == std::vector{triangle(0, 1, 2)});
+    CHECK(once.triangles[0].ring_sides == 7);
+  }
+
   // No corner in any ear, and still the ends overlap: a spiral of more than one turn.
   const Points spiral = {{4, 0, 0}, {0, 4, 0},  {-4, 0, 0}, {0, -4, 0}, {5, -1, 0}, {1, 5, 0},
                          {1, 6, 0}, {7, -1, 0}, {0, -6, 0}, {-6, 0, 0}, {0, 6, 0},  {6, 0, 0}};
@@ -183,7 +192,7 @@ TEST_CASE("The ears of a simple polygon are cut off lowest index first and cover
     Points points;
     Ring r;
     if (round % 4 == 0) {
-      std::tie(points, r) = star_polygon(random, 5 + round % 13);
+      std::tie(points, r) = star_polygon(random, 5 + round % 8);  // to 12 corners
     } else {
       points = grid_polygon(random, 5 + round % 4, 5);
       for (std::size_t k = 0; k < points.size(); ++k) r.emplace_back(k);

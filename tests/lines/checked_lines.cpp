@@ -109,6 +109,7 @@ std::string wrong_with(const scenes::TestScene& scene, const LineOptions& option
       chosen.why = options.why && method == LineMethod::roberts;
       SceneOptions of_scene;
       of_scene.stages.fill(stages);
+      of_scene.coplanar = stages == When::always ? Coplanar::last : Coplanar::first;
       of_scene.when(Stage::convex_body) = convex_body;
       const SceneView view(labelled, scene.view, of_scene);
       const auto lines = visible_lines(view, chosen);

@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <set>
 #include <sstream>
 
+#include "hsr/io/read/read.h"
 #include "tests/lines/checked_lines.h"
 #include "tests/lines/ink.h"
 #include "tests/oracle/exact_vector.h"
@@ -186,6 +190,39 @@ TEST_CASE("how the faces of a scene are cut changes no ink", "[lines][metamorphi
 
 TEST_CASE("how the faces of many scenes are cut changes no ink", "[lines][metamorphic][shape][.][long]") {
   check_cuts(720'000, 300);
+}
+
+/// Of every model in the directory HSR_MODELS that is small enough for rationals, from two sides.
+TEST_CASE("how the faces of models are cut changes no ink", "[lines][metamorphic][shape][.][models]") {
+  const char* const directory = std::getenv("HSR_MODELS");
+  REQUIRE(directory != nullptr);
+  int models = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
+    Labelled x;
+    try {
+      const Model model = read_model(entry.path().string());
+      if (model.polygons.size() > 1200) continue;
+      x.scene.points = model.points;
+      x.scene.polygons = model.polygons;
+      x.labels = labels_of(model);
+    } catch (const std::exception&) {
+      continue;  // no model, or one that is refused
+    }
+    x.labels.object.resize(x.scene.polygons.size(), 0);
+    x.labels.material.resize(x.scene.polygons.size(), 0);
+    ++models;
+    std::fprintf(stderr, "%s\n", entry.path().c_str());
+    for (const Point3& direction : {Point3{1, -1, 1}, Point3{0, -1, 0}}) {
+      x.scene.view = scenes::from_direction(direction);
+      const std::string ink = x.ink();
+      for (const auto& [name, way] : {std::pair<const char*, Recut>{"sides cut in three", with_cut_sides},
+                                      std::pair<const char*, Recut>{"as triangles", as_triangles}}) {
+        INFO(entry.path() << ": " << name);
+        CHECK(difference(ink, recut(x, way).ink()) == "");
+      }
+    }
+  }
+  CHECK(models > 0);
 }
 
 TEST_CASE("cutting twice changes no ink, and joining what was cut gives it back", "[lines][metamorphic][shape][C1]") {

@@ -140,7 +140,7 @@ Q twice_area_of_facet(const Mesh& mesh, const View& view, const Image& image, Tr
 
 PairOrder pair_order(const View& view, const PaintedPolygon& a, const PaintedPolygon& b) { return order_of(Image(view), a, b); }
 
-std::vector<std::string> wrong_with_order(const Mesh& mesh, const View& view, const PaintersOrder& order) {
+std::vector<std::string> wrong_with_order(const Mesh& mesh, const View& view, const PaintersOrder& order, Coplanar coplanar) {
   const Image image(view);
   std::vector<std::string> wrong;
   std::vector<PaintedPolygon> polygons;
@@ -164,7 +164,11 @@ std::vector<std::string> wrong_with_order(const Mesh& mesh, const View& view, co
       if (polygons[i].rank == polygons[k].rank) say(i, k, "pieces of one face overlap");
       if (how == PairOrder::second_behind) say(i, k, "the nearer is painted first");
       if (how == PairOrder::piercing) say(i, k, "they pierce each other");
-      if (how == PairOrder::coplanar && polygons[i].rank < polygons[k].rank) say(i, k, "the lower face is painted first");
+      const bool is_last = coplanar == Coplanar::last;
+      if (how == PairOrder::coplanar && !is_last && polygons[i].rank < polygons[k].rank)
+        say(i, k, "the lower face is painted first");
+      if (how == PairOrder::coplanar && is_last && polygons[i].rank > polygons[k].rank)
+        say(i, k, "the higher face is painted first");
     }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const TriangleId facet(t);

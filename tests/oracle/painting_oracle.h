@@ -5,6 +5,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/painter/painters_order.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 #include "tests/oracle/exact_vector.h"
 
@@ -24,6 +25,8 @@ PairOrder pair_order(const View& view, const PaintedPolygon& a, const PaintedPol
 
 /// What is wrong with a painting order, by every pair of pieces: a text for each pair that is painted the wrong way round, and
 /// for each face that its pieces do not cover exactly once. Empty: nothing.
-std::vector<std::string> wrong_with_order(const Mesh& mesh, const View& view, const PaintersOrder& order);
+/// @param coplanar which of coincident faces is painted last
+std::vector<std::string> wrong_with_order(const Mesh& mesh, const View& view, const PaintersOrder& order,
+                                          Coplanar coplanar = Coplanar::first);
 
 }  // namespace hsr::oracle

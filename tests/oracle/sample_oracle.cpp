@@ -40,7 +40,8 @@ struct Seen {
 
 }  // namespace
 
-Image<std::vector<TriangleId>> layers_at_samples(const Mesh& mesh, const View& view, const SampleGrid& grid) {
+Image<std::vector<TriangleId>> layers_at_samples(const Mesh& mesh, const View& view, const SampleGrid& grid,
+                                                 Coplanar coplanar) {
   const bool perspective = view.is_perspective();
   const Vec e(view.viewpoint.at);
   std::vector<Seen> all(mesh.triangles.size());
@@ -84,6 +85,7 @@ Image<std::vector<TriangleId>> layers_at_samples(const Mesh& mesh, const View& v
         }
         layers.emplace_back(nearness, TriangleId(t));
       }
+      if (coplanar == Coplanar::last) std::reverse(layers.begin(), layers.end());
       std::stable_sort(layers.begin(), layers.end(),
                        [](const auto& a, const auto& b) { return (a.first + Q(-1) * b.first).sign() > 0; });
       for (const auto& [nearness, t] : layers) image.at(i, j).push_back(t);
@@ -92,8 +94,8 @@ Image<std::vector<TriangleId>> layers_at_samples(const Mesh& mesh, const View& v
   return image;
 }
 
-Image<TriangleId> seen_at_samples(const Mesh& mesh, const View& view, const SampleGrid& grid) {
-  const Image<std::vector<TriangleId>> layers = layers_at_samples(mesh, view, grid);
+Image<TriangleId> seen_at_samples(const Mesh& mesh, const View& view, const SampleGrid& grid, Coplanar coplanar) {
+  const Image<std::vector<TriangleId>> layers = layers_at_samples(mesh, view, grid, coplanar);
   Image<TriangleId> image(grid.width, grid.height);
   for (std::size_t k = 0; k < image.pixels.size(); ++k)
     if (!layers.pixels[k].empty()) image.pixels[k] = layers.pixels[k].front();

@@ -44,8 +44,12 @@ Q SurfacesOracle::Segment::at(const Q& u) const {
   return from[1] + share * (to[1] - from[1]);
 }
 
-SurfacesOracle::SurfacesOracle(const Mesh& mesh, const View& view)
-    : mesh_(mesh), view_(view), parallel_(view.viewpoint.is_direction), eye_(view.viewpoint.at) {
+SurfacesOracle::SurfacesOracle(const Mesh& mesh, const View& view, Coplanar coplanar)
+    : mesh_(mesh),
+      view_(view),
+      is_last_visible_(coplanar == Coplanar::last),
+      parallel_(view.viewpoint.is_direction),
+      eye_(view.viewpoint.at) {
   // Rows that make an image without a mirror: u x v points to the viewer.
   const Vec toward = parallel_ ? eye_ : eye_ - Vec(view.target);
   axis_ = Q(-1) * toward;
@@ -162,7 +166,7 @@ TriangleId SurfacesOracle::visible_at(const Place& p) const {
       inside = sgn(cross2(piece.corners[k], piece.corners[(k + 1) % piece.corners.size()], p)) >= 0;
     if (!inside) continue;
     const Q n = piece.nearness[0] * p[0] + piece.nearness[1] * p[1] + piece.nearness[2];
-    if (!best.is_valid() || n > nearest || (n == nearest && piece.facet < best)) {
+    if (!best.is_valid() || n > nearest || (n == nearest && (is_last_visible_ ? piece.facet > best : piece.facet < best))) {
       best = piece.facet;
       nearest = n;
     }

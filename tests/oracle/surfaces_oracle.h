@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "hsr/scene/tie_rule.h"
 #include "hsr/surfaces/fragments.h"
 #include "hsr/view/view.h"
 #include "tests/oracle/exact_vector.h"
@@ -20,7 +21,8 @@ using Place = std::array<Q, 2>;
 /// left to right, between two neighbouring segments from below to above.
 class SurfacesOracle {
  public:
-  SurfacesOracle(const Mesh& mesh, const View& view);
+  /// @param coplanar which of coincident faces is visible
+  SurfacesOracle(const Mesh& mesh, const View& view, Coplanar coplanar = Coplanar::first);
 
   /// How the fragments differ from the truth: at the middle of a trapezoid, in the area or the number of the fragments of a
   /// facet, or by a ring that is none. Empty: not at all.
@@ -56,6 +58,7 @@ class SurfacesOracle {
 
   const Mesh& mesh_;
   const View& view_;
+  bool is_last_visible_;  // of coincident faces
   bool parallel_;
   Vec eye_, axis_;
   std::array<Vec, 2> rows_;

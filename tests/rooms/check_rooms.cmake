@@ -9,7 +9,7 @@ set(rooms
   "hsr geometry"             # the headers beside the rooms: model.h, image.h
   "view geometry"
   "symbols view"
-  "scene symbols"
+  "scene symbols hsr"
   "visibility_map scene"
   "lines visibility_map"
   "surfaces lines hsr"       # visible fragments are bounded by visible lines

@@ -1,3 +1,4 @@
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -31,9 +32,17 @@ class Directory {
   fs::path path_;
 };
 
+/// What the command says to standard error.
+std::string said(const std::string& arguments, const std::string& file) {
+  (void)std::system((std::string(HSR_COMMAND) + " " + arguments + " > /dev/null 2> " + file).c_str());
+  std::ostringstream s;
+  s << std::ifstream(file).rdbuf();
+  return s.str();
+}
 /// The status of the command; its output goes nowhere.
 int run(const std::string& arguments) {
-  return std::system((std::string(HSR_COMMAND) + " " + arguments + " > /dev/null 2>&1").c_str());
+  const int ended = std::system((std::string(HSR_COMMAND) + " " + arguments + " > /dev/null 2>&1").c_str());
+  return WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
 }
 std::string write(const std::string& path, const std::string& text) {
   std::ofstream(path) << text;
@@ -117,6 +126,73 @@ TEST_CASE("fills lie under the lines, in the file's colours or in greys by the s
             "property uchar green\nproperty uchar blue\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 200 10 30\n");
   REQUIRE(run("draw " + red + " --fill --view top -o " + (d / "b.svg")) == 0);
   CHECK(contents(d / "b.svg").find("fill=\"#c80a1e\"") != std::string::npos);
+}
+
+/// A grey board, and on it red and blue copper in the same plane, which cross.
+const char* const board =
+    "ply\nformat ascii 1.0\nelement vertex 12\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 3\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\n"
+    "property uchar blue\nend_header\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n1 4 0\n8 4 0\n8 5 0\n1 5 0\n4 1 0\n5 1 0\n5 8 0\n4 8 0\n"
+    "4 0 1 2 3 99 99 99\n4 4 5 6 7 200 0 0\n4 8 9 10 11 0 0 200\n";
+
+TEST_CASE("the first or the last of coincident faces is filled, as --coplanar says", "[rules][S3][S8]") {
+  const Directory d;
+  const std::string model = write(d / "board.ply", board), file = d / "a.json";
+  const auto faces = [&](const std::string& options) {
+    REQUIRE(run("draw " + model + " --view top --fill --check -o " + file + options) == 0);
+    std::vector<int> shown;
+    const json drawing = json::parse(contents(file));
+    for (const json& fragment : drawing["fragments"]) shown.push_back(fragment["face"]);
+    return shown;
+  };
+  CHECK(faces("") == std::vector{0});
+  CHECK(faces(" --coplanar first") == std::vector{0});
+  CHECK(faces(" --coplanar last") == std::vector{0, 1, 1, 2});  // the board around the cross, the red in two
+  CHECK(faces(" --coplanar last --method roberts") == std::vector{0, 1, 1, 2});
+  CHECK(run("draw " + model + " --fill -o " + file + " --coplanar upper") == 2);
+}
+
+TEST_CASE("a note counts faces under coincident ones of another colour unless told which is on top", "[rules][S9]") {
+  const Directory d;
+  const std::string model = write(d / "board.ply", board);
+  const auto notes = [&](const std::string& arguments) {
+    return said(arguments + " -o " + (d / "a.json"), d / "said").find("2 faces lie under faces of another colour") !=
+           std::string::npos;
+  };
+  CHECK(notes("draw --fill " + model));
+  CHECK(notes("order " + model));
+  CHECK_FALSE(notes("draw " + model));
+  CHECK_FALSE(notes("draw --fill --coplanar first " + model));
+  CHECK_FALSE(notes("order --coplanar last " + model));
+  CHECK_FALSE(notes("draw --fill --view front " + model));  // edge-on
+  // One colour for all: nothing to tell.
+  std::string grey = board;
+  for (const char* colour : {"200 0 0\n", "0 0 200\n"}) grey.replace(grey.find(colour), 8, "99 99 99\n");
+  CHECK_FALSE(notes("draw --fill " + write(d / "grey.ply", grey)));
+}
+
+TEST_CASE("an order of the last face says so, and is verified so", "[rules][P2][P18][P19]") {
+  const Directory d;
+  const std::string model = write(d / "board.ply", board), file = d / "a.json";
+  for (const std::string method : {"depth-sort", "bsp", "z-sort", "naive"}) {
+    const std::string order = "order " + model + " --view top --check -o " + file + " --method " + method;
+    REQUIRE(run(order) == 0);
+    CHECK_FALSE(json::parse(contents(file)).contains("coplanar"));
+    CHECK(json::parse(contents(file))["pieces"][0]["face"] == 2);
+    CHECK(run("verify " + file) == 0);
+    CHECK(run("verify --coplanar last " + file) == 1);
+    REQUIRE(run(order + " --coplanar last") == 0);
+    CHECK(json::parse(contents(file))["coplanar"] == "last");
+    CHECK(json::parse(contents(file))["pieces"][0]["face"] == 0);
+    CHECK(run("verify " + file) == 0);
+    CHECK(run("verify --coplanar first " + file) == 1);
+  }
+  // Painted in the file's order the last is on top.
+  CHECK(run("verify --view top " + model) == 1);
+  CHECK(run("verify --view top --coplanar last " + model) == 0);
+  std::string text = contents(file);
+  text.replace(text.find("\"last\""), 6, "\"none\"");
+  CHECK(run("verify " + write(d / "none.json", text)) == 2);
 }
 
 }  // namespace

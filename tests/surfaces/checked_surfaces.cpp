@@ -18,10 +18,10 @@ using namespace internal;
 namespace {
 
 /// At samples of the picture, many of them exactly on edges.
-std::string differences_to_caster(const Mesh& mesh, const View& view, const VisibleFragments& found) {
+std::string differences_to_caster(const SceneView& scene, const VisibleFragments& found) {
   try {
-    const SampleGrid grid = sample_grid(view, paper_rectangle(mesh, view), 24, 24);
-    const FragmentCheck check = check_fragments(mesh, view, found, grid);
+    const SampleGrid grid = sample_grid(scene.view(), paper_rectangle(scene.mesh(), scene.view()), 24, 24);
+    const FragmentCheck check = check_fragments(scene, found, grid);
     if (check.is_right()) return {};
     return std::to_string(check.wrong) + " samples differ from the caster, " + std::to_string(check.overlapping) + " overlap";
   } catch (const PreconditionError&) {
@@ -33,22 +33,23 @@ std::string differences_to_caster(const Mesh& mesh, const View& view, const Visi
 
 }  // namespace
 
-std::string wrong_fragments(const scenes::TestScene& scene) {
+std::string wrong_fragments(const scenes::TestScene& scene, Coplanar coplanar) {
   try {
     const Mesh mesh = scene.mesh();
-    const oracle::SurfacesOracle truth(mesh, scene.view);
+    const oracle::SurfacesOracle truth(mesh, scene.view, coplanar);
     std::string wrong;
-    const VisibleFragments reference = roberts_surfaces(mesh, scene.view);
+    const VisibleFragments reference = roberts_surfaces(SceneView(mesh, scene.view, {.coplanar = coplanar}));
     for (const std::string& line : truth.differences(reference)) wrong += "roberts: " + line + "\n";
     const std::string expected = canonical(mesh, scene.view, reference);
     for (const When stages : {When::never, When::always}) {
       SceneOptions of_scene;
       of_scene.stages.fill(stages);
+      of_scene.coplanar = coplanar;
       const SceneView view(mesh, scene.view, of_scene);
       const VisibleFragments found = visible_fragments(view);
       const std::string name = stages == When::always ? "fragments, stages" : "fragments";
       for (const std::string& line : truth.differences(found)) wrong.append(name).append(": ").append(line).append("\n");
-      const std::string seen = differences_to_caster(mesh, scene.view, found);
+      const std::string seen = differences_to_caster(view, found);
       if (!seen.empty()) wrong.append(name).append(": ").append(seen).append("\n");
       const std::string text = canonical(mesh, scene.view, found);
       if (expected != text) wrong.append("roberts:\n").append(expected).append(name).append(":\n").append(text);
@@ -94,9 +95,9 @@ std::string canonical(const Mesh& mesh, const View& view, const VisibleFragments
   return out;
 }
 
-std::string areas(const scenes::TestScene& scene) {
+std::string areas(const scenes::TestScene& scene, Coplanar coplanar) {
   const Mesh mesh = scene.mesh();
-  const VisibleFragments found = visible_fragments(mesh, scene.view);
+  const VisibleFragments found = visible_fragments(SceneView(mesh, scene.view, {.coplanar = coplanar}));
   const std::vector<Rational> of_fragment = visible_areas(mesh, scene.view, found);
   std::vector<Rational> of_face(mesh.faces.size());
   for (std::size_t k = 0; k < of_fragment.size(); ++k) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "hsr/scene/tie_rule.h"
 #include "hsr/surfaces/fragments.h"
 #include "tests/scenes/test_scene.h"
 
@@ -10,13 +11,14 @@ namespace hsr {
 
 /// What is wrong with the fragments by both methods on this scene: their differences to the oracle, or the exception. Empty:
 /// nothing.
-std::string wrong_fragments(const scenes::TestScene& scene);
+/// @param coplanar which of coincident faces is visible
+std::string wrong_fragments(const scenes::TestScene& scene, Coplanar coplanar = Coplanar::first);
 
 /// The fragments as text: for each its face and its rings of exact points in space, each ring from its smallest point on,
 /// fragments and holes ascending. Equal iff the fragments are.
 std::string canonical(const Mesh& mesh, const View& view, const VisibleFragments& fragments);
 
 /// The exact areas of the visible parts of faces, "1/2 3", where the view's frame is one of unit axes; "-" for none.
-std::string areas(const scenes::TestScene& scene);
+std::string areas(const scenes::TestScene& scene, Coplanar coplanar = Coplanar::first);
 
 }  // namespace hsr

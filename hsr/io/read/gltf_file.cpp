@@ -3,8 +3,7 @@
 
 #define TINYGLTF_IMPLEMENTATION
 #include <algorithm>
-#include <array>
-#include <cstring>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
@@ -89,12 +88,73 @@ void check_extensions(const Source& source, const Json& json) {
     if (name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression")
       source.refuse("", "found geometry compressed with " + name + ", expected it uncompressed: export it without compression");
     if (name != "KHR_mesh_quantization" && !name.starts_with("KHR_materials_") && !name.starts_with("KHR_texture_") &&
-        !name.starts_with("EXT_texture_") && name != "KHR_lights_punctual")
+        !name.starts_with("EXT_texture_") && name != "EXT_mesh_gpu_instancing" && name != "KHR_lights_punctual")
       source.refuse("", "found the required extension " + in_quotes(name) + ", expected a file that does without it");
   }
 }
 
-/// What hsr has no use for goes before the library sees it: it would decode images and could stumble over the rest.
+/// The objects of an array of the file; others in it are empty ones.
+std::vector<Json> objects_of(const Json& json, const char* name) {
+  std::vector<Json> objects;
+  const auto at = json.find(name);
+  if (at == json.end() || !at->is_array()) return objects;
+  for (const Json& o : *at) objects.push_back(o.is_object() ? o : Json::object());
+  return objects;
+}
+
+std::optional<double> positive_number(const Json& object, const char* name) {
+  const auto at = object.find(name);
+  if (at == object.end() || !at->is_number()) return {};
+  const double x = at->get<double>();
+  if (!(x > 0 && std::isfinite(x))) return {};
+  return x;
+}
+
+std::optional<std::size_t> index(const Json& object, const char* name) {
+  const auto at = object.find(name);
+  if (at == object.end() || !at->is_number_unsigned()) return {};
+  return at->get<std::size_t>();
+}
+
+std::string text(const Json& object, const char* name) {
+  const auto at = object.find(name);
+  return at != object.end() && at->is_string() ? at->get<std::string>() : std::string();
+}
+
+std::optional<GltfCamera> camera_of(const Json& json) {
+  GltfCamera camera;
+  camera.name = text(json, "name");
+  if (text(json, "type") == "orthographic") return camera;
+  const auto lens = json.find("perspective");
+  if (lens == json.end() || !lens->is_object()) return {};
+  camera.field_of_view = positive_number(*lens, "yfov");
+  camera.aspect_ratio = positive_number(*lens, "aspectRatio");
+  camera.near = positive_number(*lens, "znear");
+  if (!camera.field_of_view || *camera.field_of_view >= 3.14159) return {};
+  return camera;
+}
+
+Wrap wrap_of(const Json& sampler, const char* name) {
+  const std::optional<std::size_t> mode = index(sampler, name);
+  return mode == 33071U ? Wrap::clamp : mode == 33648U ? Wrap::mirror : Wrap::repeat;
+}
+
+/// Cameras and pictures, before they are taken out.
+void read_own(const Json& json, GltfFile& file) {
+  for (const Json& camera : objects_of(json, "cameras")) file.cameras.push_back(camera_of(camera));
+  for (const Json& image : objects_of(json, "images")) file.images.push_back({text(image, "uri"), index(image, "bufferView")});
+  const std::vector<Json> samplers = objects_of(json, "samplers");
+  for (const Json& given : objects_of(json, "textures")) {
+    GltfTexture texture{.image = index(given, "source")};
+    if (const auto sampler = index(given, "sampler"); sampler && *sampler < samplers.size()) {
+      texture.wrap_s = wrap_of(samplers[*sampler], "wrapS");
+      texture.wrap_t = wrap_of(samplers[*sampler], "wrapT");
+    }
+    file.textures.push_back(texture);
+  }
+}
+
+/// What hsr has no use for, or has read itself, goes before the library sees it: it could stumble over it.
 void take_out_unused(Json& json, std::vector<std::string>& notes) {
   if (json.contains("skins")) notes.emplace_back("skins are passed over: the model is as it was before it was posed");
   for (const char* name : {"images", "textures", "samplers", "animations", "skins", "cameras", "extensions", "extras", "asset"})
@@ -149,34 +209,6 @@ tinygltf::FsCallbacks file_callbacks() {
   return callbacks;
 }
 
-std::size_t component_size(int type) {
-  switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return 1;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return 2;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
-      return 4;
-    default:
-      return 0;
-  }
-}
-
-template <class T>
-T load(const unsigned char* p) {
-  T value;
-  std::memcpy(&value, p, sizeof(T));
-  if constexpr (std::endian::native == std::endian::big && sizeof(T) > 1) {
-    std::array<unsigned char, sizeof(T)> raw;
-    std::reverse_copy(p, p + sizeof(T), raw.begin());
-    std::memcpy(&value, raw.data(), sizeof(T));
-  }
-  return value;
-}
-
 }  // namespace
 
 bool looks_like_gltf(const Source& source) {
@@ -186,16 +218,17 @@ bool looks_like_gltf(const Source& source) {
   return first != std::string_view::npos && b[first] == '{' && b.find("\"asset\"") != std::string_view::npos;
 }
 
-tinygltf::Model load_gltf(const Source& source, std::vector<std::string>& notes) {
+GltfFile load_gltf(const Source& source, std::vector<std::string>& notes) {
   const bool is_glb = source.bytes.substr(0, 4) == "glTF";
   const Chunks chunks = is_glb ? split_glb(source) : Chunks{source.bytes, {}, 0};
   Json json = parse_json(source, chunks.json, chunks.json_at);
   check_extensions(source, json);
+  GltfFile file;
+  read_own(json, file);
   take_out_unused(json, notes);
 
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(file_callbacks());
-  tinygltf::Model model;
   std::string errors, warnings;
   bool loaded = false;
   try {
@@ -204,9 +237,9 @@ tinygltf::Model load_gltf(const Source& source, std::vector<std::string>& notes)
     std::string directory = source.beside("");
     if (directory.empty()) directory = ".";
     const auto size = static_cast<unsigned>(text.size());
-    loaded = is_glb ? loader.LoadBinaryFromMemory(&model, &errors, &warnings,
+    loaded = is_glb ? loader.LoadBinaryFromMemory(&file.model, &errors, &warnings,
                                                   reinterpret_cast<const unsigned char*>(text.data()), size, directory)
-                    : loader.LoadASCIIFromString(&model, &errors, &warnings, text.data(), size, directory);
+                    : loader.LoadASCIIFromString(&file.model, &errors, &warnings, text.data(), size, directory);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const InputError&) {
@@ -215,83 +248,32 @@ tinygltf::Model load_gltf(const Source& source, std::vector<std::string>& notes)
     errors = e.what();
   }
   if (!loaded || !errors.empty()) source.refuse("", "found glTF that is not valid, expected glTF 2.0: " + first_line(errors));
-  return model;
+  return file;
 }
 
-GltfAccessor::GltfAccessor(const Source& source, const tinygltf::Model& model, int accessor, int components,
-                           const std::string& what) {
-  const auto refuse = [&](const std::string& found, const std::string& expected) {
-    source.refuse(what, "found " + found + ", expected " + expected);
-  };
-  if (accessor < 0 || static_cast<std::size_t>(accessor) >= model.accessors.size())
-    refuse("accessor " + std::to_string(accessor), "one of " + std::to_string(model.accessors.size()));
-  const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
-  const std::string name = "accessor " + std::to_string(accessor);
-  if (a.sparse.isSparse) refuse("the sparse " + name, "one that is not sparse");
-  if (a.bufferView < 0 || static_cast<std::size_t>(a.bufferView) >= model.bufferViews.size())
-    refuse(name + " without data", "a bufferView (is the geometry compressed?)");
-  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(a.bufferView)];
-  if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model.buffers.size())
-    refuse("bufferView " + std::to_string(a.bufferView) + " of buffer " + std::to_string(view.buffer),
-           "one of " + std::to_string(model.buffers.size()) + " buffers");
-  const std::vector<unsigned char>& data = model.buffers[static_cast<std::size_t>(view.buffer)].data;
-  type_ = a.componentType;
-  normalised_ = a.normalized;
-  count_ = a.count;
-  const std::size_t component = component_size(type_);
-  const bool whole = type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-                     type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-  if (component == 0 || (components == 1 && !whole) || (components == 3 && type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT))
-    refuse(name + " of component type " + std::to_string(type_),
-           components == 1 ? "an unsigned byte, short or int" : "a float, byte or short");
-  if (a.type != (components == 1 ? TINYGLTF_TYPE_SCALAR : TINYGLTF_TYPE_VEC3))
-    refuse(name + " of another type", components == 1 ? "SCALAR" : "VEC3");
-  const std::size_t element = component * static_cast<std::size_t>(components);
-  stride_ = view.byteStride == 0 ? element : view.byteStride;
-  if (stride_ < element) refuse("a byteStride of " + std::to_string(stride_), std::to_string(element) + " or more");
-  const std::size_t room = data.size() > view.byteOffset ? std::min(view.byteLength, data.size() - view.byteOffset) : 0;
-  if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
-    refuse("bufferView " + std::to_string(a.bufferView) + " beyond its buffer of " + std::to_string(data.size()) + " bytes",
-           "one inside it");
-  if (a.byteOffset > room ||
-      (count_ != 0 && (room - a.byteOffset < element || (room - a.byteOffset - element) / stride_ < count_ - 1)))
-    refuse(name + " of " + std::to_string(count_) + " elements",
-           "no more than fit into the " + std::to_string(room) + " bytes of its bufferView");
-  data_ = data.data() + view.byteOffset + a.byteOffset;
-}
-
-std::uint32_t GltfAccessor::index(std::size_t i) const {
-  const unsigned char* const p = data_ + i * stride_;
-  switch (type_) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return *p;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return load<std::uint16_t>(p);
-    default:
-      return load<std::uint32_t>(p);
+std::optional<std::vector<unsigned char>> image_bytes(const Source& source, const GltfFile& file, const GltfImage& image) {
+  std::vector<unsigned char> bytes;
+  if (image.buffer_view) {
+    const tinygltf::Model& model = file.model;
+    if (*image.buffer_view >= model.bufferViews.size()) return {};
+    const tinygltf::BufferView& view = model.bufferViews[*image.buffer_view];
+    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model.buffers.size()) return {};
+    const std::vector<unsigned char>& data = model.buffers[static_cast<std::size_t>(view.buffer)].data;
+    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset) return {};
+    const auto first = data.begin() + static_cast<std::ptrdiff_t>(view.byteOffset);
+    bytes.assign(first, first + static_cast<std::ptrdiff_t>(view.byteLength));
+    return bytes;
   }
-}
-
-double GltfAccessor::number(std::size_t i, int c) const {
-  const unsigned char* const p = data_ + i * stride_ + static_cast<std::size_t>(c) * component_size(type_);
-  switch (type_) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: {
-      const double x = load<std::int8_t>(p);
-      return normalised_ ? std::max(x / 127, -1.0) : x;
-    }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return normalised_ ? *p / 255.0 : *p;
-    case TINYGLTF_COMPONENT_TYPE_SHORT: {
-      const double x = load<std::int16_t>(p);
-      return normalised_ ? std::max(x / 32767, -1.0) : x;
-    }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
-      const double x = load<std::uint16_t>(p);
-      return normalised_ ? x / 65535 : x;
-    }
-    default:
-      return load<float>(p);
+  if (tinygltf::IsDataURI(image.uri)) {
+    std::string type;
+    if (!tinygltf::DecodeDataURI(&bytes, type, image.uri, 0, false)) return {};
+    return bytes;
   }
+  if (image.uri.empty()) return {};
+  const std::optional<Bytes> read = read_named_file(source.beside(tinygltf::dlib::urldecode(image.uri)));
+  if (!read) return {};
+  bytes.assign(read->data.get(), read->data.get() + read->size);
+  return bytes;
 }
 
 }  // namespace hsr::internal::read

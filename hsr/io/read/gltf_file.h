@@ -8,6 +8,7 @@
 #include <tiny_gltf.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,28 +16,40 @@
 
 namespace hsr::internal::read {
 
-/// A glTF or GLB file as tiny_gltf reads it, with the buffers. Indices in it are unchecked.
-///
-/// What hsr has no use for (images, textures, samplers, animations, skins, cameras) is taken out before.
-/// @throws InputError also for files that need an extension that hides the geometry (Draco, meshopt)
-tinygltf::Model load_gltf(const Source& source, std::vector<std::string>& notes);
-
-/// The elements of an accessor, checked against its buffer.
-class GltfAccessor {
- public:
-  /// @throws InputError @param what for messages; `components` 1 for indices, 3 for positions
-  GltfAccessor(const Source& source, const tinygltf::Model& model, int accessor, int components, const std::string& what);
-
-  std::size_t size() const { return count_; }
-  std::uint32_t index(std::size_t i) const;
-  /// Component `c` of element `i`; normalised integers are divided by their largest value and rounded once.
-  double number(std::size_t i, int c) const;
-
- private:
-  const unsigned char* data_ = nullptr;
-  std::size_t stride_ = 0, count_ = 0;
-  int type_ = 0;
-  bool normalised_ = false;
+/// A camera, looking along its -z with y up. Nodes place it.
+struct GltfCamera {
+  std::string name;
+  std::optional<double> field_of_view;  ///< vertical, radians; nothing: parallel
+  std::optional<double> aspect_ratio, near;
 };
+
+/// How coordinates beyond 0 ... 1 find a texel.
+enum class Wrap { repeat, clamp, mirror };
+
+struct GltfTexture {
+  std::optional<std::size_t> image;
+  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
+};
+
+struct GltfImage {
+  std::string uri;
+  std::optional<std::size_t> buffer_view;
+};
+
+/// A glTF or GLB file: what tiny_gltf reads, with the buffers, and what hsr reads itself. Indices in it are unchecked.
+struct GltfFile {
+  tinygltf::Model model;
+  std::vector<std::optional<GltfCamera>> cameras;  ///< nothing for one that is not as it should be
+  std::vector<GltfTexture> textures;
+  std::vector<GltfImage> images;
+};
+
+/// What hsr has no use for (animations, skins) is taken out before tiny_gltf sees it, and so is what hsr reads itself: the library
+/// would refuse the file for a camera or a picture that is not as it should be.
+/// @throws InputError also for files that need an extension that hides the geometry (Draco, meshopt)
+GltfFile load_gltf(const Source& source, std::vector<std::string>& notes);
+
+/// The bytes of an image, from the file itself or beside it; nothing if they are not there.
+std::optional<std::vector<unsigned char>> image_bytes(const Source& source, const GltfFile& file, const GltfImage& image);
 
 }  // namespace hsr::internal::read

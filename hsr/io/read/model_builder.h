@@ -1,17 +1,21 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
 
+#include "hsr/io/read/corner_colours.h"
+#include "hsr/io/read/face_names.h"
 #include "hsr/io/read/source.h"
 #include "hsr/model.h"
 
 namespace hsr::internal::read {
 
-/// Puts a Model together, face by face. Colours and objects that no face uses leave no trace.
+/// Puts a Model together, face by face. Colours, objects and materials that no face uses leave no trace.
+///
+/// Faces before the first name of an object are of the object "default" (unless it is called otherwise), those before the first material of none. A face
+/// without a colour of its own has the mean colour of its corners.
 class ModelBuilder {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
@@ -34,7 +38,9 @@ class ModelBuilder {
     if (model_.polygons.corners.size() > most) too_many("corners");
     model_.polygons.first.push_back(static_cast<std::uint32_t>(model_.polygons.corners.size()));
     if (colour_ || !model_.face_colour.empty()) note_colour();
-    if (!object_name_.empty() || !model_.face_object.empty()) note_object();
+    objects_.add_face(faces());
+    groups_.add_face(faces());
+    materials_.add_face(faces());
   }
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     add_corner(a);
@@ -53,35 +59,46 @@ class ModelBuilder {
     colour_index_ = none;
   }
   /// The object of the faces that follow; the same name means the same object.
-  void set_object(std::string name) {
-    object_name_ = std::move(name);
-    object_ = none;
+  void set_object(std::string name) { objects_.set(std::move(name)); }
+  /// As set_object, but a new object: if there is one of that name already, "name [2]" and so on.
+  void start_object(std::string name) { objects_.start(std::move(name)); }
+  /// What the object of faces before the first name is called.
+  void call_first_object(std::string name) { objects_.set_fallback(std::move(name)); }
+  /// The group of the faces that follow. Groups are the objects of a file that names no object.
+  void set_group(std::string name) { groups_.set(std::move(name)); }
+  /// The material of the faces that follow; nothing: none.
+  void set_material(std::optional<std::string> name) { materials_.set(std::move(name)); }
+
+  /// Colours of points, for faces that have none of their own.
+  CornerColours& corner_colours() { return corner_colours_; }
+
+  void set_units(char up_axis, double millimetres) {
+    model_.up_axis = up_axis;
+    model_.unit = millimetres;
   }
-  /// As set_object, but a new object even if there is one of that name.
-  void start_object(std::string name) {
-    object_names_.clear();
-    set_object(std::move(name));
-  }
+  /// A camera; the second one of a name is "name [2]".
+  void add_camera(StoredCamera camera);
 
   void note(std::string text) { model_.notes.push_back(std::move(text)); }
 
+  /// @param may_be_empty nothing to draw is no mistake
   /// @throws InputError if nothing could be drawn, or there is too much of it
-  Model finish();
+  Model finish(bool may_be_empty = false);
   /// @throws InputError
   [[noreturn]] void too_many(const char* what) const;
 
  private:
   void note_colour();
-  void note_object();
+  std::uint32_t colour_number(const Colour& colour);
+  void colour_by_corners();
 
   const Source& source_;
   Model model_;
-  std::map<Colour, std::uint32_t> palette_;
+  std::unordered_map<std::uint32_t, std::uint32_t> palette_;  // by the bytes of a colour
   std::optional<Colour> colour_;
   std::uint32_t colour_index_ = none;
-  std::unordered_map<std::string, std::uint32_t> object_names_;
-  std::string object_name_;
-  std::uint32_t object_ = none;
+  CornerColours corner_colours_;
+  FaceNames objects_{"default"}, groups_{"default"}, materials_{""};
 };
 
 }  // namespace hsr::internal::read

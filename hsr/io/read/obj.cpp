@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,7 @@ class ObjReader {
     if (weights_ != 0)
       model_.note(std::to_string(weights_) + " vertices with a weight other than 1: the weights are passed over");
     if (!free_form_.empty()) model_.note("curves and surfaces (" + free_form_ + ") are passed over");
+    if (textured_) model_.note("textures (map_Kd) are passed over: faces have the colour of their material");
     if (!unknown_.empty()) model_.note("statements that OBJ does not have are passed over, the first: " + unknown_);
     return model_.finish();
   }
@@ -62,9 +64,19 @@ class ObjReader {
     const double z = text_.number(coordinate);
     model_.add_point(x, y, z);
     if (text_.at_line_end()) return;
-    // A fourth number is the weight, unless more follow: then they are a colour.
-    const double w = text_.number("a weight, a colour or the end of the line");
-    if (text_.at_line_end() && w != 1) ++weights_;
+    // A fourth number is the weight, unless more follow: three, or four with an opacity, are a colour.
+    std::array<double, 4> more = {text_.number("a weight, a colour or the end of the line")};
+    if (text_.at_line_end()) {
+      if (more[0] != 1) ++weights_;
+      return;
+    }
+    std::size_t n = 1;
+    for (; n < more.size(); ++n) {
+      const std::optional<double> next = text_.number_if_any();
+      if (!next) break;
+      more[n] = *next;
+    }
+    if (n >= 3) model_.corner_colours().set(model_.points().size() - 1, more.data(), 3);
   }
 
   /// The vertex at the scanner; passes over /vt/vn.
@@ -113,25 +125,43 @@ class ObjReader {
     if (n < 2) text_.refuse(start, "a line of " + std::to_string(n) + (n == 1 ? " vertex" : " vertices"), "2 or more");
   }
 
-  void read_other(std::string_view keyword, const char* start) {
-    if (keyword == "fo") {  // an old word for f
+  void read_other(std::string_view word, const char* start) {
+    std::string keyword(word);  // in capitals, too
+    std::transform(keyword.begin(), keyword.end(), keyword.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    if (keyword == "v") {
+      read_vertex();
+    } else if (keyword == "f" || keyword == "fo") {  // an old word for f
       read_face();
     } else if (keyword == "l") {
       read_polyline();
     } else if (keyword == "o" || keyword == "g") {
-      const std::string_view name = text_.rest_of_line();
-      model_.set_object(name.empty() ? "default" : std::string(name));
+      std::string name = text_.rest_of_joined_lines();
+      if (name.empty()) name = "default";
+      keyword == "o" ? model_.set_object(std::move(name)) : model_.set_group(std::move(name));
     } else if (keyword == "usemtl") {
-      model_.set_colour(materials_.colour(text_.rest_of_line()));
+      read_material();
     } else if (keyword == "mtllib") {
       std::vector<std::string> notes;
-      materials_.load(source_, text_.rest_of_line(), notes);
+      materials_.load(source_, text_.rest_of_joined_lines(), notes);
       for (std::string& note : notes) model_.note(std::move(note));
     } else if (is_one_of(keyword, free_form)) {
       if (free_form_.empty()) free_form_ = keyword;
     } else if (!is_one_of(keyword, silent)) {
-      if (unknown_.empty()) unknown_ = "line " + std::to_string(text_.line_of(start)) + ", " + in_quotes(keyword);
+      if (unknown_.empty()) unknown_ = "line " + std::to_string(text_.line_of(start)) + ", " + in_quotes(word);
     }
+  }
+
+  /// Without a name: the faces that follow have no material.
+  void read_material() {
+    const std::string line = text_.rest_of_joined_lines();
+    const std::string_view name = without_quotes(line);
+    if (name.empty())
+      model_.set_material({});
+    else
+      model_.set_material(std::string(name));
+    model_.set_colour(materials_.colour(name));
+    textured_ = textured_ || materials_.is_textured(name);
   }
 
   void check_forward_references() const {
@@ -154,6 +184,7 @@ class ObjReader {
   std::size_t weights_ = 0;
   std::string free_form_;
   std::string unknown_;
+  bool textured_ = false;
 };
 
 }  // namespace

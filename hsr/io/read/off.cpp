@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -18,15 +19,21 @@ namespace {
 
 constexpr TextScanner::Syntax off_syntax = {.comment = '#', .continuation = false};
 
-/// The keyword: [ST][C][N][4][n]OFF in any order of the letters.
+/// The keyword: [ST][C][N][4][n]OFF in any order of the letters. Where OFF is not in capitals none of the letters' cases counts.
 struct Keyword {
+  std::string name;
   bool texture = false, colour = false, normal = false, four = false, n_dimensional = false;
 };
 
-std::optional<Keyword> parse_keyword(std::string_view word) {
-  if (word.size() < 3 || word.size() > 8 || word.substr(word.size() - 3) != "OFF") return {};
-  Keyword k;
-  for (std::string_view letters = word.substr(0, word.size() - 3); !letters.empty();) {
+std::optional<Keyword> parse_keyword(std::string_view given) {
+  if (given.size() < 3 || given.size() > 8) return {};
+  std::string word(given);
+  if (!word.ends_with("OFF"))
+    std::transform(word.begin(), word.end(), word.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+  if (!word.ends_with("OFF")) return {};
+  Keyword k{.name = word};
+  for (std::string_view letters = std::string_view(word).substr(0, word.size() - 3); !letters.empty();) {
     const std::size_t used = letters.substr(0, 2) == "ST" ? 2 : 1;
     bool* const flag = used == 2           ? &k.texture
                        : letters[0] == 'C' ? &k.colour
@@ -48,6 +55,21 @@ std::optional<Colour> face_colour(const double* c, std::size_t n) {
   Colour colour = {0, 0, 0, 255};
   for (std::size_t i = 0; i < n; ++i) colour[i] = colour_byte(fractions ? c[i] : c[i] / 255);
   return colour;
+}
+
+/// The numbers behind the coordinates of a vertex, as far as they are numbers: normal, colour, texture.
+void read_more(TextScanner& text, const Keyword& keyword, ModelBuilder& model) {
+  std::array<double, 9> more;
+  std::size_t n = 0;
+  while (n < more.size()) {
+    const std::optional<double> x = text.number_if_any();
+    if (!x) break;
+    more[n++] = *x;
+  }
+  const std::size_t before = keyword.normal ? 3 : 0, behind = keyword.texture ? 2 : 0;
+  if (keyword.colour && n >= before + 3 + behind)
+    model.corner_colours().set(model.points().size() - 1, more.data() + before, std::min<std::size_t>(n - before - behind, 4));
+  text.next_line();
 }
 
 struct Counts {
@@ -99,7 +121,7 @@ Model read_text(const Source& source, TextScanner& text, const Keyword& keyword,
     }
     model.add_point(c[0], c[1], c[2]);
     if (more_on_line)
-      text.next_line();
+      read_more(text, keyword, model);
     else if (!text.at_line_end())
       text.refuse_here("the end of the line after 3 coordinates (colours need COFF, normals NOFF)");
   }
@@ -150,7 +172,13 @@ Model read_binary(const Source& source, std::size_t first_byte, const Keyword& k
       if (!std::isfinite(x)) bytes.refuse_vertex(v, x);
     }
     model.add_point(c[0], c[1], c[2]);
-    bytes.skip(stride - 12);
+    if (keyword.normal) bytes.skip(12);
+    if (keyword.colour) {
+      double rgba[4];
+      for (double& x : rgba) x = bytes.get<float>();
+      model.corner_colours().set(v, rgba, 4);
+    }
+    if (keyword.texture) bytes.skip(8);
   }
   std::size_t without_area = 0;
   for (std::uint64_t f = 0; f < counts.faces; ++f) {
@@ -192,23 +220,21 @@ Model read_off(const Source& source) {
   const char* const start = text.position();
   const std::string_view word = text.word();
   std::optional<Keyword> keyword = parse_keyword(word);
-  std::string format(word);
   if (!keyword) {
     // The keyword may be left out; then the counts come first.
     if (word.find_first_not_of("0123456789") != std::string_view::npos) text.refuse(start, "OFF, COFF, NOFF, ...");
-    keyword = Keyword{};
-    format = "OFF";
+    keyword = Keyword{.name = "OFF"};
     text.move_to(start);
   }
   if (keyword->four) text.refuse(start, "a format with 3 coordinates (4OFF has 4)");
   if (keyword->n_dimensional) text.refuse(start, "a format with 3 coordinates (nOFF has a number of its own)");
   const char* const after = text.position();
-  if (text.word() == "BINARY") {
+  if (const std::string_view next = text.word(); next == "BINARY" || next == "binary" || next == "Binary") {
     text.next_line();
-    return read_binary(source, text.offset(), *keyword, format);
+    return read_binary(source, text.offset(), *keyword, keyword->name);
   }
   text.move_to(after);
-  return read_text(source, text, *keyword, format);
+  return read_text(source, text, *keyword, keyword->name);
 }
 
 }  // namespace hsr::internal::read

@@ -25,6 +25,7 @@ class OrderReader {
       source_.refuse("format", "found " + shown(file, "format") + ", expected \"hsr-order/1\"");
     PaintingFile out;
     if (file.contains("view")) out.view = view(file["view"]);
+    if (file.contains("coplanar")) out.coplanar = coplanar(file["coplanar"]);
     if (!file.contains("pieces") || !file["pieces"].is_array())
       source_.refuse("pieces", "found " + shown(file, "pieces") + ", expected a list");
     for (const Json& piece : file["pieces"]) {
@@ -43,7 +44,14 @@ class OrderReader {
                               ", expected " + expected);
   }
 
+  /// A view is doubles; an exact file writes them as "p/q".
   double number(const Json& x, const std::string& where) const {
+    if (x.is_string()) {
+      const Rational exact = coordinate(x, where);
+      const double value = exact.to_double();
+      if (!std::isfinite(value) || (Rational(value) - exact).sign() != Sign::zero) refuse(where, x, "a number that a double holds");
+      return value;
+    }
     if (!x.is_number()) refuse(where, x, "a number");
     const auto value = x.get<double>();
     if (!std::isfinite(value)) refuse(where, x, "a finite number");
@@ -89,6 +97,12 @@ class OrderReader {
       out.frame = {point(f, "origin"), point(f, "right"), point(f, "up")};
     }
     return out;
+  }
+
+  Coplanar coplanar(const Json& x) const {
+    if (x == "first") return Coplanar::first;
+    if (x == "last") return Coplanar::last;
+    refuse("coplanar", x, "\"first\" or \"last\"");
   }
 
   PaintedPolygon polygon(const Json& piece, const std::string& where) const {

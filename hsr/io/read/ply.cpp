@@ -23,6 +23,11 @@ class AsciiRows {
   AsciiRows(const Source& source, std::size_t body) : text_(source, {}, body) {}
 
   void begin_row(const std::string& element, std::uint64_t row, std::uint64_t count) {
+    while (text_.skip_lines() && *text_.position() == 'c') {
+      const char* const at = text_.position();
+      if (text_.word() != "comment") text_.refuse(at, "a number, or a comment");
+      text_.next_line();
+    }
     if (!text_.skip_lines()) text_.refuse_here(element + " " + std::to_string(row) + " of " + std::to_string(count));
   }
   void end_row() {
@@ -177,10 +182,12 @@ struct ColourProperties {
   }
 };
 
-std::uint8_t channel_byte(PlyScalar type, double x) {
-  const double whole = is_float(type) ? 1 : size_of(type) == 1 ? 255 : size_of(type) == 2 ? 65535 : 4294967295.0;
-  return colour_byte(x / whole);
+/// The largest value of a channel.
+double whole_of(PlyScalar type) {
+  return is_float(type) ? 1 : size_of(type) == 1 ? 255 : size_of(type) == 2 ? 65535 : 4294967295.0;
 }
+
+std::uint8_t channel_byte(PlyScalar type, double x) { return colour_byte(x / whole_of(type)); }
 
 template <class Rows>
 class PlyReader {
@@ -226,6 +233,9 @@ class PlyReader {
 
   void read_vertices(const PlyElement& e) {
     const std::array<int, 3> xyz = {e.find("x", false), e.find("y", false), e.find("z", false)};
+    const ColourProperties colours(e);
+    const std::size_t channels = !colours.is_complete() ? 0 : colours.index[3] >= 0 ? 4 : 3;
+    std::array<double, 4> colour = {};
     model_.points().reserve(vertices_);  // the header's counts fit into the file
     for (std::uint64_t v = 0; v < vertices_; ++v) {
       rows_.begin_row(e.name, v, vertices_);
@@ -234,7 +244,11 @@ class PlyReader {
         const PlyProperty& p = e.properties[static_cast<std::size_t>(i)];
         const auto axis = std::find(xyz.begin(), xyz.end(), i);
         if (axis == xyz.end()) {
-          rows_.skip(p);
+          const int channel = channels == 0 ? -1 : colours.channel(i);
+          if (channel < 0)
+            rows_.skip(p);
+          else
+            colour[static_cast<std::size_t>(channel)] = corner_channel(p.type);
           continue;
         }
         const double x = rows_.scalar(p.type);
@@ -243,7 +257,16 @@ class PlyReader {
       }
       rows_.end_row();
       model_.add_point(c[0], c[1], c[2]);
+      if (channels != 0) model_.corner_colours().set(v, colour.data(), channels);
     }
+  }
+
+  /// The next scalar: of a whole type in bytes, else as it is.
+  double corner_channel(PlyScalar type) {
+    const double x = rows_.scalar(type);
+    if (is_float(type)) return x;
+    model_.corner_colours().are_bytes();
+    return size_of(type) == 1 ? x : x / (whole_of(type) / 255);
   }
 
   std::uint32_t vertex(const PlyElement& e, std::uint64_t row, std::int64_t i) {

@@ -10,8 +10,8 @@ void TextScanner::skip_comment() {
 
 void TextScanner::next_line() {
   while (!is_line_end(p_)) {
-    if (syntax_.continuation && at_continuation(p_)) {
-      p_ += p_[1] == '\r' && p_[2] == '\n' ? 3 : 2;
+    if (const char* const next = continued(p_)) {
+      p_ = next;
     } else if (syntax_.comment != '\0' && *p_ == syntax_.comment && p_ != begin_ && is_blank(p_[-1])) {
       skip_comment();
     } else {
@@ -28,6 +28,29 @@ std::string_view TextScanner::rest_of_line() {
   const char* stop = p_;
   while (stop != start && is_blank(stop[-1])) --stop;
   return {start, static_cast<std::size_t>(stop - start)};
+}
+
+std::string TextScanner::rest_of_joined_lines() {
+  std::string text;
+  for (;;) {
+    std::string_view part = rest_of_line();
+    const bool goes_on =
+        syntax_.continuation && !part.empty() && part.back() == '\\' && (part.size() == 1 || is_blank(part[part.size() - 2]));
+    if (goes_on) part.remove_suffix(1);
+    while (!part.empty() && is_blank(part.back())) part.remove_suffix(1);
+    if (!text.empty() && !part.empty()) text += ' ';
+    text += part;
+    if (!goes_on || p_ == end_) return text;
+    p_ += *p_ == '\r' && p_[1] == '\n' ? 2 : 1;
+  }
+}
+
+const char* TextScanner::behind_backslash(const char* p) const {
+  do ++p;
+  while (is_blank(*p));
+  if (!is_line_end(p)) return nullptr;
+  if (p == end_) return p;
+  return p + (*p == '\r' && p[1] == '\n' ? 2 : 1);
 }
 
 std::size_t TextScanner::line_of(const char* p) const {

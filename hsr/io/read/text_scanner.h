@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,8 +14,8 @@ namespace hsr::internal::read {
 /// Goes once through a text, word by word and line by line; what does not fit is refused with its line.
 ///
 /// Lines end with LF, CR LF or CR. Words are separated by blanks. With Syntax::comment set, that character at the begin of a
-/// word makes the rest of the line a comment; with Syntax::continuation, a backslash right before the line's end joins two
-/// lines. Lines are not counted on the way: an error counts them then.
+/// word makes the rest of the line a comment; with Syntax::continuation, a backslash joins two lines if
+/// only blanks follow it on its own. Lines are not counted on the way: an error counts them then.
 class TextScanner {
  public:
   struct Syntax {
@@ -39,8 +40,9 @@ class TextScanner {
   void skip_blanks() {
     for (;;) {
       while (is_blank(*p_)) ++p_;
-      if (!syntax_.continuation || !at_continuation(p_)) return;
-      p_ += p_[1] == '\r' && p_[2] == '\n' ? 3 : 2;
+      const char* const next = continued(p_);
+      if (next == nullptr) return;
+      p_ = next;
     }
   }
   /// Skips blanks. @returns true if nothing more is on this line
@@ -71,12 +73,23 @@ class TextScanner {
   }
   /// What is left of this line, without the blanks around it; comments and continuations are not looked for.
   std::string_view rest_of_line();
+  /// The same, where a backslash that stands alone at the end of the line joins the next one to it. One behind a word belongs to
+  /// the word: names of materials are paths at times.
+  std::string rest_of_joined_lines();
 
   /// The finite number that is the next word of this line. @param expected for the message
   double number(const char* expected) {
     if (at_line_end()) refuse(p_, expected);
     const ScannedDecimal scanned = scan_decimal(p_, end_);
     if (scanned.status != Decimal::number || !is_delimiter(scanned.end)) refuse_number(scanned.status, expected);
+    p_ = scanned.end;
+    return scanned.value;
+  }
+  /// The same, if the next word of this line is one; does not move otherwise, but for blanks.
+  std::optional<double> number_if_any() {
+    if (at_line_end()) return {};
+    const ScannedDecimal scanned = scan_decimal(p_, end_);
+    if (scanned.status != Decimal::number || !is_delimiter(scanned.end)) return {};
     p_ = scanned.end;
     return scanned.value;
   }
@@ -104,9 +117,7 @@ class TextScanner {
   }
 
   /// Does a word end before `p`?
-  bool is_delimiter(const char* p) const {
-    return is_blank(*p) || is_line_end(p) || (syntax_.continuation && at_continuation(p));
-  }
+  bool is_delimiter(const char* p) const { return is_blank(*p) || is_line_end(p) || continued(p) != nullptr; }
 
   std::size_t line() const { return line_of(p_); }
   std::size_t line_of(const char* p) const;
@@ -127,7 +138,9 @@ class TextScanner {
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   // A NUL in the text is an ordinary character, the one behind the text is not.
   bool is_line_end(const char* p) const { return *p == '\n' || *p == '\r' || (*p == '\0' && p == end_); }
-  static bool at_continuation(const char* p) { return *p == '\\' && (p[1] == '\n' || p[1] == '\r'); }
+  /// Where the line goes on that is continued at `p`; nullptr if none is.
+  const char* continued(const char* p) const { return *p == '\\' && syntax_.continuation ? behind_backslash(p) : nullptr; }
+  const char* behind_backslash(const char* p) const;
   void skip_comment();
   [[noreturn]] void refuse_number(Decimal status, const char* expected) const;
 

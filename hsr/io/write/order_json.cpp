@@ -54,7 +54,7 @@ void append_piece(std::string& out, const Mesh& mesh, const View& view, const Pa
 
 }  // namespace
 
-std::string order_json(const Mesh& mesh, const View& view, const PaintersOrder& order, Numbers numbers) {
+std::string order_json(const Mesh& mesh, const View& view, const PaintersOrder& order, Numbers numbers, Coplanar coplanar) {
   constexpr std::size_t chunk = 1024;
   std::vector<std::string> parts((order.pieces.size() + chunk - 1) / chunk);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
@@ -63,7 +63,9 @@ std::string order_json(const Mesh& mesh, const View& view, const PaintersOrder& 
       append_piece(parts[p], mesh, view, order, order.pieces[i], numbers);
     }
   });
-  std::string out = "{\"format\": \"hsr-order/1\", \"view\": " + view_json(view, numbers) + ", \"pieces\": [\n";
+  std::string out = "{\"format\": \"hsr-order/1\", \"view\": " + view_json(view, numbers);
+  if (coplanar == Coplanar::last) out += ", \"coplanar\": \"last\"";
+  out += ", \"pieces\": [\n";
   for (const std::string& part : parts) out += part;
   out += "\n]}\n";
   return out;

@@ -81,6 +81,12 @@ class EyeSide {
   Predicates exact_;
 };
 
+/// The pieces first ... end - 1 of a node are coplanar, their facets ascend: the one that comes k-th from the top, counted from
+/// `first`.
+std::uint32_t coplanar(std::uint32_t first, std::uint32_t end, std::uint32_t k, TieRule ties) {
+  return first + static_cast<std::uint32_t>(ties.from_top(k - first, end - first));
+}
+
 /// Visits the pieces of nodes from far to near, those of one node as a range. The sides of all planes are asked first, in the
 /// order of memory: on the way through the tree each would be waited for.
 template <class Nodes, class Visit>
@@ -117,15 +123,14 @@ void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
 
 }  // namespace
 
-void BspTree::walk(const View& view, std::vector<std::uint32_t>& far_to_near) const {
+void BspTree::walk(const View& view, std::vector<std::uint32_t>& far_to_near, TieRule ties) const {
   far_to_near.clear();
   const BspNodes& tree = *nodes_;
   if (tree.nodes.empty()) return;
   far_to_near.reserve(tree.pieces.size());
   const EyeSide side_of(*tree.mesh, view, tree.bit_range, tree.filters);
   walk_far_to_near(tree.nodes, side_of, [&](std::uint32_t first, std::uint32_t end) {
-    // Of coplanar pieces the higher facet comes first.
-    for (std::uint32_t k = end; k-- > first;) far_to_near.push_back(k);
+    for (std::uint32_t k = end; k-- > first;) far_to_near.push_back(coplanar(first, end, k, ties));
   });
 }
 
@@ -229,7 +234,7 @@ PaintersOrder BspTree::order(const SceneView& scene) const {
   const EyeSide side_of(*tree.mesh, scene.view(), tree.bit_range, tree.filters);
   walk_far_to_near(tree.nodes, side_of, [&](std::uint32_t first, std::uint32_t end) {
     for (std::uint32_t k = end; k-- > first;) {
-      const OrderedPiece& p = tree.pieces[k];
+      const OrderedPiece& p = tree.pieces[coplanar(first, end, k, projected.ties())];
       ring.clear();
       for (std::uint32_t c = p.first_corner; c < p.end_corner; ++c) ring.push_back(tree.corner(tree.corners[c]));
       writer.append(p.facet, ring);

@@ -40,7 +40,7 @@ class BspTree {
   /// @pre the scene is of the mesh that the tree was built of
   PaintersOrder order(const SceneView& scene) const;
   /// The numbers of the pieces far to near, those of faces seen edge-on included: the walk alone. Cost: some ns a piece.
-  void walk(const View& view, std::vector<std::uint32_t>& far_to_near) const;
+  void walk(const View& view, std::vector<std::uint32_t>& far_to_near, TieRule ties = {}) const;
 
   std::size_t nodes() const;
   std::size_t depth() const;

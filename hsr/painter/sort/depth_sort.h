@@ -48,8 +48,8 @@ struct DepthSortOptions {
 /// each other are cut along their intersection; then, where the relations have cycles, only faces in these are cut: at a side
 /// of a neighbour that parts what is painted earlier from what is painted later, and where that leads nowhere at planes.
 ///
-///   (1) along every line of sight through the interiors of two pieces the farther comes first; of coplanar ones the higher
-///       face
+///   (1) along every line of sight through the interiors of two pieces the farther comes first; of coplanar ones the one
+///       on top (TieRule)
 ///   (2) the pieces of a face cover it exactly once, beyond the near plane; faces seen edge-on have none
 ///   (3) a face that is in no cycle and pierces none is one piece, if it is convex
 ///   (4) the result does not depend on the number of threads

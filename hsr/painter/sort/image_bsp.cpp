@@ -109,9 +109,10 @@ std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<Piec
       }
     }
     if (far.empty() && near.empty()) {
-      // Coplanar pieces: of two that overlap the higher facet comes first.
+      // Coplanar pieces: of two that overlap the one on top comes last.
+      const TieRule ties = map.projected().ties();
       std::stable_sort(in_plane.begin(), in_plane.end(),
-                       [](const PieceOfFacet& x, const PieceOfFacet& y) { return x.facet > y.facet; });
+                       [&](const PieceOfFacet& x, const PieceOfFacet& y) { return ties.is_above(y.facet, x.facet); });
       std::move(in_plane.begin(), in_plane.end(), std::back_inserter(done));
       continue;
     }

@@ -165,7 +165,7 @@ Overlap Overlaps::relation(const PieceOfFacet& a, const PieceOfFacet& b) {
   const Sides of_a = sides(a, b, true);
   if (!of_a.nearer && !of_a.farther) {
     ++counts_.coplanar;
-    return a.facet > b.facet ? Overlap::first_behind : Overlap::second_behind;
+    return projected_.ties().is_above(b.facet, a.facet) ? Overlap::first_behind : Overlap::second_behind;
   }
   if (of_a.nearer != of_a.farther) {
     ++counts_.planes;

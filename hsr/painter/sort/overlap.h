@@ -53,7 +53,7 @@ struct PieceOfFacet {
 
 /// The relation of pieces by the tests of Newell, Newell & Sancha, each exact. One object per thread.
 ///
-/// Of coplanar pieces that overlap the one of the higher facet is painted first. Touching is no overlap. Where corners are
+/// Of coplanar pieces that overlap the one on top (TieRule) is painted last. Touching is no overlap. Where corners are
 /// known within bounds that settle a sign, doubles decide; the symbols decide the others. Exact: yes. Cost: some signs of
 /// degree 3 mostly. Source: Newell, Newell & Sancha 1972.
 class Overlaps {

@@ -117,7 +117,7 @@ std::optional<Overlap> WholeOverlaps::relation(std::uint32_t piece) {
   const Sides of_second = sides(first_, second_);
   if (!of_second.nearer && !of_second.farther) {
     ++counts_.coplanar;
-    return first_.facet > second_.facet ? Overlap::first_behind : Overlap::second_behind;
+    return projected_.ties().is_above(second_.facet, first_.facet) ? Overlap::first_behind : Overlap::second_behind;
   }
   if (of_second.nearer != of_second.farther) {
     ++counts_.planes;

@@ -40,8 +40,9 @@ PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
         add(p.is_vertex ? projected.point(p.vertex) : map.point(p, pieces.facet[i]).p);
     places.push_back({key == DepthKey::centroid ? sum / static_cast<double>(corners) : farthest, i});
   }
-  std::sort(places.begin(), places.end(),
-            [](const Place& x, const Place& y) { return x.depth != y.depth ? x.depth > y.depth : x.piece > y.piece; });
+  std::sort(places.begin(), places.end(), [&](const Place& x, const Place& y) {
+    return x.depth != y.depth ? x.depth > y.depth : projected.ties().is_above(y.piece, x.piece);
+  });
   for (const Place& p : places) append(projected, pieces, p.piece, order);
   return order;
 }

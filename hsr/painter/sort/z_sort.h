@@ -11,7 +11,7 @@ enum class DepthKey : unsigned char { centroid, farthest_vertex };
 /// What most software does: whole faces sorted by the depth of one point of each, in doubles. The order may be wrong: `hsr
 /// verify` shows where.
 ///
-/// The farthest comes first; of equally far ones the higher face. Convex faces are one piece, others their triangles.
+/// The farthest comes first; of equally far ones the one on top last (TieRule). Convex faces are one piece, others their triangles.
 /// Exact: no. Cost: O(n log n).
 PaintersOrder z_sort(const SceneView& scene, DepthKey key);
 /// Of a scene that nothing else looks at.

@@ -160,8 +160,8 @@ std::optional<PartPair> Verifier::relation(PaintedSides& sides, std::uint32_t i,
   if (!pair.is_coplanar) return pair;
   const auto &f = all_[polygon_of(i)].face, &g = all_[polygon_of(k)].face;
   if (!f || !g) return pair;  // nothing says which comes first
-  pair.is_right = *f > *g;
-  pair.is_wrong = *f < *g;
+  pair.is_right = options_.ties.is_above(*g, *f);
+  pair.is_wrong = options_.ties.is_above(*f, *g);
   pair.is_twice = *f == *g;
   return pair;
 }

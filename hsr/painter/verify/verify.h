@@ -16,7 +16,7 @@ namespace hsr {
 
 /// A polygon of a painting order by anyone: corners in space, exactly.
 struct PaintedPolygon {
-  std::optional<std::uint32_t> face;  ///< of coplanar ones that overlap the higher comes first
+  std::optional<std::uint32_t> face;  ///< of coplanar ones that overlap the one on top comes last (TieRule)
   std::vector<std::array<Rational, 3>> corners;
 };
 
@@ -31,7 +31,7 @@ struct Witness {
 enum class Fault : std::uint8_t {
   order,          ///< the one that is painted later is nowhere nearer
   piercing,       ///< each is nearer somewhere: no order of the two is right
-  coplanar,       ///< where they are in one plane, the one of the higher face is painted later
+  coplanar,       ///< where they are in one plane, the one of the face on top is painted earlier
   covered_twice,  ///< two pieces of one face, in one plane
 };
 
@@ -71,6 +71,7 @@ std::vector<PaintedPolygon> painted_polygons(const SceneView& scene, const Paint
 
 struct VerifyOptions {
   std::size_t limit = 10;  ///< violations to describe
+  TieRule ties = {};       ///< of coplanar faces
 };
 
 /// Whether painting the polygons in this order shows, along every line of sight through the interiors of two images, the nearer
@@ -79,7 +80,7 @@ struct VerifyOptions {
 /// By every pair whose images overlap, exactly; it shares no code with what sorts. Touching is no overlap. A polygon that is
 /// not planar, or not convex, is judged by its triangles (docs/conventions.md, "Faces as used").
 ///
-///   (1) the first of coplanar polygons that overlap has the higher face; polygons without a face have no order that is wrong
+///   (1) the last of coplanar polygons that overlap has the face on top; polygons without a face have no order that is wrong
 ///   (2) what the near plane cuts off is removed first; a polygon that is seen edge-on is passed over
 ///   (3) the same verdict for any number of threads
 ///

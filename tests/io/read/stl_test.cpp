@@ -44,7 +44,7 @@ TEST_CASE("STL: several solids are objects, in any case of letters", "[read][stl
   const std::string t = facet("0 0 0", "1 0 0", "0 1 0");
   const Model m = read_model("a.stl", "SOLID left part\n" + t + "ENDSOLID\n\nsolid\n" + t + t +
                                           "endsolid\r\nsolid left part\n" + t + "endsolid left part");
-  CHECK(m.objects == std::vector<std::string>{"left part", "solid 2", "left part"});
+  CHECK(m.objects == std::vector<std::string>{"left part", "solid 2", "left part [2]"});
   CHECK(m.face_object == std::vector<std::uint32_t>{0, 1, 1, 2});
   CHECK(m.points.size() == 3);
 }
@@ -70,7 +70,7 @@ TEST_CASE("STL: what does not fit is refused", "[read][stl]") {
             .find("expected 214748364834 for 4294967295 triangles") != std::string::npos);
   CHECK(refusal("a.stl", binary_stl({0, 0, 0, 1, 0, 0, 1, 1, std::numeric_limits<float>::infinity()})) ==
         "a.stl: face 0: found infinity, expected a finite coordinate");
-  CHECK(refusal("a.stl", "solid a\n" + t) == "a.stl: line 9: found the end of the file, expected facet or endsolid");
+  CHECK(refusal("a.stl", "solid a\n" + t + "facets") == "a.stl: line 9: found the end of the file, expected outerloop");
   CHECK(refusal("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 blah\n") ==
         "a.stl: line 4: found \"blah\", expected a coordinate");
   CHECK(refusal("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n") ==

@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+#include "hsr/drawing/drawing.h"
+#include "hsr/scene/input_noise.h"
+#include "tests/scenes/test_scene.h"
+
+// Noise of the input: with a tolerance a drawing is that of the model without the noise.
+
+namespace hsr {
+
+namespace {
+
+using internal::InputNoise;
+using internal::noise_of;
+using scenes::TestScene;
+
+void add_box(TestScene& scene, const Point3& a, const Point3& b) {
+  const auto n = static_cast<std::uint32_t>(scene.points.size());
+  for (int k = 0; k < 8; ++k)
+    scene.points.push_back({(k & 1) != 0 ? b.x : a.x, (k & 2) != 0 ? b.y : a.y, (k & 4) != 0 ? b.z : a.z});
+  using Side = std::array<std::uint32_t, 4>;
+  for (const Side& f :
+       {Side{0, 2, 3, 1}, Side{4, 5, 7, 6}, Side{0, 1, 5, 4}, Side{2, 6, 7, 3}, Side{0, 4, 6, 2}, Side{1, 3, 7, 5}})
+    scene.add_face({n + f[0], n + f[1], n + f[2], n + f[3]});
+}
+
+/// A slab, two walls on it that meet, a column that touches the underside, a beam through a wall, and a step beside the slab.
+TestScene building() {
+  TestScene scene;
+  add_box(scene, {0, 0, 0}, {10, 6, 0.3});
+  add_box(scene, {0, 0, 0.3}, {10, 0.4, 3});
+  add_box(scene, {0, 0.4, 0.3}, {0.4, 6, 2.5});
+  add_box(scene, {2, 2, -3}, {2.5, 2.5, 0});
+  add_box(scene, {4, -1, 2}, {4.3, 3, 2.3});
+  add_box(scene, {10, 1, 0}, {11, 4, 0.3});
+  scene.view = parallel_view({1, -1, 1}, {0, 0, 1});
+  return scene;
+}
+
+Point3 turned(const Point3& p, double degrees) {
+  const double angle = degrees * 3.14159265358979323846 / 180, c = std::cos(angle), s = std::sin(angle);
+  return {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+}
+
+struct Segment {
+  bool hidden;
+  EdgeClass edge_class;
+  std::array<PaperPoint, 2> ends;
+};
+
+/// What is drawn with hidden lines.
+std::vector<Segment> drawn(const TestScene& scene, double tolerance) {
+  const Mesh mesh = make_mesh(scene.points, scene.polygons, tolerance);
+  LineOptions options;
+  options.tolerance = tolerance;
+  DrawingOptions page;
+  page.hidden = HiddenLines::dashed;
+  page.leave_out_near = true;
+  const Drawing drawing = draw(mesh, scene.view, visible_lines(mesh, scene.view, options), page);
+  std::vector<Segment> all;
+  for (const Polyline& line : drawing.polylines) {
+    const auto points = drawing.points_of(line);
+    for (std::size_t k = 0; k + (line.closed ? 0 : 1) < points.size(); ++k) {
+      std::array<PaperPoint, 2> ends = {points[k], points[(k + 1) % points.size()]};
+      if (std::pair(ends[1].x, ends[1].y) < std::pair(ends[0].x, ends[0].y)) std::swap(ends[0], ends[1]);
+      all.push_back({line.hidden, line.edge_class, ends});
+    }
+  }
+  return all;
+}
+
+double distance(const PaperPoint& p, const std::array<PaperPoint, 2>& ends) {
+  const auto x = [](std::int64_t v) { return static_cast<double>(v); };
+  const double dx = x(ends[1].x - ends[0].x), dy = x(ends[1].y - ends[0].y);
+  const double square = dx * dx + dy * dy;
+  const double t = square > 0 ? std::clamp((x(p.x - ends[0].x) * dx + x(p.y - ends[0].y) * dy) / square, 0.0, 1.0) : 0;
+  return std::hypot(x(p.x - ends[0].x) - t * dx, x(p.y - ends[0].y) - t * dy);
+}
+
+/// The segments of one that are not inked in the same style in the other, within 0.01 mm, and the other way round, wherever either is
+/// cut. Empty: they are alike.
+std::string difference(const std::vector<Segment>& x, const std::vector<Segment>& y) {
+  std::ostringstream text;
+  const auto look_for = [&](const char* sign, const std::vector<Segment>& some, const std::vector<Segment>& others) {
+    for (const Segment& s : some) {
+      constexpr int steps = 64;
+      bool is_inked = true;
+      for (int k = 0; k <= steps; ++k) {
+        const PaperPoint p = {s.ends[0].x + (s.ends[1].x - s.ends[0].x) * k / steps,
+                              s.ends[0].y + (s.ends[1].y - s.ends[0].y) * k / steps};
+        is_inked = is_inked && std::any_of(others.begin(), others.end(), [&](const Segment& t) {
+                     return s.hidden == t.hidden && s.edge_class == t.edge_class && distance(p, t.ends) <= 10;
+                   });
+      }
+      if (is_inked) continue;
+      text << sign << (s.hidden ? " hidden " : " visible ") << edge_class_names[static_cast<std::size_t>(s.edge_class)];
+      for (const PaperPoint& p : s.ends) text << " " << p.x << "," << p.y;
+      text << "\n";
+    }
+  };
+  look_for("-", x, y);
+  look_for("+", y, x);
+  return text.str();
+}
+
+TEST_CASE("a building turned by any angle is one drawing, with a tolerance", "[drawing][tolerance][T1][T2]") {
+  const TestScene straight = building();
+  const auto expected = drawn(straight, 0);
+  REQUIRE(expected.size() > 40);
+  CHECK(difference(expected, drawn(straight, 1e-9)) == "");
+  int noisy = 0;
+  for (const double degrees : {37.0, 11.0, 73.0, 122.5, 300.1}) {
+    TestScene scene = straight;
+    for (Point3& p : scene.points) p = turned(p, degrees);
+    scene.view = parallel_view(turned({1, -1, 1}, degrees), {0, 0, 1});
+    const InputNoise noise = noise_of(scene.mesh());
+    INFO(degrees << " degrees, tolerance " << noise.tolerance);
+    CHECK(noise.near_planes > 0);
+    for (const double tolerance : {noise.tolerance, 1e-9}) CHECK(difference(expected, drawn(scene, tolerance)) == "");
+    noisy += difference(expected, drawn(scene, 0)).empty() ? 0 : 1;
+  }
+  CHECK(noisy > 0);  // it is the tolerance that mends them
+}
+
+TEST_CASE("a building on a national grid is one drawing, with a tolerance", "[drawing][tolerance][T1]") {
+  const TestScene straight = building();
+  const auto expected = drawn(straight, 0);
+  TestScene moved = straight;
+  for (Point3& p : moved.points) p = {p.x + 453'219.173, p.y + 5'412'007.961, p.z + 112.37};
+  CHECK(difference(expected, drawn(moved, noise_of(moved.mesh()).tolerance)) == "");
+  CHECK(difference(expected, drawn(moved, 1e-7)) == "");
+}
+
+/// Every face has points of its own, each moved by some units in the last place of a float.
+TestScene noisy(const TestScene& scene) {
+  TestScene soup;
+  soup.view = scene.view;
+  std::uint32_t random = 12345;
+  for (std::size_t f = 0; f < scene.polygons.size(); ++f) {
+    std::vector<Point3> corners;
+    for (const std::uint32_t k : scene.polygons[f]) {
+      const auto moved = [&](double x) {
+        random = random * 1'664'525U + 1'013'904'223U;
+        const auto steps = static_cast<double>(random >> 16U) / 65'536 - 0.5;
+        return static_cast<double>(static_cast<float>(x + steps * 1e-6));
+      };
+      const Point3& p = scene.points[k];
+      corners.push_back({moved(p.x), moved(p.y), moved(p.z)});
+    }
+    // Triangles, as a file of them has it.
+    soup.add_face({corners[0], corners[1], corners[2]});
+    soup.add_face({corners[0], corners[2], corners[3]});
+  }
+  return soup;
+}
+
+TEST_CASE("a file of noisy triangles is drawn as the clean one, with a tolerance", "[drawing][tolerance][T1][T3]") {
+  TestScene clean = building();
+  for (Point3& p : clean.points) p = {std::round(p.x * 8) / 8, std::round(p.y * 8) / 8, std::round(p.z * 8) / 8};
+  const TestScene noisy_scene = noisy(clean);
+  const InputNoise noise = noise_of(noisy_scene.mesh());
+  CHECK(noise.open_edges > 100);
+  CHECK(noise_of(clean.mesh()).tolerance == 0);
+  CHECK(difference(drawn(clean, 0), drawn(noisy_scene, noise.tolerance)) == "");
+  CHECK(difference(drawn(clean, 0), drawn(noisy_scene, 0)) != "");
+}
+
+}  // namespace
+}  // namespace hsr
