@@ -287,8 +287,8 @@ void DrawCommand::note_noise() {
   if (noise.near_planes > 0)
     signs += fmt::format("{}{} faces would lie in one plane with a face that they touch", signs.empty() ? "" : ", ",
                          noise.near_planes);
-  context_.note(fmt::format("{}: {} within {}: --tolerance {} takes it for noise", scene_.model.name, signs, noise.tolerance,
-                            noise.tolerance));
+  context_.note(fmt::format("{}: {} within {:g}: --tolerance {:g} takes it for noise", scene_.model.name, signs,
+                            noise.tolerance, noise.tolerance));
 }
 
 void DrawCommand::find_lines() {
