@@ -45,6 +45,7 @@ std::string with_dashes(const std::string& message) {
 int main(int argc, char** argv) {
   hsr::cli::reserve_standard_streams();
   hsr::cli::limit_memory_to_what_there_is();
+  hsr::cli::keep_freed_memory();
   clears_line = isatty(STDERR_FILENO) != 0;
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);

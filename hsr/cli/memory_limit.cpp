@@ -1,6 +1,9 @@
 #include "hsr/cli/memory_limit.h"
 
 #include <fmt/format.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
 
@@ -75,6 +78,13 @@ void limit_memory_to_what_there_is() {
   if (!limits || bytes == unknown || getrlimit(RLIMIT_DATA, &limit) != 0) return;
   limit.rlim_cur = std::min(limit.rlim_cur, bytes + stack * std::max(1U, std::thread::hardware_concurrency()));
   setrlimit(RLIMIT_DATA, &limit);
+}
+
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0);  // large arrays of their own mapping would be given back at once
+  mallopt(M_TRIM_THRESHOLD, -1);
+#endif
 }
 
 std::string out_of_memory() {

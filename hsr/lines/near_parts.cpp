@@ -19,38 +19,10 @@ double length_of(const Point3& a) {
 
 }  // namespace
 
-/// The part of the line that is within the tolerance of a triangle; false: none that is longer than the tolerance.
-bool NearParts::clip(const Point3& a, const Point3& b, double length, Contact& contact) const {
-  const auto& c = mesh_.triangles[contact.triangle];
-  const Point3 p[3] = {mesh_.points[c[0]], mesh_.points[c[1]], mesh_.points[c[2]]};
-  const Point3 normal = unit(cross(unit(minus(p[1], p[0])), unit(minus(p[2], p[0]))));
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point3 inward = unit(cross(normal, minus(p[(k + 1) % 3], p[k])));
-    const double at_a = dot(minus(a, p[k]), inward) + tolerance_, at_b = dot(minus(b, p[k]), inward) + tolerance_;
-    if (at_a < 0 && at_b < 0) return false;
-    if (at_a >= 0 && at_b >= 0) continue;
-    const double t = at_a / (at_a - at_b);
-    if (at_a < 0 && t > contact.from) {
-      contact.from = t;
-      contact.side_from = k;
-    }
-    if (at_b < 0 && t < contact.to) {
-      contact.to = t;
-      contact.side_to = k;
-    }
-  }
-  if (!((contact.to - contact.from) * length > 2 * tolerance_)) return false;
-  const double off_a = dot(minus(a, p[0]), normal), off_b = dot(minus(b, p[0]), normal);
-  const auto off = [&](double t) { return std::fabs(off_a + t * (off_b - off_a)); };
-  return off(contact.from) <= tolerance_ && off(contact.to) <= tolerance_;
-}
-
 std::vector<NearParts::Contact> NearParts::contacts(const Point3& a, const Point3& b) const {
   std::vector<Contact> all;
-  const double length = length_of(minus(b, a));
   triangles_.visit_near(a, b, tolerance_, [&](TriangleId t) {
-    Contact contact{t};
-    if (clip(a, b, length, contact)) all.push_back(contact);
+    if (const auto contact = near_contact(mesh_, t, a, b, tolerance_)) all.push_back({*contact, t});
   });
   std::sort(all.begin(), all.end(), [](const Contact& x, const Contact& y) { return x.triangle < y.triangle; });
   return all;

@@ -6,6 +6,7 @@
 #include "hsr/lines/edge_classifier.h"
 #include "hsr/lines/edge_parts.h"
 #include "hsr/lines/triangle_occlusion.h"
+#include "hsr/scene/near_contact.h"
 #include "hsr/scene/space_tree.h"
 #include "hsr/symbols/intersection.h"
 
@@ -33,15 +34,10 @@ class NearParts {
   PartClass of_intersection(const Point3& from, const Point3& to) const;
 
  private:
-  /// A triangle near a part of a line, and the part, in parameters from 0 to 1. Where it does not go on to the end of the line it
-  /// ends at one of the triangle's sides.
-  struct Contact {
+  struct Contact : NearContact {
     TriangleId triangle;
-    double from = 0, to = 1;
-    std::size_t side_from = 3, side_to = 3;
   };
   std::vector<Contact> contacts(const Point3& a, const Point3& b) const;
-  bool clip(const Point3& a, const Point3& b, double length, Contact& contact) const;
   std::optional<PartClass> class_at(const Point3& a, const Point3& b, double at, const std::vector<Contact>& near,
                                     bool only_diagonal) const;
   void add_place(TriangleOcclusion& occlusion, EdgeId edge, TriangleId triangle, std::size_t side, double at, double length,

@@ -1,7 +1,6 @@
 #include "hsr/scene/box_tree.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <bit>
@@ -99,24 +98,33 @@ std::vector<std::uint32_t> hilbert_order(std::span<const ImageBox> boxes) {
   if (boxes.empty()) return {};
   const std::array<Spread, 2> spreads = {spread_of(boxes, 0), spread_of(boxes, 1)};
   struct Place {
-    std::uint32_t along;
-    float nearest;
-    std::uint32_t box;
-    bool operator<(const Place& o) const {
-      return along != o.along ? along < o.along : nearest != o.nearest ? nearest > o.nearest : box < o.box;
-    }
+    std::uint32_t along, box;
   };
-  std::vector<Place> places(boxes.size());
+  std::vector<Place> places(boxes.size()), sorted(boxes.size());
   tbb::parallel_for(Range(0, boxes.size(), 4096), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const auto c = centre(boxes[i]);
-      places[i] = {along_hilbert_curve(spreads[0].cell(c[0]), spreads[1].cell(c[1])), boxes[i].nearest,
-                   static_cast<std::uint32_t>(i)};
+      places[i] = {along_hilbert_curve(spreads[0].cell(c[0]), spreads[1].cell(c[1])), static_cast<std::uint32_t>(i)};
     }
   });
-  tbb::parallel_sort(places.begin(), places.end());
+  // By eleven bits at a time, the lowest first.
+  constexpr unsigned bits = 11, digits = 1U << bits;
+  for (unsigned shift = 0; shift < 32; shift += bits) {
+    std::vector<std::uint32_t> first(digits + 1, 0);
+    for (const Place& p : places) ++first[(p.along >> shift & (digits - 1)) + 1];
+    for (std::size_t d = 1; d < first.size(); ++d) first[d] += first[d - 1];
+    for (const Place& p : places) sorted[first[p.along >> shift & (digits - 1)]++] = p;
+    places.swap(sorted);
+  }
   std::vector<std::uint32_t> order(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) order[i] = places[i].box;
+  for (std::size_t i = 0; i < places.size();) {
+    const std::size_t begin = i;
+    for (; i < places.size() && places[i].along == places[begin].along; ++i) order[i] = places[i].box;
+    // Of one place they ascend by index so far.
+    if (i - begin > 1)
+      std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(begin), order.begin() + static_cast<std::ptrdiff_t>(i),
+                       [&](std::uint32_t a, std::uint32_t b) { return boxes[a].nearest > boxes[b].nearest; });
+  }
   return order;
 }
 

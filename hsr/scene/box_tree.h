@@ -47,8 +47,17 @@ class BoxTree {
   struct PairSearch {
     std::uint32_t parent = 0xffffffffU;
     bool is_shared = false;  // the parents serve all of its leaves: there are not too many
-    std::vector<std::uint32_t> parents, leaves;
+    std::vector<std::uint32_t> parents;
+    /// Which boxes of this leaf touch the box around another one, and which of that one touch the box around this.
+    struct Leaf {
+      std::uint32_t leaf;
+      unsigned ours, theirs;
+    };
+    std::vector<Leaf> leaves;
+    std::vector<std::uint32_t> found;  // instead, for one box
   };
+
+  static constexpr std::size_t width = 8;  ///< boxes of a leaf, at most
 
   BoxTree() = default;
   explicit BoxTree(std::span<const ImageBox> boxes);
@@ -77,7 +86,18 @@ class BoxTree {
   /// Calls f(i, k) for every two boxes that touch (any: in the image), the one in this leaf and the other later in the tree:
   /// each pair once, over all leaves. @param search serves leaf after leaf
   template <Depth depth = Depth::touching, class F>
-  void visit_pairs(std::uint32_t leaf, PairSearch& search, F&& f) const;
+  void visit_pairs(std::uint32_t leaf, PairSearch& search, F&& f) const {
+    visit_pairs_by_leaf<depth>(leaf, search, [&](std::size_t k, std::uint32_t other, unsigned hit) {
+      for (; hit != 0; hit &= hit - 1)
+        f(order_[leaf * width + k], order_[other * width + static_cast<unsigned>(__builtin_ctz(hit))]);
+    });
+  }
+  /// The same pairs, a leaf at a time: f(k, other, bits), box k of this leaf touches those of the other leaf whose bits are set.
+  template <Depth depth = Depth::touching, class F>
+  void visit_pairs_by_leaf(std::uint32_t leaf, PairSearch& search, F&& f) const;
+  /// How many boxes a leaf has, and which is the one at a place of it.
+  std::size_t leaf_size(std::uint32_t leaf) const { return std::min(width, order_.size() - leaf * width); }
+  std::uint32_t box_at(std::uint32_t leaf, std::size_t k) const { return order_[leaf * width + k]; }
   /// False: f returned false.
   template <Depth depth, class F>
   bool visit_leaf(std::uint32_t leaf, const ImageBox& query, F&& f) const {
@@ -87,7 +107,6 @@ class BoxTree {
   }
 
  private:
-  static constexpr std::size_t width = 8;
   /// Eight sibling boxes, the nearest first, a coordinate at a time.
   struct alignas(32) Node {
     std::array<std::array<float, width>, 2> low, high;
@@ -200,7 +219,7 @@ bool BoxTree::nodes(const ImageBox& query, std::uint32_t wanted, std::size_t lim
 }
 
 template <BoxTree::Depth depth, class F>
-void BoxTree::visit_pairs(std::uint32_t leaf, PairSearch& search, F&& f) const {
+void BoxTree::visit_pairs_by_leaf(std::uint32_t leaf, PairSearch& search, F&& f) const {
   constexpr std::size_t limit = 64, none = 0xffffffffU;
   const bool has_parents = level_begin_.size() > 1;
   const auto parent = static_cast<std::uint32_t>(leaf / width);
@@ -209,30 +228,40 @@ void BoxTree::visit_pairs(std::uint32_t leaf, PairSearch& search, F&& f) const {
     search.parents.clear();
     search.is_shared = !has_parents || nodes<depth>(united(nodes_[level_begin_[1] + parent]), 1, limit, search.parents, leaf);
   }
-  // The leaves from this one on that may have anything.
-  const auto find = [&](const ImageBox& query) {
-    search.leaves.clear();
-    if (!has_parents || !search.is_shared) {
-      leaves<depth>(query, none, search.leaves, leaf);
-      return;
-    }
-    for (const std::uint32_t p : search.parents)
-      for (unsigned hit = overlaps<depth>(nodes_[level_begin_[1] + p], query); hit != 0; hit &= hit - 1) {
-        const std::uint32_t other = child(level_begin_[1] + p, p, static_cast<std::uint32_t>(__builtin_ctz(hit)));
-        if (other >= leaf) search.leaves.push_back(other);
-      }
+  const auto add = [&](std::uint32_t other, unsigned ours, const ImageBox& query) {
+    const unsigned theirs = overlaps<depth>(nodes_[other], query);
+    if (ours != 0 && theirs != 0) search.leaves.push_back({other, ours, theirs});
   };
-  if (search.is_shared) find(united(nodes_[leaf]));
-  const std::size_t count = std::min(width, order_.size() - leaf * width);
+  // The leaves from this one on that may have anything.
+  const std::size_t count = leaf_size(leaf);
+  if (search.is_shared) {
+    search.leaves.clear();
+    const ImageBox query = united(nodes_[leaf]);
+    if (!has_parents) add(leaf, (1U << count) - 1, query);
+    for (const std::uint32_t p : search.parents) {
+      const Node& node = nodes_[level_begin_[1] + p];
+      for (unsigned hit = overlaps<depth>(node, query); hit != 0; hit &= hit - 1) {
+        const auto m = static_cast<std::uint32_t>(__builtin_ctz(hit));
+        const std::uint32_t other = child(level_begin_[1] + p, p, m);
+        if (other >= leaf) add(other, overlaps<depth>(nodes_[leaf], box(level_begin_[1] + p, m)), query);
+      }
+    }
+  }
+  const auto visit = [&](std::size_t k, const ImageBox& query, std::uint32_t other, unsigned among) {
+    unsigned hit = overlaps<depth>(nodes_[other], query) & among;
+    if (other == leaf) hit &= ~0U << (k + 1);
+    if (hit != 0) f(k, other, hit);
+  };
   for (std::size_t k = 0; k < count; ++k) {
     const ImageBox query = box(leaf, k);
-    if (!search.is_shared) find(query);
-    for (const std::uint32_t other : search.leaves) {
-      unsigned hit = overlaps<depth>(nodes_[other], query);
-      if (other == leaf) hit &= ~0U << (k + 1);
-      for (; hit != 0; hit &= hit - 1)
-        f(order_[leaf * width + k], order_[other * width + static_cast<unsigned>(__builtin_ctz(hit))]);
+    if (search.is_shared) {
+      for (const auto& [other, ours, theirs] : search.leaves)
+        if ((ours >> k & 1U) != 0) visit(k, query, other, theirs);
+      continue;
     }
+    search.found.clear();
+    leaves<depth>(query, none, search.found, leaf);
+    for (const std::uint32_t other : search.found) visit(k, query, other, ~0U);
   }
 }
 

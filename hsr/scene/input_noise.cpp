@@ -12,6 +12,7 @@
 #include "geometry/parallel.h"
 #include "geometry/predicates.h"
 #include "geometry/vector3.h"
+#include "hsr/scene/near_contact.h"
 #include "hsr/scene/space_tree.h"
 
 namespace hsr::internal {
@@ -142,6 +143,20 @@ double least_height(const Mesh& mesh, TriangleId t) {
   return std::sqrt(dot(area, area) / std::max({dot(u, u), dot(v, v), dot(w, w)}));
 }
 
+/// Whether a side of one runs along the other for much more than the tolerance.
+bool touch_along_a_line(const Mesh& mesh, TriangleId s, TriangleId t, double tolerance) {
+  constexpr double much = 100;
+  for (const auto& [flat, other] : {std::pair(s, t), std::pair(t, s)})
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& c = mesh.triangles[other];
+      const Point3 &a = mesh.points[c[k]], &b = mesh.points[c[(k + 1) % 3]];
+      const auto part = near_contact(mesh, flat, a, b, tolerance);
+      const Point3 along = minus(b, a);
+      if (part && (part->to - part->from) * std::sqrt(dot(along, along)) > much * tolerance) return true;
+    }
+  return false;
+}
+
 /// Which faces touch another nearly in one plane, and how far off it they are at most. Only such as are much larger than the noise: of
 /// a fine mesh neighbours are as near to one plane.
 std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& farthest) {
@@ -161,7 +176,9 @@ std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& far
       const auto& d = mesh.triangles[t];
       if (std::any_of(d.begin(), d.end(), [&](VertexId v) { return mesh.has_corner(s, v); })) return;
       const double off = std::max(flat.farthest(mesh, t), Flat(mesh, t).farthest(mesh, s));
-      if (off > tolerance || !(least_height(mesh, t) > large * tolerance) || !is_off_plane(mesh, s, t, exact)) return;
+      if (off > tolerance || !(least_height(mesh, t) > large * tolerance) || !is_off_plane(mesh, s, t, exact) ||
+          !touch_along_a_line(mesh, s, t, tolerance))
+        return;
       is_near[mesh.face_of[s].value].store(1, std::memory_order_relaxed);
       is_near[mesh.face_of[t].value].store(1, std::memory_order_relaxed);
       double seen = most.load(std::memory_order_relaxed);

@@ -15,6 +15,7 @@
 #include "geometry/parallel.h"
 #include "geometry/plane_intersection.h"
 #include "hsr/scene/facet.h"
+#include "hsr/scene/float_triangle.h"
 #include "hsr/scene/half_space.h"
 #include "hsr/scene/occlusion_pyramid.h"
 #include "hsr/symbols/cut_plane.h"
@@ -23,13 +24,34 @@ namespace hsr::internal {
 
 namespace {
 
+/// The triangles at their places along the tree, eight to a leaf.
+std::vector<FloatTriangle> along_tree(const ProjectedMesh& projected, const Occluders& occluders) {
+  const BoxTree& tree = occluders.tree;
+  std::vector<FloatTriangle> placed(tree.leaf_count() * BoxTree::width);
+  // Looked up at each triangle only where some face has several.
+  const Mesh& mesh = projected.mesh();
+  bool all_single = true;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    all_single = all_single && mesh.first_triangle[FaceId(f + 1)] - mesh.first_triangle[FaceId(f)] <= 1;
+  parallel_for_each(tree.leaf_count(), [&](std::size_t i) {
+    const auto leaf = static_cast<std::uint32_t>(i);
+    for (std::size_t k = 0; k < tree.leaf_size(leaf); ++k) {
+      const TriangleId t = occluders.triangles[tree.box_at(leaf, k)];
+      const bool is_single = all_single || facet_end(mesh, t).value - facet_of(mesh, t).value == 1;
+      placed[i * BoxTree::width + k] = FloatTriangle(projected, t, is_single);
+    }
+  });
+  return placed;
+}
+
 class Finder {
  public:
-  Finder(const ProjectedMesh& projected, const Occluders* occluders, const OcclusionPyramid* pyramid,
-         std::vector<std::uint8_t>& has_contact)
+  Finder(const ProjectedMesh& projected, const Occluders* occluders, const std::vector<FloatTriangle>* placed,
+         const OcclusionPyramid* pyramid, std::vector<std::uint8_t>& has_contact)
       : projected_(projected),
         mesh_(projected.mesh()),
         occluders_(occluders),
+        placed_(placed),
         pyramid_(pyramid),
         exact_(projected.predicates()),
         has_contact_(has_contact) {}
@@ -44,6 +66,15 @@ class Finder {
   PlaneFilter filter(std::uint32_t i) const;
   std::array<Sign, 3> sides(const PlaneFilter& filter, TriangleId s, TriangleId t);
   void look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<Intersection>& found);
+  /// Long triangles that lie behind one another touch by their boxes and are apart by their planes only, which exact_ tells as
+  /// soon.
+  bool floats_pay() const { return asked_of_floats_ < 256 || told_by_floats_ * 2 > asked_of_floats_; }
+  bool is_apart(const TriangleSeparation& s, const FloatTriangle& t) {
+    const bool is_apart = s.is_apart_from(t);
+    ++asked_of_floats_;
+    told_by_floats_ += is_apart ? 1U : 0U;
+    return is_apart;
+  }
   bool is_single(TriangleId t) const { return facet_end(mesh_, t).value - facet_of(mesh_, t).value == 1; }
   bool meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId t) const;
   void mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at);
@@ -56,11 +87,13 @@ class Finder {
 
   const ProjectedMesh& projected_;
   const Mesh& mesh_;
-  const Occluders* occluders_;  // null: only segment() is asked for
+  const Occluders* occluders_;                // null: only segment() is asked for
+  const std::vector<FloatTriangle>* placed_;  // the same triangles along their tree
   const OcclusionPyramid* pyramid_;
   Predicates exact_;
   std::vector<std::uint8_t>& has_contact_;
   BoxTree::PairSearch search_;
+  std::size_t asked_of_floats_ = 0, told_by_floats_ = 0;  // pairs
 };
 
 /// The plane of an occluder.
@@ -91,24 +124,34 @@ bool straddles(const std::array<Sign, 3>& at) {
 }
 
 void Finder::look_around(std::uint32_t leaf, std::vector<Intersection>& found) {
-  TriangleId turned_to;
+  const BoxTree& tree = occluders_->tree;
+  const FloatTriangle* const here = placed_->data() + std::size_t{leaf} * BoxTree::width;
+  std::array<std::optional<TriangleSeparation>, BoxTree::width> separation;
+  std::size_t turned_to = BoxTree::width;
   PlaneFilter of_s;
-  occluders_->tree.visit_pairs(leaf, search_, [&](std::uint32_t i, std::uint32_t k) {
-    const TriangleId s = occluders_->triangles[i], t = occluders_->triangles[k];
-    if (facet_of(mesh_, s) == facet_of(mesh_, t)) {
-      mark_bridges(s, t);
-      mark_bridges(t, s);
-      return;
+  tree.visit_pairs_by_leaf(leaf, search_, [&](std::size_t k, std::uint32_t other, unsigned touching) {
+    const FloatTriangle* const there = placed_->data() + std::size_t{other} * BoxTree::width;
+    if (!separation[k]) separation[k].emplace(here[k]);
+    for (; touching != 0; touching &= touching - 1) {
+      const auto m = static_cast<std::size_t>(__builtin_ctz(touching));
+      if (floats_pay() && is_apart(*separation[k], there[m])) continue;
+      const std::uint32_t i = tree.box_at(leaf, k), on = tree.box_at(other, m);
+      const TriangleId s = occluders_->triangles[i], t = occluders_->triangles[on];
+      if (facet_of(mesh_, s) == facet_of(mesh_, t)) {
+        mark_bridges(s, t);
+        mark_bridges(t, s);
+        continue;
+      }
+      if (k != turned_to) {
+        turned_to = k;
+        of_s = filter(i);
+      }
+      look_at(s, of_s, on, found);
     }
-    if (s != turned_to) {
-      turned_to = s;
-      of_s = filter(i);
-    }
-    look_at(s, of_s, k, found);
   });
 }
 
-/// Most pairs that touch are neighbours: two triangles with a common side, certainly not in one plane, have no more in common.
+/// Two triangles with a common side, certainly not in one plane, have no more in common.
 bool Finder::meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId t) const {
   std::size_t common = 0;
   VertexId apex;
@@ -315,12 +358,13 @@ Intersections find_intersections(const ProjectedMesh& projected, const Occluders
   all.has_contact.resize(projected.mesh().edges.size(), 0);
   constexpr std::size_t block = 64;
   const std::size_t n = occluders.tree.leaf_count();
+  const auto placed = along_tree(projected, occluders);
   std::vector<std::vector<Intersection>> parts((n + block - 1) / block);
   std::vector<DecisionCounts> counts(parts.size());
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      Finder finder(projected, &occluders, pyramid, all.has_contact);
+      Finder finder(projected, &occluders, &placed, pyramid, all.has_contact);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t leaf = part * block; leaf < end; ++leaf)
         finder.look_around(static_cast<std::uint32_t>(leaf), parts[part]);
@@ -354,7 +398,7 @@ Intersections intersections_of(const ProjectedMesh& projected, const MeetingFace
     return projected.reaches_beyond_near(t) && (left_out.empty() || left_out[t.value] == 0);
   };
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
-    Finder finder(projected, nullptr, nullptr, all.has_contact);
+    Finder finder(projected, nullptr, nullptr, nullptr, all.has_contact);
     for (std::size_t k = part * block; k < std::min((part + 1) * block, known.pairs.size()); ++k) {
       const auto [s, t] = known.pairs[k];
       if (!is_wanted(s) || !is_wanted(t)) continue;
