@@ -6,6 +6,15 @@
 
 namespace hsr::internal {
 
+namespace {
+
+const char* name_of(Format f) {
+  static constexpr const char* names[] = {"svg", "pdf", "eps", "dxf", "tex", "hpgl", "png", "json", "csv"};
+  return names[static_cast<std::size_t>(f)];
+}
+
+}  // namespace
+
 Format format_of(const std::string& path, std::span<const Format> expected) {
   const auto slash = path.find_last_of('/');
   const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
@@ -13,16 +22,12 @@ Format format_of(const std::string& path, std::span<const Format> expected) {
   std::string ending = dot == std::string::npos ? "" : name.substr(dot + 1);
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  const auto name_of = [](Format f) {
-    return f == Format::svg ? "svg" : f == Format::png ? "png" : f == Format::json ? "json" : "csv";
-  };
+  if (ending == "plt") ending = "hpgl";
   std::string all;
   for (std::size_t k = 0; k < expected.size(); ++k) {
     if (ending == name_of(expected[k])) return expected[k];
     all += std::string(k == 0 ? "" : k + 1 < expected.size() ? ", " : " or ") + "." + name_of(expected[k]);
   }
-  if (ending == "pdf" || ending == "eps" || ending == "dxf" || ending == "tex")
-    throw InputError(path + ": " + ending + " comes in a later release; this one writes " + all);
   const std::string found = ending.empty() ? "no ending" : std::string("the ending .").append(ending);
   throw InputError(path + ": found " + found + ", expected " + all);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "hsr/drawing/cut_parameter.h"
+#include "hsr/io/write/interval_places.h"
 #include "hsr/io/write/json_text.h"
 #include "hsr/symbols/constructions.h"
 
@@ -19,7 +20,12 @@ namespace {
 class LineWriter {
  public:
   LineWriter(const Mesh& mesh, const View& view, const VisibleLines& lines, const JsonOptions& options)
-      : mesh_(mesh), view_(view), lines_(lines), numbers_(options.numbers), why_(options.why) {}
+      : mesh_(mesh),
+        view_(view),
+        lines_(lines),
+        numbers_(options.numbers),
+        why_(options.why),
+        places_(mesh, view, options.numbers) {}
 
   void append(std::string& out, const Line& line) {
     support_ = supporting_line_of(mesh_, lines_, line);
@@ -43,6 +49,7 @@ class LineWriter {
     out += "], \"hidden\": [";
     append_intervals(out, line, true);
     out += ']';
+    places_.append(out, lines_, line, support_);
     if (why_) {
       out += ", \"by\": [";
       const char* comma = "";
@@ -118,6 +125,7 @@ class LineWriter {
   const VisibleLines& lines_;
   Numbers numbers_;
   bool why_;
+  IntervalPlaces places_;
   SupportingLine support_;  // of the line at hand
   std::vector<std::uint32_t> faces_;
 };

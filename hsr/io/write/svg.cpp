@@ -2,9 +2,8 @@
 
 #include <span>
 
-#include "hsr/io/write/json.h"
 #include "hsr/io/write/json_text.h"
-#include "hsr/io/write/line_style.h"
+#include "hsr/io/write/layers.h"
 #include "hsr/io/write/svg_text.h"
 
 namespace hsr {
@@ -75,11 +74,10 @@ void append_path(std::string& out, const Drawing& drawing, const Polyline& p) {
   out += "\"/>\n";
 }
 
-void append_layer_start(std::string& out, const Polyline& p, HiddenLines hidden_lines) {
-  const std::string visibility = p.hidden ? "hidden" : "visible", edge_class = name_of(p.edge_class);
-  const LineStyle style = line_style(p.hidden, p.edge_class, hidden_lines);
-  out += "<g id=\"" + visibility + '-' + edge_class + "\" class=\"" + visibility + ' ' + edge_class;
-  out += "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + visibility + ' ' + edge_class;
+void append_layer_start(std::string& out, const Layer& layer) {
+  const LineStyle& style = layer.style;
+  out += "<g id=\"" + layer.name('-') + "\" class=\"" + layer.name();
+  out += "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + layer.name();
   out += "\" fill=\"none\" stroke=\"#000\" stroke-linejoin=\"round\" stroke-linecap=\"";
   out += style.is_dashed() ? "butt" : "round";
   out += "\" stroke-width=\"";
@@ -99,16 +97,11 @@ std::string svg(const Drawing& drawing, const SvgOptions& options) {
   std::string out;
   append_svg_start(out, drawing.width, drawing.height, options, !drawing.fills.fills.empty());
   append_fills(out, drawing.fills);
-  const Polyline* last = nullptr;
-  for (const Polyline& p : drawing.polylines) {
-    if (last == nullptr || last->hidden != p.hidden || last->edge_class != p.edge_class) {
-      if (last != nullptr) out += "</g>\n";
-      append_layer_start(out, p, drawing.hidden);
-    }
-    last = &p;
-    append_path(out, drawing, p);
+  for (const Layer& layer : layers_of(drawing)) {
+    append_layer_start(out, layer);
+    for (const Polyline& p : layer.polylines) append_path(out, drawing, p);
+    out += "</g>\n";
   }
-  if (last != nullptr) out += "</g>\n";
   out += "</svg>\n";
   return out;
 }
