@@ -178,8 +178,10 @@ void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
   context.progress.stage("plan");
   const LinePlan plan = report.timed("plan", [&] { return plan_lines(viewed.prepared(scene_options), line_options); });
   context.progress.clear();
-  print(viewed.model, facts);
-  print(plan, viewed.chosen.title, a.lines.edges);
+  if (a.common.report != "-") {  // the report says the same, and a program reads it
+    print(viewed.model, facts);
+    print(plan, viewed.chosen.title, a.lines.edges);
+  }
   add_facts(report, viewed.model, facts);
   report.set("view", viewed.chosen.title);
   report.set("method", plan.method);
@@ -203,7 +205,7 @@ void add_info(CommandLine& command, UnfinishedFiles& unfinished) {
   options.begin_group("Options");
   options.add("--mesh", a->mesh, "FILE", "Write the faces as used as JSON");
   options.add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
-  options.add("--report", a->common.report, "FILE", "The facts and times as JSON; - for the standard output");
+  options.add("--report", a->common.report, "FILE", "The facts and times as JSON; - for the standard output, instead of the text");
   a->common.add_quiet_to(options, "Only the facts: no progress, nothing about files");
   options.on_run([a, &unfinished] { run(*a, unfinished); });
 }

@@ -40,7 +40,7 @@ struct OrderArguments {
   SceneArguments scene;
   PageArguments page;
   std::string method = "depth-sort", cuts = "few";
-  std::string edges = "outline,sharp,boundary,intersection,wire";
+  std::string edges = "outline,sharp,boundary,intersection,wire,material";
   std::string crease = "30";
   double opacity = 1;
   std::uint64_t seed = 1;
@@ -284,7 +284,7 @@ void add_picture_options(OrderArguments& a, Options& options) {
   options.add("--opacity", a.opacity, "A", "Of every face, times its own in the file; more than 0, at most 1")
       .with_default_shown();
   options
-      .add("--edges", a.edges, "LIST", "SVG: classes of edges to draw on the faces: outline,sharp,boundary,wire,smooth or all")
+      .add("--edges", a.edges, "LIST", "SVG: classes of edges to draw on the faces, or all: outline,sharp,boundary,wire,material,smooth,joint")
       .with_default_shown();
   options.add("--crease", a.crease, "DEG", "An edge is sharp if its faces deviate from flat by more than this")
       .with_default_shown();

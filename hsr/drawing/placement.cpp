@@ -88,6 +88,24 @@ Box box_of(const Projection& projection, const VisibleLines& lines, std::span<co
       });
 }
 
+/// The box by 45 bits: points whose images coincide in an extreme are enclosed a last place apart, and which of them are drawn must not
+/// decide where the centre is rounded to.
+Box rounded(Box box) {
+  if (box.is_empty()) return box;
+  Wide most = 0;
+  for (int k = 0; k < 2; ++k) most = std::max({most, box.size(k), std::fabs(box.low[k]), std::fabs(box.high[k])});
+  if (!(most > 0) || !std::isfinite(most)) return box;
+  constexpr int bits = 45;
+  int exponent = 0;
+  std::frexp(most * (1 + std::ldexp(Wide{1}, -bits)), &exponent);
+  const auto nearest = [&](Wide x) { return std::ldexp(std::round(std::ldexp(x, bits - exponent)), exponent - bits); };
+  for (int k = 0; k < 2; ++k) {
+    box.low[k] = nearest(box.low[k]);
+    box.high[k] = nearest(box.high[k]);
+  }
+  return box;
+}
+
 /// A point in front of the eye.
 Point3 anchor_of(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
   for (const std::uint32_t i : drawn) {
@@ -185,7 +203,7 @@ Placement internal::placement(const Mesh& mesh, const View& view, const VisibleL
     height = 2 * half.height;
     centre = result.projection.relative(view.frame.origin);
   } else {
-    const Box box = box_of(result.projection, lines, drawn);
+    const Box box = rounded(box_of(result.projection, lines, drawn));
     width = box.size(0);
     height = box.size(1);
     for (int k = 0; k < 2; ++k) centre[static_cast<std::size_t>(k)] = round_centre(box.centre(k), std::max(width, height));

@@ -377,6 +377,27 @@ TEST_CASE("an output never takes the place of the model or of another output", "
   CHECK_FALSE(fs::exists(svg));
 }
 
+TEST_CASE("an exact order is read back", "[cli][J4]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube), order = d / "v.json";
+  for (const std::string view : {"--view iso", "--eye 3,4,5 --near 0.1"}) {
+    REQUIRE(run("order " + model + " -q --exact " + view + " -o " + order).status == 0);
+    CHECK(run("verify " + order).status == 0);
+  }
+  std::string text = contents(order);
+  const std::size_t at = text.find("\"eye\": [\"");
+  REQUIRE(at != std::string::npos);
+  text.replace(at, text.find(',', at) - at, "\"eye\": [\"1/3\"");
+  check_refused(run("verify " + write(d / "w.json", text)), {"w.json", "eye", "a double"});
+}
+
+TEST_CASE("a report on standard output is nothing but JSON", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  CHECK(json::parse(run("info " + model + " -q --report -").text)["triangles"] == 12);
+  CHECK(json::parse(run("draw " + model + " -q -o " + (d / "a.svg") + " --report -").text)["method"] == "none");
+}
+
 TEST_CASE("two names of one file are found out before it is there", "[cli]") {
   const Directory d;
   write(d / "cube.obj", cube);

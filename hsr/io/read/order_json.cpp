@@ -44,7 +44,14 @@ class OrderReader {
                               ", expected " + expected);
   }
 
+  /// A view is doubles; an exact file writes them as "p/q".
   double number(const Json& x, const std::string& where) const {
+    if (x.is_string()) {
+      const Rational exact = coordinate(x, where);
+      const double value = exact.to_double();
+      if (!std::isfinite(value) || (Rational(value) - exact).sign() != Sign::zero) refuse(where, x, "a number that a double holds");
+      return value;
+    }
     if (!x.is_number()) refuse(where, x, "a number");
     const auto value = x.get<double>();
     if (!std::isfinite(value)) refuse(where, x, "a finite number");
