@@ -30,6 +30,8 @@ void append_rings(std::string& out, const Fills& fills, std::uint32_t first, std
 
 }  // namespace
 
+double points_of(double mm) { return std::round(mm * 360e9 / 127) / 1e9; }
+
 void append_page_space(std::string& out, double height) {
   append_length(out, points_of(1));
   out += " 0 0 ";

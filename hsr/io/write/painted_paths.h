@@ -19,7 +19,7 @@ void append_fill_clip(std::string& out, const Fills& fills);
 void append_pen(std::string& out, const LineStyle& style);
 void append_lines(std::string& out, const Drawing& drawing, const Layer& layer);  ///< with their pen, in black
 
-/// A length of the page in points, 1/72 inch.
-inline double points_of(double mm) { return mm * 72 / 25.4; }
+/// A length of the page in points, 1/72 inch: whole ones to the last bit, so that no reader rounds up to a pixel more.
+double points_of(double mm);
 
 }  // namespace hsr::internal
