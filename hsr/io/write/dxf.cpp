@@ -18,7 +18,8 @@ constexpr std::size_t most_numbers = 1000;  // extended data ends at 16 kB for a
 /// From thousandths of the drawing to units of the model.
 class ModelUnits {
  public:
-  explicit ModelUnits(double scale) : is_large_(scale >= 1e-3), factor_(is_large_ ? std::round(scale * 1000) : 1e-3 / scale) {}
+  explicit ModelUnits(double scale)
+      : is_large_(scale >= 1e-3), factor_(is_large_ ? std::round(scale * 1000) : std::round(1e-3 / scale)) {}
   /// Of a power of ten, one rounding: the double nearest to the decimal number.
   double operator()(std::int64_t thousandths) const {
     const auto x = static_cast<double>(thousandths);

@@ -76,7 +76,7 @@ void append_fills(std::string& out, const Fills& fills, const std::string& draw)
 /// As the SVG has them: under the fills, and cut to the outline of all, the same with pens of their own colours.
 void append_filled_scopes(std::string& out, const Fills& fills) {
   if (fills.fills.empty()) return;
-  out += "\\begin{scope}[hsr fill]\n\\begin{scope}[line join=round]\n\\clip[even odd rule] ";
+  out += "\\begin{scope}[hsr fill]\n\\begin{scope}[line join=round, even odd rule]\n\\clip ";
   append_rings(out, fills, fills.first_outline_ring, fills.rings());
   out += ";\n";
   for (const double width : underlay_widths) append_fills(out, fills, ", draw=hsr fill, line width=" + length(width) + "mm");

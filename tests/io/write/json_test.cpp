@@ -75,7 +75,7 @@ TEST_CASE("Exact numbers are strings", "[write][json][J1]") {
 
 TEST_CASE("The ends of intervals are where segments() has them", "[write][json][J6]") {
   Example e;
-  e.view = perspective_view({0.3, -7, 5}, {1, 0, 0.1}, {0, 0, 1});
+  e.view = perspective_view({1.3, 0.2, 9}, {1, 0, 0.1}, {0, 1, 0});
   const SceneView scene(e.mesh, e.view);
   e.lines = visible_lines(scene);
   const auto json = nlohmann::json::parse(lines_json(e.mesh, e.view, e.lines));
