@@ -80,6 +80,33 @@ void make_faces(Mesh& mesh, const Polygons& polygons, std::size_t from, std::siz
   }
 }
 
+/// The polygons, but those whose flag is not `kept` without corners.
+Polygons some_of(const Polygons& polygons, std::uint8_t kept) {
+  Polygons some;
+  for (std::size_t f = 0; f < polygons.size(); ++f) {
+    if (polygons.is_ghost[f] == kept) some.corners.insert(some.corners.end(), polygons[f].begin(), polygons[f].end());
+    some.first.push_back(static_cast<std::uint32_t>(some.corners.size()));
+  }
+  return some;
+}
+
+Mesh mesh_of_solids(std::vector<Point3> points, const Polygons& polygons, double tolerance,
+                    std::span<const std::array<std::uint32_t, 2>> edges_of_ghosts);
+
+/// Both kinds of faces over the same points: which points are one does not depend on who uses them.
+Mesh mesh_with_ghosts(std::vector<Point3> points, const Polygons& polygons, double tolerance) {
+  auto ghosts = std::make_shared<Mesh>(mesh_of_solids(points, some_of(polygons, 1), tolerance, {}));
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (const Edge& e : ghosts->edges) edges.push_back({e.a.value, e.b.value});
+  Polygons solids = some_of(polygons, 0);
+  solids.segments = polygons.segments;
+  Mesh mesh = mesh_of_solids(std::move(points), solids, tolerance, edges);
+  for (std::size_t f = 0; f < polygons.size(); ++f)
+    if (polygons.is_ghost[f] != 0 && ghosts->faces[FaceId(f)] != FaceUse::no_area) mesh.faces[FaceId(f)] = FaceUse::ghost;
+  mesh.ghosts = std::move(ghosts);
+  return mesh;
+}
+
 }  // namespace
 
 EdgeId Mesh::find_edge(VertexId a, VertexId b) const {
@@ -91,10 +118,21 @@ EdgeId Mesh::find_edge(VertexId a, VertexId b) const {
 
 Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons, double tolerance) {
   require(!polygons.first.empty(), "make_mesh: Polygons::first must begin with 0");
+  require(polygons.is_ghost.empty() || polygons.is_ghost.size() == polygons.size(),
+          "make_mesh: Polygons::is_ghost must be empty or have a flag for each polygon");
   check_countable(points.size(), "points");
   check_countable(polygons.size(), "faces");
   check(polygons, points.size());
   normalise(points);
+  const bool has_ghosts = std::any_of(polygons.is_ghost.begin(), polygons.is_ghost.end(), [](auto flag) { return flag != 0; });
+  return has_ghosts ? mesh_with_ghosts(std::move(points), polygons, tolerance)
+                    : mesh_of_solids(std::move(points), polygons, tolerance, {});
+}
+
+namespace {
+
+Mesh mesh_of_solids(std::vector<Point3> points, const Polygons& polygons, double tolerance,
+                    std::span<const std::array<std::uint32_t, 2>> edges_of_ghosts) {
   Mesh mesh;
   static_cast<std::vector<Point3>&>(mesh.points) = std::move(points);
   mesh.merged = merge_points(mesh.points);
@@ -130,9 +168,11 @@ Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons, double tole
         ring_sides[t] = triangle->ring_sides;
       }
   });
-  connect_edges(mesh, ring_sides, polygons.segments);
+  connect_edges(mesh, ring_sides, polygons.segments, edges_of_ghosts);
   return mesh;
 }
+
+}  // namespace
 
 Mesh make_mesh(std::span<const Point3> points, std::span<const std::uint32_t> corners, std::span<const std::uint32_t> first) {
   Polygons polygons;

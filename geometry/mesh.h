@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Polygons {
   std::vector<std::uint32_t> first = {0};              ///< polygon f has corners[first[f]] ... corners[first[f + 1] - 1]
   std::vector<std::uint32_t> corners;                  ///< indices of points
   std::vector<std::array<std::uint32_t, 2>> segments;  ///< wires: drawn, they hide nothing
+  std::vector<std::uint8_t> is_ghost;  ///< by polygon: 1, its edges are drawn, and it hides nothing; empty: none
 
   std::size_t size() const { return first.size() - 1; }
   std::span<const std::uint32_t> operator[](std::size_t f) const {
@@ -28,7 +30,9 @@ enum class FaceUse : std::uint8_t {
   not_coplanar,    ///< cut into triangles that act as faces of their own
   crosses_itself,  ///< planar, and cut into triangles all the same
   no_area,         ///< dropped
+  ghost,           ///< hides nothing: its triangles are those of Mesh::ghosts
 };
+constexpr std::size_t face_use_count = 5;
 
 /// An undirected edge a < b.
 struct Edge {
@@ -36,6 +40,9 @@ struct Edge {
   bool of_face = false;   ///< in the ring of a face
   bool diagonal = false;  ///< a diagonal of a face that is cut into triangles
   bool wire = false;      ///< a segment of its own
+  bool ghost = false;     ///< an edge of Mesh::ghosts
+
+  bool is_only_of_ghosts() const { return ghost && !of_face && !diagonal && !wire; }
 };
 
 /// Whether v is one of the corners of a triangle.
@@ -49,6 +56,7 @@ inline bool is_one_of(VertexId v, const std::array<VertexId, 3>& corners) {
 ///   (2) every triangle has an area; the triangles of one face are consecutive, faces ascending, corners in the face's order
 ///   (3) edges ascend by (a, b); each side of each triangle is an edge, except a diagonal inside a planar face
 ///   (4) the result is the same for any number of threads
+///   (5) ghosts have no triangle here, so nothing that looks for what hides can come upon one; their edges are edges here
 struct Mesh {
   IndexedVector<VertexId, Point3> points;
   IndexedVector<VertexId, VertexId> merged;  ///< the vertex that stands for each point
@@ -59,6 +67,8 @@ struct Mesh {
   IndexedVector<EdgeId, Edge> edges;
   IndexedVector<EdgeId, std::uint32_t> first_side;  ///< one more than edges
   std::vector<TriangleId> sides;                    ///< edge e has the triangles sides[first_side[e]] ...
+  /// The faces that are drawn and hide nothing, as a mesh of their own with the same points and numbers of faces; null: none.
+  std::shared_ptr<const Mesh> ghosts;
 
   std::span<const TriangleId> triangles_at(EdgeId e) const {
     return {sides.data() + first_side[e], sides.data() + first_side[EdgeId(e.value + 1U)]};

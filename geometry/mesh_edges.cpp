@@ -15,7 +15,7 @@ namespace {
 
 // What one triangle, or one segment, has to say about an edge, at its lower vertex: the upper vertex, the triangle, the role;
 // in that order, so that sorted numbers are edges ascending and triangles ascending at each.
-enum class Role : std::uint64_t { ring = 0, diagonal = 1, wire = 2 };
+enum class Role : std::uint64_t { ring = 0, diagonal = 1, wire = 2, ghost = 3 };
 constexpr std::uint64_t no_triangle = (1ULL << 30) - 1;
 
 constexpr std::uint64_t entry(VertexId upper, std::uint64_t triangle, Role role) {
@@ -24,10 +24,13 @@ constexpr std::uint64_t entry(VertexId upper, std::uint64_t triangle, Role role)
 VertexId upper_vertex(std::uint64_t e) { return VertexId(e >> 32); }
 TriangleId triangle_of(std::uint64_t e) { return TriangleId(e >> 2 & no_triangle); }
 Role role_of(std::uint64_t e) { return static_cast<Role>(e & 3); }
+bool is_side(std::uint64_t e) { return role_of(e) == Role::ring || role_of(e) == Role::diagonal; }
+
+using Segments = std::span<const std::array<std::uint32_t, 2>>;
 
 template <class Visit>
-void for_each_entry(const Mesh& mesh, const std::vector<std::uint8_t>& ring_sides,
-                    std::span<const std::array<std::uint32_t, 2>> segments, const Visit& visit) {
+void for_each_entry(const Mesh& mesh, const std::vector<std::uint8_t>& ring_sides, Segments segments, Segments edges_of_ghosts,
+                    const Visit& visit) {
   const auto add = [&](VertexId a, VertexId b, std::uint64_t triangle, Role role) {
     if (b < a) std::swap(a, b);
     visit(a, entry(b, triangle, role));
@@ -52,10 +55,14 @@ void for_each_entry(const Mesh& mesh, const std::vector<std::uint8_t>& ring_side
     add_side(1, b, c);
     add_side(2, c, a);
   }
-  for (const auto& [from, to] : segments) {
-    const VertexId a = mesh.merged[VertexId(from)], b = mesh.merged[VertexId(to)];
-    if (a != b) add(a, b, no_triangle, Role::wire);
-  }
+  const auto add_all = [&](Segments ends, Role role) {
+    for (const auto& [from, to] : ends) {
+      const VertexId a = mesh.merged[VertexId(from)], b = mesh.merged[VertexId(to)];
+      if (a != b) add(a, b, no_triangle, role);
+    }
+  };
+  add_all(segments, Role::wire);
+  add_all(edges_of_ghosts, Role::ghost);
 }
 
 void sort_entries(std::uint64_t* first, std::uint64_t* last) {
@@ -73,18 +80,18 @@ void sort_entries(std::uint64_t* first, std::uint64_t* last) {
 
 }  // namespace
 
-void connect_edges(Mesh& mesh, const std::vector<std::uint8_t>& ring_sides,
-                   std::span<const std::array<std::uint32_t, 2>> segments) {
+void connect_edges(Mesh& mesh, const std::vector<std::uint8_t>& ring_sides, Segments segments, Segments edges_of_ghosts) {
   if (mesh.triangles.size() >= no_triangle)
     throw InputError("fewer than 2^30 - 1 triangles expected, found " + std::to_string(mesh.triangles.size()));
   const std::size_t vertices = mesh.points.size();
   // first[v + 1] counts, then is where the next entry of v goes, then the end of v's entries.
   std::vector<std::size_t> first(vertices + 2, 0);
-  for_each_entry(mesh, ring_sides, segments, [&](VertexId a, std::uint64_t) { ++first[a.value + 2U]; });
+  for_each_entry(mesh, ring_sides, segments, edges_of_ghosts, [&](VertexId a, std::uint64_t) { ++first[a.value + 2U]; });
   for (std::size_t v = 2; v < first.size(); ++v) first[v] += first[v - 1];
   check_countable(first.back(), "sides of triangles and segments");
   std::vector<std::uint64_t> entries(first.back());
-  for_each_entry(mesh, ring_sides, segments, [&](VertexId a, std::uint64_t e) { entries[first[a.value + 1U]++] = e; });
+  for_each_entry(mesh, ring_sides, segments, edges_of_ghosts,
+                 [&](VertexId a, std::uint64_t e) { entries[first[a.value + 1U]++] = e; });
 
   // Blocks of vertices, each sorted and counted, then written where the counts before it say: the same for any number of
   // threads.
@@ -106,7 +113,7 @@ void connect_edges(Mesh& mesh, const std::vector<std::uint8_t>& ring_sides,
       sort_entries(begin, end);
       for (const std::uint64_t* e = begin; e != end; ++e) {
         if (e == begin || upper_vertex(*e) != upper_vertex(e[-1])) ++count.edges;
-        if (role_of(*e) != Role::wire) ++count.sides;
+        if (is_side(*e)) ++count.sides;
       }
     }
     counts[k + 1] = count;
@@ -129,7 +136,8 @@ void connect_edges(Mesh& mesh, const std::vector<std::uint8_t>& ring_sides,
           edge.of_face |= role == Role::ring;
           edge.diagonal |= role == Role::diagonal;
           edge.wire |= role == Role::wire;
-          if (role != Role::wire) mesh.sides[next_side++] = triangle_of(entries[i]);
+          edge.ghost |= role == Role::ghost;
+          if (is_side(entries[i])) mesh.sides[next_side++] = triangle_of(entries[i]);
         }
         mesh.edges[EdgeId(next_edge++)] = edge;
       }

@@ -8,6 +8,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/face_labels.h"
+#include "hsr/face_objects.h"
 
 namespace hsr {
 
@@ -46,5 +47,8 @@ struct Model {
 /// Which object each face belongs to, and of which material it is: what the file names, or, in a file that names no material, the
 /// colours of its faces if they are at most 16. More are a colour map, which has no borders of material.
 FaceLabels labels_of(const Model& model);
+
+/// The objects that the file tells apart; nothing where it has one or none.
+FaceObjects objects_of(const Model& model);
 
 }  // namespace hsr

@@ -4,7 +4,6 @@
 
 #include "geometry/error.h"
 #include "hsr/cli/messages.h"
-#include "hsr/io/read/read.h"
 
 namespace hsr::cli {
 
@@ -24,20 +23,21 @@ std::string ViewedModel::name() const { return std::filesystem::path(model.name)
 
 SvgOptions ViewedModel::captions() const { return {name(), "view: " + chosen.title}; }
 
-CommandContext::CommandContext(const CommonArguments& common, const std::string& input, std::vector<std::string> outputs,
-                               UnfinishedFiles& unfinished)
+CommandContext::CommandContext(const CommonArguments& common, const std::vector<std::string>& models,
+                               std::vector<std::string> outputs, UnfinishedFiles& unfinished)
     : progress(common.quiet), common_(common), outputs_(unfinished) {
   outputs.push_back(common.report);
-  check_outputs(input, outputs);
+  check_outputs(models, outputs);
   if (!common.threads) return;
   if (*common.threads < 1) throw InputError("--threads: found " + std::to_string(*common.threads) + ", expected 1 or more");
   threads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*common.threads));
 }
 
-ViewedModel CommandContext::read(const std::string& path, const ViewOptions& view, double tolerance) {
+ViewedModel CommandContext::read(const ModelArguments& models, const ViewOptions& view, double tolerance,
+                                 const std::string& unit) {
   ViewedModel viewed;
   progress.stage("reading");
-  viewed.model = report.timed("read", [&] { return read_model(path); });
+  viewed.model = report.timed("read", [&] { return models.read(unit, view.up_axis); });
   progress.stage("faces");
   viewed.mesh = report.timed("mesh", [&] { return make_mesh(viewed.model.points, viewed.model.polygons, tolerance); });
   viewed.chosen = choose_view(view, viewed.mesh, viewed.model);

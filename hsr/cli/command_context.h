@@ -8,6 +8,7 @@
 
 #include "hsr/cli/command_line.h"
 #include "hsr/cli/directory.h"
+#include "hsr/cli/model_arguments.h"
 #include "hsr/cli/outputs.h"
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
@@ -53,9 +54,9 @@ struct ViewedModel {
 class CommandContext {
  public:
   /// Refuses before any work what can be refused, and limits the threads.
-  /// @param input the file to read, which no output may replace @param outputs the files to write, less the report
+  /// @param models the files to read, which no output may replace @param outputs the files to write, less the report
   /// @throws InputError naming the option or the file
-  CommandContext(const CommonArguments& common, const std::string& input, std::vector<std::string> outputs,
+  CommandContext(const CommonArguments& common, const std::vector<std::string>& models, std::vector<std::string> outputs,
                  UnfinishedFiles& unfinished);
   CommandContext(const CommandContext&) = delete;
   CommandContext& operator=(const CommandContext&) = delete;
@@ -66,9 +67,9 @@ class CommandContext {
   bool is_quiet() const { return common_.quiet; }
   bool reports() const { return !common_.report.empty(); }
 
-  /// Reads a model and chooses its view.
-  /// @param tolerance below which points are one
-  ViewedModel read(const std::string& path, const ViewOptions& view, double tolerance = 0);
+  /// Reads the models, as one, and chooses the view.
+  /// @param tolerance below which points are one @param unit of all models; empty: what each of them says
+  ViewedModel read(const ModelArguments& models, const ViewOptions& view, double tolerance = 0, const std::string& unit = {});
   /// Says something about the input or the options, unless quiet.
   void note(const std::string& text);
   /// The notes that come with a model and its view.

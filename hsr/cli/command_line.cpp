@@ -57,6 +57,15 @@ Option Options::add(const std::string& names, std::optional<double>& value, cons
   return add_value(names, value, type, help);
 }
 
+Option Options::add_several(const std::string& name, std::vector<std::string>& value, const std::string& help) {
+  return Option(verb_->add_option(name, value, help)->group(group_)->type_name(""));
+}
+
+Option Options::add_one_each(const std::string& names, std::vector<std::string>& value, const std::string& type,
+                             const std::string& help) {
+  return Option(verb_->add_option(names, value, help)->group(group_)->type_name(type)->allow_extra_args(false));
+}
+
 void Options::add_flag(const std::string& names, bool& value, const std::string& help) {
   verb_->add_flag(names, value, help)->group(group_);
 }

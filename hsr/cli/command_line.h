@@ -47,6 +47,11 @@ class Options {
   Option add(const std::string& names, std::uint64_t& value, const std::string& type, const std::string& help);
   Option add(const std::string& names, double& value, const std::string& type, const std::string& help);
   Option add(const std::string& names, std::optional<double>& value, const std::string& type, const std::string& help);
+  /// An argument without a name that may be given several times, anywhere among the options.
+  Option add_several(const std::string& name, std::vector<std::string>& value, const std::string& help);
+  /// An option that takes one value each time it is given, so that no argument after it is taken for another value.
+  Option add_one_each(const std::string& names, std::vector<std::string>& value, const std::string& type,
+                      const std::string& help);
   void add_flag(const std::string& names, bool& value, const std::string& help);
 
   /// What the verb does once all options are known; it may throw InputError.

@@ -23,7 +23,8 @@ using namespace internal;
 namespace {
 
 struct CompareArguments {
-  std::string model, directory;
+  ModelArguments models;
+  std::string directory;
   ViewOptions view;
   SceneArguments scene;
   int size = 1024, runs = 3, threads = 1;
@@ -102,6 +103,7 @@ std::string file_name(const std::string& text) {
 }
 
 void check(const CompareArguments& a) {
+  a.models.check();
   if (a.size < 16 || a.size > 4096)
     throw InputError(fmt::format("--size: found {}, expected 16 to 4096 samples each way", a.size));
   if (a.runs < 1) throw InputError(fmt::format("--runs: found {}, expected 1 or more", a.runs));
@@ -152,8 +154,8 @@ PageText page_text(const CompareArguments& a, const ViewedModel& viewed, const C
 void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
   check(a);
   OutputDirectory directory(a.directory, unfinished);
-  CommandContext context(a.common, a.model, {}, unfinished);
-  const ViewedModel viewed = context.read(a.model, a.view);
+  CommandContext context(a.common, a.models.models, {}, unfinished);
+  const ViewedModel viewed = context.read(a.models, a.view);
   context.say_notes_of(viewed);
   const Comparison comparison = compared(a, viewed, context);
 
@@ -185,8 +187,9 @@ void add_compare(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<CompareArguments>();
   Options options =
       command.add_verb("compare", "All methods on one scene: error against run time, pictures, an HTML page", examples);
-  options.add("MODEL", a->model, "", "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB").required();
+  a->models.add_to(options);
   options.add("-o,--output", a->directory, "DIR", "The directory of the results; made if it is not there").required();
+  a->models.add_objects_to(options);
   a->view.add_to(options);
   a->scene.add_to(options);
   options.begin_group("Runs");

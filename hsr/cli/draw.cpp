@@ -18,6 +18,7 @@
 #include "hsr/cli/messages.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
+#include "hsr/cli/paper_note.h"
 #include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/shading.h"
@@ -43,7 +44,7 @@ using namespace internal;
 namespace {
 
 struct DrawArguments {
-  std::string model;
+  ModelArguments models;
   std::vector<std::string> outputs;
   ViewOptions view;
   SceneArguments scene;
@@ -69,6 +70,9 @@ const char* const examples = R"(Examples:
   hsr draw part.stl -o part.svg --fill                     filled, with the lines on top
   hsr draw part.stl -o part.svg -o errors.csv              and how wrong a z-buffer is, size by size, against its time
   hsr draw part.ply -o lines.json --hidden dashed --why    and which faces hide what
+  hsr draw house.obj trees.stl -o x.svg --ghost trees.stl  one scene; the trees are drawn and hide nothing
+  hsr draw part.stl -o part.svg --oblique 45,0.5           cabinet projection: the front stays true
+  zcat part.obj.gz | hsr draw - -o svg:- > part.svg        from standard input to standard output
 
 Writes each FILE, all of them or none: .svg, .pdf, .eps, .tex (TikZ), .hpgl (or .plt) and .png show the lines on a page, .dxf has
 them in units of the model, 1:1, whatever the page; .json has every line with its visible and its
@@ -159,24 +163,27 @@ std::string empty_drawing(const DrawArguments& a, bool in_frame, const VisibleLi
 
 /// The arguments, each found to be one that can be done.
 struct DrawRequest {
-  std::vector<Format> formats;
+  std::vector<Output> outputs;
   SceneOptions scene;
   LineOptions lines;
   DrawingOptions drawing;
   Merge merge = Merge::none;
   std::optional<PixelSize> size;
 
-  bool wants(Format format) const { return std::find(formats.begin(), formats.end(), format) != formats.end(); }
+  bool wants(Format format) const {
+    return std::any_of(outputs.begin(), outputs.end(), [&](const Output& o) { return o.format == format; });
+  }
   bool wants_picture() const {
-    return std::any_of(formats.begin(), formats.end(), [](Format f) { return f != Format::json && f != Format::csv; });
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [](const Output& o) { return o.format != Format::json && o.format != Format::csv; });
   }
 };
 
 DrawRequest parse(const DrawArguments& a) {
   DrawRequest request;
-  for (const std::string& path : a.outputs)
-    request.formats.push_back(format_of(path, std::array{Format::svg, Format::pdf, Format::eps, Format::dxf, Format::tex,
-                                                         Format::hpgl, Format::png, Format::json, Format::csv}));
+  a.models.check();
+  request.outputs = parse_outputs(a.outputs, std::array{Format::svg, Format::pdf, Format::eps, Format::dxf, Format::tex,
+                                                        Format::hpgl, Format::png, Format::json, Format::csv});
   if (a.lines.method == "appel" && a.why)
     throw InputError(
         "--why: appel counts the faces that hide and does not know which they are, expected --method roberts or auto");
@@ -201,7 +208,7 @@ DrawRequest parse(const DrawArguments& a) {
 class DrawCommand {
  public:
   DrawCommand(const DrawArguments& a, UnfinishedFiles& unfinished)
-      : a_(a), request_(parse(a)), context_(a.common, a.model, a.outputs, unfinished) {}
+      : a_(a), request_(parse(a)), context_(a.common, a.models.models, paths_of(request_.outputs), unfinished) {}
 
   void run() {
     read();
@@ -227,6 +234,7 @@ class DrawCommand {
   void draw_in_model_units();
   void write();
   void note_idle_options();
+  std::string note_on_size() const;
   void note_noise();
   bool wants_fragments() const { return a_.fill || a_.check || request_.wants(Format::csv); }
   std::string bytes_of(Format format) const;
@@ -240,6 +248,7 @@ class DrawCommand {
   DrawRequest request_;
   CommandContext context_;
   ViewedModel scene_;
+  FaceObjects objects_;
   std::optional<SceneView> prepared_;
   std::optional<SceneView> exact_;  // the same, but where arithmetic is compared: checks are exact
   VisibleLines lines_;
@@ -253,7 +262,9 @@ class DrawCommand {
 };
 
 void DrawCommand::read() {
-  scene_ = context_.read(a_.model, a_.view, request_.lines.tolerance);
+  scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance, a_.page.unit);
+  objects_ = objects_of(scene_.model);
+  request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = scene_.chosen.field_of_view;
   const std::string unit_note = a_.page.adopt_unit(scene_.model, request_.drawing);
   // Drawings only: JSON is complete.
@@ -265,9 +276,12 @@ void DrawCommand::read() {
   context_.say_notes_of(scene_);
   note_noise();
   if (!unit_note.empty()) context_.note(unit_note);
-  if (scene_.mesh.edges.empty())
-    context_.note(a_.model + (scene_.mesh.faces.empty() ? ": no face is there, the drawing is empty"
-                                                        : ": every face has no area, the drawing is empty"));
+  context_.report.set("view", json_of(scene_.view()));
+  if (!scene_.mesh.edges.empty()) return;
+  const char* const why = !a_.models.objects.is_empty() ? "no face with an area is left"
+                          : scene_.mesh.faces.empty()   ? "no face is there"
+                                                        : "every face has no area";
+  context_.note(fmt::format("{}: {}, the drawing is empty", scene_.model.name, why));
 }
 
 /// What was asked for and does nothing here.
@@ -294,8 +308,8 @@ void DrawCommand::note_noise() {
   if (noise.near_planes > 0)
     signs += fmt::format("{}{} faces would lie in one plane with a face that they touch", signs.empty() ? "" : ", ",
                          noise.near_planes);
-  context_.note(
-      fmt::format("{}: {} within {}: --tolerance {} takes it for noise", a_.model, signs, noise.tolerance, noise.tolerance));
+  context_.note(fmt::format("{}: {} within {:g}: --tolerance {:g} takes it for noise", scene_.model.name, signs,
+                            noise.tolerance, noise.tolerance));
 }
 
 void DrawCommand::find_lines() {
@@ -406,9 +420,26 @@ void DrawCommand::draw_page() {
   describe(context_.report, *drawing_);
   if (drawing_->polylines.empty() && !scene_.mesh.edges.empty())
     context_.note("the drawing is empty: " + empty_drawing(a_, request_.lines.frame.has_value(), lines_, *drawing_));
+  if (const std::string dot = note_on_size(); !dot.empty()) context_.note(dot);
   if (!drawing_->fits)
     context_.note(fmt::format("at scale {} the drawing is larger than the page {}: --scale fit makes it fit", a_.page.scale,
                               a_.page.page));
+}
+
+/// Of a picture that a field of view frames, nothing: it is as large as that.
+std::string DrawCommand::note_on_size() const {
+  if (request_.drawing.field_of_view || scene_.mesh.edges.empty()) return "";
+  if (!scene_.view().is_perspective()) {
+    const PaperRectangle all = paper_rectangle(scene_.mesh, scene_.view());
+    return note_on_dot(all.right - all.left, all.top - all.bottom, request_.drawing.scale, request_.drawing.unit);
+  }
+  if (drawing_->points.empty() || !(drawing_->scale > 0)) return "";
+  const auto extent = [&](auto coordinate) {
+    const auto [low, high] = std::ranges::minmax(drawing_->points, {}, coordinate);
+    return static_cast<double>(coordinate(high) - coordinate(low)) / 1000 / drawing_->scale;
+  };
+  return note_on_dot(extent([](const PaperPoint& p) { return p.x; }), extent([](const PaperPoint& p) { return p.y; }),
+                     request_.drawing.scale, request_.drawing.unit);
 }
 
 void DrawCommand::write() {
@@ -420,9 +451,9 @@ void DrawCommand::write() {
     report.leave_out("frame", "JSON has all edges, in the picture or not");
   context_.progress.stage("writing");
   report.timed("write", [&] {
-    for (std::size_t i = 0; i < a_.outputs.size(); ++i) {
-      const std::string bytes = bytes_of(request_.formats[i]);
-      context_.write(a_.outputs[i], bytes, summary_of(request_.formats[i], bytes));
+    for (const Output& output : request_.outputs) {
+      const std::string bytes = bytes_of(output.format);
+      context_.write(output.path, bytes, summary_of(output.format, bytes));
     }
   });
   context_.finish();
@@ -451,7 +482,7 @@ std::string DrawCommand::bytes_of(Format format) const {
       break;
   }
   return lines_json(scene_.mesh, scene_.view(), lines_,
-                    {a_.exact ? Numbers::exact : Numbers::rounded, a_.fill ? &*fragments_ : nullptr, a_.why});
+                    {a_.exact ? Numbers::exact : Numbers::rounded, a_.fill ? &*fragments_ : nullptr, a_.why, &objects_});
 }
 
 /// The straight ones; those that were joined end to end count each.
@@ -531,14 +562,18 @@ void add_surface_options(DrawArguments& a, Options& options) {
 void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<DrawArguments>();
   Options options =
-      command.add_verb("draw", "Draw the visible lines of a model: SVG, PDF, EPS, DXF, TikZ, HPGL, PNG or JSON", examples);
-  options.add("MODEL", a->model, "", "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB").required();
+      command.add_verb("draw", "Draw the visible lines of models: SVG, PDF, EPS, DXF, TikZ, HPGL, PNG or JSON", examples);
+  a->models.add_to(options);
   options
-      .add("-o,--output", a->outputs, "FILE",
-           "The drawing; its ending chooses svg, pdf, eps, dxf, tex, hpgl, png or json; csv: a table of error against run "
-           "time, of the "
-           "exact fragments and of z-buffers of 256, 512, ... samples each way, up to --size [8192]; may be repeated")
+      .add_one_each(
+          "-o,--output", a->outputs, "FILE",
+          "The drawing; its ending chooses svg, pdf, eps, dxf, tex, hpgl, png or json; csv: a table of error against run time, "
+          "of the "
+          "exact fragments and of z-buffers of 256, 512, ... samples each way, up to --size [8192]; svg:- and the like "
+          "write to standard output; may be repeated")
       .required();
+  a->models.add_objects_to(options);
+  a->models.add_ghosts_to(options);
   a->view.add_to(options);
   a->scene.add_to(options);
   add_line_options(*a, options);

@@ -22,7 +22,8 @@ using namespace internal;
 namespace {
 
 struct InfoArguments {
-  std::string model, mesh;
+  ModelArguments models;
+  std::string mesh;
   ViewOptions view;
   SceneArguments scene;
   LineArguments lines;
@@ -162,13 +163,14 @@ void add_facts(Report& report, const Model& model, const SceneFacts& f) {
 }
 
 void run(const InfoArguments& a, UnfinishedFiles& unfinished) {
+  a.models.check();
   LineOptions line_options = a.lines.options();
   SceneOptions scene_options = a.lines.scene_options();
   scene_options.coplanar = a.scene.which_coplanar();
   scene_options.hidden_lines = false;  // as a drawing is without --hidden
-  CommandContext context(a.common, a.model, {a.mesh}, unfinished);
+  CommandContext context(a.common, a.models.models, {a.mesh}, unfinished);
   Report& report = context.report;
-  const ViewedModel viewed = context.read(a.model, a.view);
+  const ViewedModel viewed = context.read(a.models, a.view);
   DrawingOptions drawing_options;  // the page of a drawing, unless it is told otherwise
   drawing_options.page = parse_page("A4");
   drawing_options.field_of_view = viewed.chosen.field_of_view;
@@ -198,14 +200,15 @@ void add_info(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<InfoArguments>();
   Options options = command.add_verb(
       "info", "Say what a model is: size, topology, defects, the bits it needs, and what a drawing of it takes", examples);
-  options.add("MODEL", a->model, "", "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB").required();
+  a->models.add_to(options);
   a->view.add_to(options);
   a->scene.add_to(options);
   a->lines.add_to(options);
   options.begin_group("Options");
   options.add("--mesh", a->mesh, "FILE", "Write the faces as used as JSON");
   options.add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
-  options.add("--report", a->common.report, "FILE", "The facts and times as JSON; - for the standard output, instead of the text");
+  options.add("--report", a->common.report, "FILE",
+              "The facts and times as JSON; - for the standard output, instead of the text");
   a->common.add_quiet_to(options, "Only the facts: no progress, nothing about files");
   options.on_run([a, &unfinished] { run(*a, unfinished); });
 }

@@ -26,8 +26,7 @@ double unit_of(const std::string& option, const Model& model) {
 
 std::string unit_note(const Model& model) {
   if (!model.unit) return {};
-  const double mm = *model.unit;
-  const std::string unit = mm == 1000 ? "m" : mm == 10 ? "cm" : mm == 25.4 ? "in" : "mm";
+  const std::string unit = name_of_unit(*model.unit);
   return fmt::format("{} has a unit of {} by its specification: --unit {} is the default", model.format, unit, unit);
 }
 

@@ -34,7 +34,7 @@ using namespace internal;
 namespace {
 
 struct OrderArguments {
-  std::string model;
+  ModelArguments models;
   std::vector<std::string> outputs;
   ViewOptions view;
   SceneArguments scene;
@@ -103,7 +103,7 @@ std::string painted_png(const SceneView& scene, const PaintersOrder& order, cons
 
 /// The arguments, each found to be one that can be done.
 struct OrderRequest {
-  std::vector<Format> formats;
+  std::vector<Output> outputs;
   LineOptions lines;
   DrawingOptions drawing;
   PixelSize size = {1024, 1024};
@@ -111,8 +111,8 @@ struct OrderRequest {
 
 OrderRequest parse(const OrderArguments& a) {
   OrderRequest request;
-  for (const std::string& path : a.outputs)
-    request.formats.push_back(format_of(path, std::array{Format::json, Format::svg, Format::png}));
+  a.models.check();
+  request.outputs = parse_outputs(a.outputs, std::array{Format::json, Format::svg, Format::png});
   if (!(a.opacity > 0 && a.opacity <= 1))
     throw InputError(fmt::format("--opacity: found {}, expected more than 0 and at most 1", a.opacity));
   LineArguments lines;
@@ -128,10 +128,11 @@ OrderRequest parse(const OrderArguments& a) {
 class OrderCommand {
  public:
   OrderCommand(const OrderArguments& a, UnfinishedFiles& unfinished)
-      : a_(a), request_(parse(a)), context_(a.common, a.model, a.outputs, unfinished) {}
+      : a_(a), request_(parse(a)), context_(a.common, a.models.models, paths_of(request_.outputs), unfinished) {}
 
   void run() {
-    scene_ = context_.read(a_.model, a_.view);
+    scene_ = context_.read(a_.models, a_.view, 0, a_.page.unit);
+    context_.report.set("view", cli::json_of(scene_.view()));
     prepared_ = scene_.prepared({.coplanar = a_.scene.which_coplanar()});
     request_.drawing.field_of_view = scene_.chosen.field_of_view;
     context_.say_notes_of(scene_);
@@ -234,7 +235,7 @@ void OrderCommand::write() {
   context_.progress.stage("writing");
   context_.report.timed("write", [&] {
     const std::vector<Colour> colours = face_colours(scene_.model, scene_.mesh, scene_.view());
-    for (std::size_t i = 0; i < a_.outputs.size(); ++i) write(a_.outputs[i], request_.formats[i], colours);
+    for (const Output& output : request_.outputs) write(output.path, output.format, colours);
   });
   context_.finish();
 }
@@ -284,7 +285,8 @@ void add_picture_options(OrderArguments& a, Options& options) {
   options.add("--opacity", a.opacity, "A", "Of every face, times its own in the file; more than 0, at most 1")
       .with_default_shown();
   options
-      .add("--edges", a.edges, "LIST", "SVG: classes of edges to draw on the faces, or all: outline,sharp,boundary,wire,material,smooth,joint")
+      .add("--edges", a.edges, "LIST",
+           "SVG: classes of edges to draw on the faces, or all: outline,sharp,boundary,wire,material,smooth,joint")
       .with_default_shown();
   options.add("--crease", a.crease, "DEG", "An edge is sharp if its faces deviate from flat by more than this")
       .with_default_shown();
@@ -295,8 +297,13 @@ void add_picture_options(OrderArguments& a, Options& options) {
 void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<OrderArguments>();
   Options options = command.add_verb("order", "Painter's order: the faces from far to near, as SVG, PNG or JSON", examples);
-  options.add("MODEL", a->model, "", "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB").required();
-  options.add("-o,--output", a->outputs, "FILE", "The order; its ending chooses svg, png or json; may be repeated").required();
+  a->models.add_to(options);
+  options
+      .add_one_each(
+          "-o,--output", a->outputs, "FILE",
+          "The order; its ending chooses svg, png or json; svg:- and the like write to standard output; may be repeated")
+      .required();
+  a->models.add_objects_to(options);
   add_order_options(*a, options);
   a->view.add_to(options);
   a->scene.add_to(options);

@@ -31,7 +31,25 @@ bool is_ordinary(const std::string& path) {
 
 }  // namespace
 
-void check_outputs(const std::string& model, const std::vector<std::string>& outputs) {
+std::vector<Output> parse_outputs(const std::vector<std::string>& texts, std::span<const Format> expected) {
+  std::vector<Output> outputs;
+  for (const std::string& text : texts) {
+    if (text == "-") throw InputError("-: found no format, expected one in front for the standard output, such as svg:-");
+    if (text.ends_with(":-"))
+      outputs.push_back({"-", format_named(text.substr(0, text.size() - 2), text, expected)});
+    else
+      outputs.push_back({text, format_of(text, expected)});
+  }
+  return outputs;
+}
+
+std::vector<std::string> paths_of(const std::vector<Output>& outputs) {
+  std::vector<std::string> paths;
+  for (const Output& output : outputs) paths.push_back(output.path);
+  return paths;
+}
+
+void check_outputs(const std::vector<std::string>& models, const std::vector<std::string>& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const std::string& path = outputs[i];
     if (path.empty()) continue;
@@ -42,21 +60,30 @@ void check_outputs(const std::string& model, const std::vector<std::string>& out
         throw InputError(path + ": found no directory " + directory.string() + ", expected one to write into");
       if (!is_ordinary(path)) continue;
     }
-    std::error_code error;
-    if (identity(path) == identity(model) || fs::equivalent(path, model, error))
-      throw InputError(path + ": is the model itself; expected another file to write");
+    for (const std::string& model : models) {
+      std::error_code error;
+      if (path == "-" || model == "-") continue;
+      if (identity(path) == identity(model) || fs::equivalent(path, model, error))
+        throw InputError(path + ": is the model itself; expected another file to write");
+    }
     for (std::size_t j = 0; j < i; ++j)
       if (!outputs[j].empty() && identity(outputs[j]) == identity(path))
-        throw InputError(path + ": found twice among the outputs, expected different files");
+        throw InputError((path == "-" ? "standard output" : path) +
+                         ": found twice among the outputs, expected different files");
   }
 }
 
 void OutputFiles::write(const std::string& path, const std::string& bytes) {
+  if (path == "-") {
+    standard_output_ = bytes;
+    return;
+  }
   files_.push_back(std::make_unique<OutputFile>(path, &unfinished_));
   files_.back()->write(bytes);
 }
 
 void OutputFiles::commit() {
+  if (standard_output_) write_file("-", *standard_output_);
   for (const auto& file : files_) file->commit();
 }
 

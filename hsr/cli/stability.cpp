@@ -105,7 +105,7 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
   if (a.size < 16 || a.size > 1024)
     throw InputError(fmt::format("--size: found {}, expected 16 to 1024 samples each way", a.size));
   OutputDirectory directory(a.directory, unfinished);
-  CommandContext context(a.common, "", {}, unfinished);
+  CommandContext context(a.common, {}, {}, unfinished);
   StabilityOptions options;
   options.families = a.families;
   options.size = a.size;

@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "geometry/error.h"
 #include "hsr/cli/command_context.h"
@@ -22,7 +24,8 @@ using namespace internal;
 namespace {
 
 struct VerifyArguments {
-  std::string input, output;
+  ModelArguments models;
+  std::string output;
   ViewOptions view;
   SceneArguments scene;
   std::uint64_t limit = 10;
@@ -36,7 +39,15 @@ const char* const examples = R"(Examples:
 
 Writes the verdict to standard output, and a picture or a report if asked. Exit status 1: the order is wrong.)";
 
-bool is_json(const std::string& path) { return path.size() > 5 && path.substr(path.size() - 5) == ".json"; }
+bool is_json(const std::string& path) { return path.size() > 5 && path.ends_with(".json"); }
+
+/// The file that holds an order; nothing: models whose faces are painted as they come.
+std::optional<std::string> order_file(const ModelArguments& a) {
+  const bool is_any = std::any_of(a.models.begin(), a.models.end(), is_json) || a.from == "json";
+  if (!is_any) return {};
+  if (a.models.size() > 1) throw InputError("verify: found an order beside another file, expected one order, or models");
+  return a.models.front() == "-" ? "/dev/stdin" : a.models.front();
+}
 
 bool asks_for_view(const ViewOptions& v) { return !v.name.empty() || !v.eye.empty() || !v.direction.empty(); }
 
@@ -159,16 +170,16 @@ class Teller {
 struct Input {
   std::vector<PaintedPolygon> pieces;
   View view;
-  std::string title;
+  std::string title, name;
   std::optional<Coplanar> coplanar;  // if the file says so
 };
 
 /// The order of a model's faces.
 Input from_model(const VerifyArguments& a, CommandContext& context) {
-  const ViewedModel viewed = context.read(a.input, a.view);
+  const ViewedModel viewed = context.read(a.models, a.view);
   const Model& model = viewed.model;
   if (!viewed.chosen.note.empty()) context.note(viewed.chosen.note);
-  Input in{{}, viewed.view(), viewed.chosen.title, {}};
+  Input in{{}, viewed.view(), viewed.chosen.title, viewed.name(), {}};
   for (std::size_t f = 0; f < model.polygons.size(); ++f) {
     PaintedPolygon p;
     p.face = static_cast<std::uint32_t>(f);
@@ -181,10 +192,10 @@ Input from_model(const VerifyArguments& a, CommandContext& context) {
   return in;
 }
 
-Input from_order(const VerifyArguments& a, CommandContext& context) {
+Input from_order(const VerifyArguments& a, const std::string& path, CommandContext& context) {
   context.progress.stage("reading");
-  PaintingFile file = context.report.timed("read", [&] { return read_order(a.input); });
-  Input in{std::move(file.far_to_near), {}, "the file's", file.coplanar};
+  PaintingFile file = context.report.timed("read", [&] { return read_order(path); });
+  Input in{std::move(file.far_to_near), {}, "the file's", std::filesystem::path(path).filename().string(), file.coplanar};
   if (!asks_for_view(a.view) && file.view) {
     if (changes_view(a.view))
       throw InputError(
@@ -211,8 +222,10 @@ Input from_order(const VerifyArguments& a, CommandContext& context) {
 
 void run(const VerifyArguments& a, UnfinishedFiles& unfinished) {
   if (!a.output.empty()) (void)format_of(a.output, std::array{Format::svg});
-  CommandContext context(a.common, a.input, {a.output}, unfinished);
-  const Input in = is_json(a.input) ? from_order(a, context) : from_model(a, context);
+  a.models.check();
+  const std::optional<std::string> order = order_file(a.models);
+  CommandContext context(a.common, a.models.models, {a.output}, unfinished);
+  const Input in = order ? from_order(a, *order, context) : from_model(a, context);
   context.progress.stage("verify");
   VerifyOptions options;
   options.limit = a.limit;
@@ -223,10 +236,8 @@ void run(const VerifyArguments& a, UnfinishedFiles& unfinished) {
   const Teller teller(verdict, in.pieces, coplanar);
   if (!context.is_quiet()) teller.say();
   if (!a.output.empty())
-    context.write(
-        a.output,
-        verdict_svg(verdict, in.pieces, in.view, {std::filesystem::path(a.input).filename().string(), "view: " + in.title}),
-        counted(verdict.first.size(), "violation"));
+    context.write(a.output, verdict_svg(verdict, in.pieces, in.view, {in.name, "view: " + in.title}),
+                  counted(verdict.first.size(), "violation"));
   context.report.set("verdict", teller.json());
   context.finish();
   if (!verdict.is_correct()) throw CheckFailed();
@@ -238,8 +249,7 @@ void add_verify(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<VerifyArguments>();
   Options options =
       command.add_verb("verify", "Is a painting order right for a view? The answer, and where it is not", examples);
-  options.add("ORDER.json|MODEL", a->input, "", "hsr-order/1 by anyone, or a model whose faces are painted in the file's order")
-      .required();
+  a->models.add_with_order_to(options);
   options.add("-o,--output", a->output, "FILE", "A picture of the violations, .svg");
   options.add("--limit", a->limit, "N", "Violations to describe").with_default_shown();
   a->view.add_to(options);

@@ -19,14 +19,25 @@ namespace {
   throw InputError(option + ": found \"" + text + "\", expected three finite numbers X,Y,Z");
 }
 
-double parse_number(const std::string& option, std::string text, const std::string& whole) {
+/// The finite number that the text is; nothing where it is none.
+std::optional<double> parse_number(std::string text) {
   text.erase(0, text.find_first_not_of(' '));
   text.erase(text.find_last_not_of(' ') + 1);
   const std::string digits = !text.empty() && text.front() == '+' ? text.substr(1) : text;
   double x = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(x)) refuse_point(option, whole);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(x)) return {};
   return x + 0.0;
+}
+
+/// "45,0.5": the base view seen obliquely.
+View parse_oblique(const std::string& text, const View& base) {
+  const std::size_t comma = text.find(',');
+  const auto degrees = parse_number(text.substr(0, comma));
+  const auto ratio = comma == std::string::npos ? std::nullopt : parse_number(text.substr(comma + 1));
+  if (!degrees || !ratio)
+    throw InputError("--oblique: found \"" + text + "\", expected an angle and a ratio DEG,RATIO, such as 45,0.5");
+  return oblique_view(base, *degrees, *ratio);
 }
 
 bool is_inside_box(const Mesh& mesh, const Point3& p) {
@@ -68,7 +79,9 @@ Point3 parse_point(const std::string& option, const std::string& text) {
     parts[k] = text.substr(begin, end - begin);
     begin = end + 1;
   }
-  return {parse_number(option, parts[0], text), parse_number(option, parts[1], text), parse_number(option, parts[2], text)};
+  const auto x = parse_number(parts[0]), y = parse_number(parts[1]), z = parse_number(parts[2]);
+  if (!x || !y || !z) refuse_point(option, text);
+  return {*x, *y, *z};
 }
 
 void ViewOptions::add_to(Options& options) {
@@ -79,6 +92,9 @@ void ViewOptions::add_to(Options& options) {
   options.add("--target", target, "X,Y,Z", "The point looked at [centre of the bounding box]");
   options.add("--direction", direction, "X,Y,Z", "Parallel view; the direction points toward the viewer");
   options.add("--up", up, "X,Y,Z", "What is up on the paper [the up axis, or what it can be]");
+  options.add("--oblique", oblique, "DEG,RATIO",
+              "Parallel view whose front stays true: what recedes is drawn at DEG from the horizontal and RATIO times as long. "
+              "Cavalier: 45,1; cabinet: 45,0.5; with --view top planometric: 270,1. Of --view [front] or --direction");
   options.add("--fov", field_of_view, "DEG",
               "Perspective: frame this angle, across the shorter side, instead of all beyond the near plane");
   options.add("--near", near, "D", "Perspective: distance of the near plane [a thousandth of eye to target]");
@@ -94,6 +110,8 @@ ChosenView choose_view(const ViewOptions& o, const Mesh& mesh, const Model& mode
   if (o.field_of_view && !(*o.field_of_view > 0 && *o.field_of_view < 180))
     throw InputError(fmt::format("--fov: found {}, expected degrees, more than 0 and less than 180", *o.field_of_view));
   if (o.near && !(*o.near > 0)) throw InputError(fmt::format("--near: found {}, expected a distance above 0", *o.near));
+  if (!o.oblique.empty() && (!o.eye.empty() || names_camera(o.name)))
+    throw InputError("view: found --oblique with --eye or a camera, expected it with --direction or another --view");
   if (names_camera(o.name)) return view_through_camera(o, mesh, model);
   const bool y_up = up_axis_of(o.up_axis, model) == 'y';
   const Point3 target = o.target.empty() ? centre(mesh) : parse_point("--target", o.target);
@@ -115,11 +133,26 @@ ChosenView choose_view(const ViewOptions& o, const Mesh& mesh, const Model& mode
     chosen.view = parallel_view(direction, o.up.empty() ? default_up(y_up, direction) : parse_point("--up", o.up), target);
     chosen.title = "direction " + o.direction;
   } else {
-    chosen.title = o.name.empty() ? "iso" : o.name;
+    chosen.title = !o.name.empty() ? o.name : o.oblique.empty() ? "iso" : "front";
     chosen.view = named_view(chosen.title, target, y_up);
     if (!o.up.empty()) chosen.view = parallel_view(chosen.view.viewpoint.at, parse_point("--up", o.up), target);
   }
+  if (!o.oblique.empty()) {
+    chosen.view = parse_oblique(o.oblique, chosen.view);
+    chosen.title += ", oblique " + o.oblique;
+  }
   return chosen;
+}
+
+JsonValue json_of(const View& view) {
+  const auto list = [](const Point3& p) { return JsonValue::array({p.x, p.y, p.z}); };
+  JsonValue eye = list(view.viewpoint.at);
+  eye.push_back(view.viewpoint.w());
+  return {{"eye", std::move(eye)},
+          {"target", list(view.target)},
+          {"up", list(view.up)},
+          {"frame", {{"origin", list(view.frame.origin)}, {"right", list(view.frame.right)}, {"up", list(view.frame.up)}}},
+          {"near", view.is_perspective() ? JsonValue(view.near) : JsonValue()}};
 }
 
 }  // namespace hsr::cli

@@ -5,6 +5,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/cli/command_line.h"
+#include "hsr/cli/json_value.h"
 #include "hsr/model.h"
 #include "hsr/view/view.h"
 
@@ -12,7 +13,7 @@ namespace hsr::cli {
 
 /// The options that say from where the model is looked at.
 struct ViewOptions {
-  std::string name, eye, target, direction, up;
+  std::string name, eye, target, direction, up, oblique;
   std::optional<double> field_of_view, near;
   std::string up_axis;  ///< y or z; empty: the model's
 
@@ -30,6 +31,9 @@ struct ChosenView {
 
 /// @throws InputError for values that are no view of this model
 ChosenView choose_view(const ViewOptions& options, const Mesh& mesh, const Model& model);
+
+/// As reports have it.
+JsonValue json_of(const View& view);
 
 /// "1,-2.5,3e4", correctly rounded. @throws InputError naming the option
 Point3 parse_point(const std::string& option, const std::string& text);

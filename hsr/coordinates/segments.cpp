@@ -3,29 +3,11 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-
 #include "hsr/coordinates/rounded_coordinates.h"
 
 namespace hsr {
 
 using namespace internal;
-
-namespace {
-
-std::vector<FaceId> faces_at(const Mesh& mesh, const Line& line, const SupportingLine& support) {
-  std::vector<FaceId> faces;
-  if (support.is_edge()) {
-    for (const TriangleId t : mesh.triangles_at(line.edge)) faces.push_back(mesh.face_of[t]);
-  } else {
-    faces = {mesh.face_of[support.meet.s], mesh.face_of[support.meet.t]};
-  }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
-}
-
-}  // namespace
 
 std::vector<Segment> segments(const SceneView& scene, const VisibleLines& lines) {
   const Mesh& mesh = scene.mesh();
@@ -38,7 +20,7 @@ std::vector<Segment> segments(const SceneView& scene, const VisibleLines& lines)
       const Line& line = lines.lines[i];
       if (line.intervals() == 0) continue;
       const SupportingLine support = supporting_line_of(mesh, lines, line);
-      const std::vector<FaceId> faces = faces_at(mesh, line, support);
+      const std::vector<FaceId> faces = faces_at(mesh, lines, line);
       const auto cuts = lines.cuts_of(line);
       PlacedPoint from = coordinates.at(support, cuts[0]);
       for (std::uint32_t k = 0; k < line.intervals(); ++k) {

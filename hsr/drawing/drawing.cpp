@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "geometry/bit_range.h"
 #include "geometry/error.h"
@@ -50,12 +51,35 @@ IndexedVector<VertexId, HomogeneousPoint> images(const Projection& projection, c
   return at;
 }
 
-Overlay lay_over(const ImageLines& groups, const Projection& projection, const VisibleLines& lines, bool with_hidden,
+/// By line; empty: they are not told apart.
+std::vector<std::uint32_t> objects_of_lines(const Mesh& mesh, const VisibleLines& lines, const FaceObjects* objects) {
+  std::vector<std::uint32_t> of_line;
+  if (objects == nullptr || !objects->are_told_apart()) return of_line;
+  of_line.resize(lines.lines.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, of_line.size(), 1024), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      of_line[i] = objects->object_of(faces_at(mesh, lines, lines.lines[i]));
+  });
+  return of_line;
+}
+
+/// Those of one object together, as nothing of them overlaps.
+void tell_apart(Fills& fills, const FaceObjects& objects) {
+  for (Fill& fill : fills.fills) {
+    std::vector<FaceId> faces;
+    for (std::uint32_t k = fill.first_face; k < fill.end_face; ++k) faces.emplace_back(fills.faces[k]);
+    fill.object = objects.object_of(faces);
+  }
+  std::stable_sort(fills.fills.begin(), fills.fills.end(), [](const Fill& a, const Fill& b) { return a.object < b.object; });
+}
+
+Overlay lay_over(const ImageLines& groups, const Projection& projection, const VisibleLines& lines,
+                 const std::vector<std::uint32_t>& object_of_line, bool with_hidden,
                  tbb::enumerable_thread_specific<Predicates>& predicates) {
   constexpr std::size_t chunk = 512;
   std::vector<Overlay> parts((groups.size() + chunk - 1) / chunk);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t c) {
-    LineOverlay overlay(projection, lines, with_hidden, predicates.local());
+    LineOverlay overlay(projection, lines, object_of_line, with_hidden, predicates.local());
     for (std::size_t g = c * chunk; g < std::min(groups.size(), (c + 1) * chunk); ++g) {
       if (groups[g].size() == 1)
         overlay.add_single(groups[g].front(), parts[c]);
@@ -82,6 +106,7 @@ class Placer {
     line.from = from_is_cut ? on_frame(from) : rounded(stroke.from, from);
     line.to = to_is_cut ? on_frame(to) : rounded(stroke.to, to);
     line.style = (stroke.hidden ? 0U : 16U) + static_cast<std::uint32_t>(stroke.edge_class);
+    line.object = stroke.object;
     return line;
   }
 
@@ -177,6 +202,7 @@ class Collector {
     const Stroke& first = overlay_.strokes[of_line[distinct.part_of[passes.front() / 2]]];
     p.hidden = first.hidden;
     p.edge_class = first.edge_class;
+    p.object = first.object;
     add_sources(p, passes, distinct, of_line);
     drawing_.polylines.push_back(p);
   }
@@ -190,12 +216,8 @@ class Collector {
       const Stroke& stroke = overlay_.strokes[of_line[line]];
       for (std::uint32_t s = stroke.first_source; s < stroke.end_source; ++s) {
         const Line& source = lines_.lines[overlay_.sources[s]];
-        if (!source.is_intersection()) {
-          edges_.push_back(source.edge);
-          continue;
-        }
-        const Intersection& meet = lines_.intersections[source.intersection];
-        for (const TriangleId t : {meet.s, meet.t}) faces_.push_back(mesh_.face_of[t].value);
+        if (!source.is_intersection()) edges_.push_back(source.edge);
+        for (const FaceId f : faces_at(mesh_, lines_, source)) faces_.push_back(f.value);
       }
     };
     for (const std::uint32_t pass : passes) {
@@ -206,10 +228,7 @@ class Collector {
     }
     sort_unique(edges_);
     p.first_edge = static_cast<std::uint32_t>(drawing_.edges.size());
-    for (const EdgeId e : edges_) {
-      drawing_.edges.push_back({mesh_.edges[e].a.value, mesh_.edges[e].b.value});
-      for (const TriangleId t : mesh_.triangles_at(e)) faces_.push_back(mesh_.face_of[t].value);
-    }
+    for (const EdgeId e : edges_) drawing_.edges.push_back({mesh_.edges[e].a.value, mesh_.edges[e].b.value});
     p.end_edge = static_cast<std::uint32_t>(drawing_.edges.size());
     sort_unique(faces_);
     p.first_face = static_cast<std::uint32_t>(drawing_.faces.size());
@@ -255,7 +274,11 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   drawing.fits = place.fits;
   drawing.hidden = options.hidden;
 
+  const std::vector<std::uint32_t> object_of_line = objects_of_lines(mesh, lines, options.objects);
+  const bool tells_objects = options.objects != nullptr && options.objects->are_told_apart();
+  if (tells_objects) drawing.objects = options.objects->names;
   if (regions != nullptr) drawing.fills = placed_fills(place, *regions);
+  if (tells_objects) tell_apart(drawing.fills, *options.objects);
 
   const bool with_hidden = options.hidden != HiddenLines::none;
   if (!with_hidden)
@@ -264,8 +287,8 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   const Projection& projection = place.projection;
   auto at = images(projection, lines, seen);
   tbb::enumerable_thread_specific<Predicates> predicates(predicates_for(mesh, view, options.arithmetic));
-  const Overlay overlay =
-      lay_over(image_lines(projection, at, lines, seen, predicates.local()), projection, lines, with_hidden, predicates);
+  const Overlay overlay = lay_over(image_lines(projection, at, lines, seen, predicates.local()), projection, lines,
+                                   object_of_line, with_hidden, predicates);
   for (const Predicates& p : predicates) drawing.decisions += p.counts();
   drawing.visible_under_visible = overlay.visible_under_visible;
   drawing.hidden_under_visible = overlay.hidden_under_visible;
@@ -309,7 +332,8 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   std::vector<std::uint32_t> order(chains.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return distinct.lines[chains[a].front() / 2].style < distinct.lines[chains[b].front() / 2].style;
+    const PaperLine &x = distinct.lines[chains[a].front() / 2], &y = distinct.lines[chains[b].front() / 2];
+    return std::pair(x.style, x.object) < std::pair(y.style, y.object);
   });
   Collector collector(drawing, mesh, lines, overlay);
   std::vector<std::uint8_t> is_short(chains.size(), 0);

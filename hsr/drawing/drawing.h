@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "hsr/drawing/page.h"
+#include "hsr/face_objects.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/regions.h"
 
@@ -31,6 +33,8 @@ struct DrawingOptions {
   bool leave_out_near = false;
   /// Millimetres: lines that are joined to one another and together shorter than this are left out, such as freckles on scans.
   double min_length = 0;
+  /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
+  const FaceObjects* objects = nullptr;
 };
 
 /// Some lines of one style, joined end to end.
@@ -38,12 +42,14 @@ struct Polyline {
   bool hidden = false, closed = false;  ///< closed: the last point is joined to the first, which is not repeated
   EdgeClass edge_class = EdgeClass::outline;
   std::uint32_t first_point = 0, end_point = 0, first_edge = 0, end_edge = 0, first_face = 0, end_face = 0;
+  std::uint32_t object = FaceObjects::none;  ///< of Drawing::objects; none: of several
 };
 
 /// A part of the page in one colour.
 struct Fill {
   Colour colour = {};
   std::uint32_t first_ring = 0, end_ring = 0, first_face = 0, end_face = 0;
+  std::uint32_t object = FaceObjects::none;  ///< of Drawing::objects; none: of several
 };
 
 /// The filled parts of a drawing, which do not overlap, and the outline of all of them.
@@ -67,7 +73,8 @@ struct Drawing {
   bool fits = true;                  ///< nothing is outside the page
   HiddenLines hidden = HiddenLines::none;
 
-  std::vector<Polyline> polylines;                  ///< hidden before visible, then by class, then by their first edge
+  std::vector<std::string> objects;                 ///< names; empty: fewer than two are told apart
+  std::vector<Polyline> polylines;                  ///< hidden before visible, then by class, object and their first edge
   std::vector<PaperPoint> points;                   ///< x to the right, y down, from the upper left corner of the page
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< i < j, ascending and unique for each polyline
   std::vector<std::uint32_t> faces;                 ///< ascending and unique for each polyline

@@ -15,7 +15,7 @@ constexpr std::uint32_t none = 0xffffffffU;
 // End 2 k is the start of line k, end 2 k + 1 its other end.
 struct End {
   PaperPoint at;
-  std::uint32_t style, end;
+  std::uint32_t style, object, end;
 };
 
 struct Direction {
@@ -71,15 +71,16 @@ Chains join(const std::vector<PaperLine>& lines) {
   std::vector<End> ends;
   ends.reserve(2 * lines.size());
   for (std::uint32_t k = 0; k < lines.size(); ++k) {
-    ends.push_back({lines[k].from, lines[k].style, 2 * k});
-    ends.push_back({lines[k].to, lines[k].style, 2 * k + 1});
+    ends.push_back({lines[k].from, lines[k].style, lines[k].object, 2 * k});
+    ends.push_back({lines[k].to, lines[k].style, lines[k].object, 2 * k + 1});
   }
   tbb::parallel_sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
-    return std::tie(a.style, a.at, a.end) < std::tie(b.style, b.at, b.end);
+    return std::tie(a.style, a.object, a.at, a.end) < std::tie(b.style, b.object, b.at, b.end);
   });
   std::vector<std::uint32_t> partner(ends.size(), none);
   for (std::size_t i = 0, j = 0; i < ends.size(); i = j) {
-    while (j < ends.size() && ends[j].style == ends[i].style && ends[j].at == ends[i].at) ++j;
+    while (j < ends.size() && ends[j].style == ends[i].style && ends[j].object == ends[i].object && ends[j].at == ends[i].at)
+      ++j;
     if (j - i == 2) {
       partner[ends[i].end] = ends[i + 1].end;
       partner[ends[i + 1].end] = ends[i].end;

@@ -8,10 +8,11 @@
 
 namespace hsr::internal {
 
-/// A straight line on the paper, and its style: only lines of one style are joined.
+/// A straight line on the paper, its style and its object: only lines of one style and one object are joined.
 struct PaperLine {
   PaperPoint from, to;
   std::uint32_t style = 0;
+  std::uint32_t object = 0xffffffffU;  ///< FaceObjects::none: of several, or none is told apart
 };
 
 /// Lines in a row.

@@ -102,7 +102,7 @@ std::vector<PaperLine> rest(const PaperLine& line, const std::vector<Range>& out
   const Steps steps(line);
   std::int64_t done = 0;
   const auto keep_up_to = [&](std::int64_t end) {
-    if (end > done) result.push_back({steps[done], steps[end], line.style});
+    if (end > done) result.push_back({steps[done], steps[end], line.style, line.object});
   };
   for (const Range& range : out) {
     keep_up_to(range.first);

@@ -56,7 +56,7 @@ void LineOverlay::add_single(std::uint32_t line, Overlay& result) const {
     const auto source = static_cast<std::uint32_t>(result.sources.size());
     result.sources.push_back(line);
     result.strokes.push_back(
-        {{line, l.first_cut + k}, {line, l.first_cut + k + 1}, l.hidden(k), l.edge_class, source, source + 1});
+        {{line, l.first_cut + k}, {line, l.first_cut + k + 1}, l.hidden(k), l.edge_class, source, source + 1, object_of(line)});
   }
 }
 
@@ -210,6 +210,7 @@ void LineOverlay::lay(Overlay& result) {
     std::uint32_t from, to;
     bool hidden;
     EdgeClass edge_class;
+    std::uint32_t object;
     std::vector<std::uint32_t> sources;
   };
   std::vector<Run> runs;
@@ -218,11 +219,14 @@ void LineOverlay::lay(Overlay& result) {
     const std::uint32_t part = top[hidden][g];
     if (part == none) continue;
     const EdgeClass c = parts_[part].edge_class;
-    if (!runs.empty() && runs.back().to == g && runs.back().hidden == hidden && runs.back().edge_class == c) {
+    const std::uint32_t object = object_of(parts_[part].line);
+    const bool goes_on = !runs.empty() && runs.back().to == g && runs.back().hidden == hidden && runs.back().edge_class == c &&
+                         runs.back().object == object;
+    if (goes_on) {
       runs.back().to = g + 1;
       if (top[hidden][g - 1] != part) ++result.merged;
     } else {
-      runs.push_back({g, g + 1, hidden, c, {}});
+      runs.push_back({g, g + 1, hidden, c, object, {}});
     }
   }
 
@@ -250,7 +254,7 @@ void LineOverlay::lay(Overlay& result) {
     const auto first = static_cast<std::uint32_t>(result.sources.size());
     result.sources.insert(result.sources.end(), run.sources.begin(), run.sources.end());
     result.strokes.push_back({place_of_rank_[run.from], place_of_rank_[run.to], run.hidden, run.edge_class, first,
-                              static_cast<std::uint32_t>(result.sources.size())});
+                              static_cast<std::uint32_t>(result.sources.size()), run.object});
   }
 }
 

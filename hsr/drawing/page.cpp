@@ -74,4 +74,10 @@ double parse_unit(const std::string& text) {
   throw InputError("unit: found \"" + text + "\", expected mm, cm, m or in");
 }
 
+std::string name_of_unit(double millimetres) {
+  for (const char* name : {"cm", "m", "in"})
+    if (parse_unit(name) == millimetres) return name;
+  return "mm";
+}
+
 }  // namespace hsr

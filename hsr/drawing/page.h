@@ -35,4 +35,7 @@ std::optional<double> parse_scale(const std::string& text);
 /// Millimetres in a model unit: mm, cm, m or in. @throws InputError for anything else
 double parse_unit(const std::string& text);
 
+/// The unit of that many millimetres; "mm" where there is none.
+std::string name_of_unit(double millimetres);
+
 }  // namespace hsr

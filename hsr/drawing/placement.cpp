@@ -207,7 +207,9 @@ Placement internal::placement(const Mesh& mesh, const View& view, const VisibleL
     width = box.size(0);
     height = box.size(1);
     for (int k = 0; k < 2; ++k) centre[static_cast<std::size_t>(k)] = round_centre(box.centre(k), std::max(width, height));
-    if ((page.turns || page.fits) && (width > height) != (page.width > page.height)) std::swap(page.width, page.height);
+    // A square stays upright, whatever the last place of its sides says.
+    const bool is_wide = width - height > 1e-9L * std::max(width, height);
+    if ((page.turns || page.fits) && is_wide != (page.width > page.height)) std::swap(page.width, page.height);
   }
 
   if (options.in_frame_units) return in_frame_units(std::move(result), view, width, height, framed);

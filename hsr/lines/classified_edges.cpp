@@ -110,7 +110,7 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
       const std::size_t end = std::min((block + 1) * edges_of_block, mesh.edges.size());
       for (std::size_t e = block * edges_of_block; e < end; ++e) {
         const EdgeId id(e);
-        if (outside != nullptr && outside->contains(mesh.edges[id])) continue;
+        if (mesh.edges[id].is_only_of_ghosts() || (outside != nullptr && outside->contains(mesh.edges[id]))) continue;
         if (const auto c = finder.find(id, !has_contact.empty() && has_contact[e] != 0))
           edge_classes[e] = static_cast<std::uint8_t>(*c);
       }
@@ -178,6 +178,23 @@ RequestedPart ClassifiedEdges::operator[](std::size_t i) const {
 
 ClassifiedEdges::ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending) : edges(std::move(ascending)) {
   classes.resize(edges.size(), EdgeClass::smooth);
+  find_boxes(projected);
+}
+
+void ClassifiedEdges::add_ghosts(const ProjectedMesh& projected, const EdgeClassifier& among_ghosts, const LineOptions& options,
+                                 const ViewFrustum* outside) {
+  const Mesh &mesh = projected.mesh(), &of_ghosts = among_ghosts.projected().mesh();
+  first_ghost_ = edges.size();
+  LineOptions without_diagonals = options;
+  without_diagonals.diagonals = false;
+  const ClassifiedEdges ghosts(among_ghosts, without_diagonals, outside, nullptr, {}, false, nullptr);
+  for (std::size_t i = 0; i < ghosts.edges.size(); ++i) {
+    const Edge& e = of_ghosts.edges[ghosts.edges[i]];
+    edges.push_back(mesh.find_edge(e.a, e.b));
+    classes.push_back(ghosts.classes[i]);
+  }
+  if (!hidden.empty()) hidden.resize(edges.size(), 0);
+  decisions += ghosts.decisions;
   find_boxes(projected);
 }
 

@@ -49,6 +49,14 @@ struct ClassifiedEdges {
   /// The given edges from end to end, without finding their classes.
   ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending);
 
+  /// Appends the edges of ghosts, ascending, each with the class that it has among the ghosts alone. They hide nothing, so they
+  /// are tested like any other edge.
+  /// @param projected the mesh that they are the ghosts of
+  void add_ghosts(const ProjectedMesh& projected, const EdgeClassifier& among_ghosts, const LineOptions& options,
+                  const ViewFrustum* outside);
+  /// Whether entry i of the list is an edge of a ghost.
+  bool is_ghost(std::size_t i) const { return i >= first_ghost_; }
+
   /// Whether entry i of the list is only a part of its edge.
   bool is_part(std::size_t i) const;
   RequestedPart operator[](std::size_t i) const;
@@ -63,6 +71,7 @@ struct ClassifiedEdges {
   void list_parts(const std::vector<RequestedPart>& ascending);
   void find_boxes(const ProjectedMesh& projected);
 
+  std::size_t first_ghost_ = static_cast<std::size_t>(-1);
   std::vector<Part> parts_;  // ascending; entries of the list that are not in it stand for whole edges
 };
 

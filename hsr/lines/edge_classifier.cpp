@@ -12,7 +12,6 @@ namespace hsr::internal {
 struct EdgeClassifier::Around {
   const HalfPlane *left = nullptr, *right = nullptr;  // the nearest, or the farthest, on each side of the view plane
   const HalfPlane* edge_on = nullptr;                 // the one toward the eye, or the one away from it
-  std::span<const HalfPlane* const> counted;
 };
 
 namespace {
@@ -20,12 +19,13 @@ namespace {
 /// Whether several faces coincide in a half-plane that is not on top: where two bodies touch, nothing is to be seen of it.
 bool is_inside(const HalfPlane& h, const HalfPlane* nearest) { return h.is_shared && (h.side == Sign::zero || &h != nearest); }
 
-/// Whether a surface goes on through the edge as this half-plane and its opposite, with others on both sides of it.
-bool is_pierced(const HalfPlanes& half_planes, const HalfPlane& h, std::span<const HalfPlane* const> counted) {
+/// Whether a surface goes on through the edge as this half-plane and its opposite, with others on both sides of it. Where bodies
+/// touch counts here: sheets that pass through each other are two, though one of them is stored twice.
+bool is_pierced(const HalfPlanes& half_planes, const HalfPlane& h) {
   bool goes_on = false, positive = false, negative = false;
-  for (const HalfPlane* other : counted) {
-    if (other == &h) continue;
-    const Sign s = half_planes.side(h, *other);
+  for (const HalfPlane& other : half_planes.all()) {
+    if (&other == &h) continue;
+    const Sign s = half_planes.side(h, other);
     goes_on = goes_on || s == Sign::zero;  // each half-plane is there once
     positive = positive || s == Sign::positive;
     negative = negative || s == Sign::negative;
@@ -46,7 +46,7 @@ std::optional<EdgeClass> EdgeClassifier::more_than_flat(const HalfPlanes& half_p
   const bool is_bent = half_planes.side(*around.left, *around.right) != Sign::zero;
   if (!is_bent && around.edge_on == nullptr) return std::nullopt;
   for (const HalfPlane* h : {around.left, around.right, around.edge_on})
-    if (h != nullptr && is_pierced(half_planes, *h, around.counted)) return EdgeClass::intersection;
+    if (h != nullptr && is_pierced(half_planes, *h)) return EdgeClass::intersection;
   if (around.edge_on != nullptr) return EdgeClass::sharp;
   const bool is_sharp = half_planes.deviation_from_flat(*around.left, *around.right) > crease_.degrees;
   return is_sharp ? std::optional(EdgeClass::sharp) : std::nullopt;
@@ -75,11 +75,9 @@ PartClass EdgeClassifier::operator()(const HalfPlanes& half_planes, bool only_di
   if (all.size() == 1) return {EdgeClass::boundary, {}};
   if (nearest[0] == nullptr) return {EdgeClass::smooth, {}};
 
-  std::vector<const HalfPlane*> counted;
   const HalfPlane *front = nullptr, *back = nullptr;
   for (const HalfPlane& h : all) {
     if (is_inside(h, of_side(nearest, h))) continue;
-    counted.push_back(&h);
     if (h.side == Sign::zero) {
       (h.is_front ? front : back) = &h;
       continue;
@@ -87,12 +85,11 @@ PartClass EdgeClassifier::operator()(const HalfPlanes& half_planes, bool only_di
     auto& last = of_side(farthest, h);
     if (last == nullptr || half_planes.is_nearer(*last, h)) last = &h;
   }
-  const auto seen = more_than_flat(half_planes, {nearest[0], nearest[1], front, counted});
+  const auto seen = more_than_flat(half_planes, {nearest[0], nearest[1], front});
   if (seen) return {seen, {}};
   const bool may_go_on = crease_.goes_on_degrees < crease_.degrees &&
                          half_planes.deviation_from_flat(*nearest[0], *nearest[1]) > crease_.goes_on_degrees;
-  return {flat(nearest[0]->face, nearest[1]->face), more_than_flat(half_planes, {farthest[0], farthest[1], back, counted}),
-          may_go_on};
+  return {flat(nearest[0]->face, nearest[1]->face), more_than_flat(half_planes, {farthest[0], farthest[1], back}), may_go_on};
 }
 
 /// An edge of two faces on opposite sides whose angle is far enough from the crease: found without any exact sign. Nothing: to be

@@ -80,7 +80,9 @@ bool NearHalfPlanes::is_nearer(const HalfPlane& x, const HalfPlane& y) const {
 
 double NearHalfPlanes::deviation_from_flat(const HalfPlane& x, const HalfPlane& y) const {
   const double between = std::fabs(turned(angle(x).turn - angle(y).turn));
-  return (std::numbers::pi - between) * 180 / std::numbers::pi;
+  // Noise within the tolerance turns each by this much.
+  const double noise = slack(angle(x).reach) + slack(angle(y).reach);
+  return std::max(0.0, std::numbers::pi - between - noise) * 180 / std::numbers::pi;
 }
 
 }  // namespace hsr::internal

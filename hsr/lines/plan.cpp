@@ -49,6 +49,7 @@ class Plan {
 
  private:
   void find_intersections();
+  void add_ghosts();
   void classify_intersections(const NearParts& near);
   void leave_out_far_sides();
   void leave_out_hidden();
@@ -99,6 +100,7 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
   requested_.emplace(classifier, options, outside_ ? &*outside_ : nullptr, containing,
                      intersections_ == nullptr ? std::vector<std::uint8_t>() : intersections_->has_contact,
                      parts_.options().hidden_lines, near ? &*near : nullptr);
+  add_ghosts();
   if (requested_->edges.size() < mesh.edges.size())
     say("edges", of(mesh.edges.size() - requested_->edges.size(), mesh.edges.size(),
                     outside_ ? "edges are outside the picture, or of classes that are not asked for"
@@ -108,6 +110,15 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
   leave_out_hidden();
   leave_out_far_faces();
   choose_method();
+}
+
+/// Among themselves as in a scene of nothing else.
+void Plan::add_ghosts() {
+  const Mesh* const ghosts = parts_.mesh().ghosts.get();
+  if (ghosts == nullptr) return;
+  const ProjectedMesh projected(*ghosts, parts_.view(), projected_.arithmetic());
+  const EdgeClassifier classifier(projected, parts_.labels(), options_);
+  requested_->add_ghosts(projected_, classifier, options_, outside_ ? &*outside_ : nullptr);
 }
 
 void Plan::find_intersections() {
@@ -288,6 +299,8 @@ VisibleLines Plan::run() const {
     if (!merged_segments_.empty())
       append(all, lines_of_intersections(projected_, merged_segments_, meet_boxes_, occluders, options_));
   }
+  if (parts_.mesh().ghosts != nullptr)
+    for (std::size_t i = 0; i < requested_->edges.size(); ++i) all.lines[i].is_ghost = requested_->is_ghost(i);
   if (intersections_ != nullptr) all.decisions += intersections_->decisions;
   all.intersections = merged_segments_;
   if (!segment_classes_.empty())

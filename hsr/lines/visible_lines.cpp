@@ -1,5 +1,7 @@
 #include "hsr/lines/visible_lines.h"
 
+#include <algorithm>
+
 #include "geometry/constructed_point.h"
 #include "geometry/error.h"
 #include "geometry/rational_vector.h"
@@ -14,10 +16,27 @@ VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const
   VisibleLines some = lines;
   std::erase_if(some.lines, [&](const Line& line) {
     if (!classes[static_cast<std::size_t>(line.edge_class)]) return true;
-    return line.edge_class == EdgeClass::smooth && !line.is_intersection() && is_only_diagonal(line.edge);
+    return line.edge_class == EdgeClass::smooth && !line.is_intersection() && !line.is_ghost && is_only_diagonal(line.edge);
   });
   if (!classes[static_cast<std::size_t>(EdgeClass::intersection)]) some.intersections.clear();
   return some;
+}
+
+std::vector<FaceId> faces_at(const Mesh& mesh, const VisibleLines& lines, const Line& line) {
+  std::vector<FaceId> faces;
+  if (line.is_intersection()) {
+    const Intersection& meet = lines.intersections[line.intersection];
+    faces = {mesh.face_of[meet.s], mesh.face_of[meet.t]};
+  } else if (line.is_ghost) {
+    const Edge& edge = mesh.edges[line.edge];
+    for (const TriangleId t : mesh.ghosts->triangles_at(mesh.ghosts->find_edge(edge.a, edge.b)))
+      faces.push_back(mesh.ghosts->face_of[t]);
+  } else {
+    for (const TriangleId t : mesh.triangles_at(line.edge)) faces.push_back(mesh.face_of[t]);
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
 }
 
 SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, const Line& line) {

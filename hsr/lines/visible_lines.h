@@ -31,7 +31,8 @@ struct Line {
   /// The part stands a second time, for what touches the seen surface there from behind: hidden all along.
   bool is_behind = false;
   bool starts_hidden = false;
-  std::uint32_t first_cut = 0, end_cut = 0;            ///< none: seen as a point, or nothing of it is beyond the near plane
+  bool is_ghost = false;                     ///< of a face that hides nothing; the edge may be one of other faces, too
+  std::uint32_t first_cut = 0, end_cut = 0;  ///< none: seen as a point, or nothing of it is beyond the near plane
   std::uint32_t first_occluder = 0, end_occluder = 0;  ///< only with LineOptions::why
 
   bool is_intersection() const { return !edge.is_valid(); }
@@ -40,7 +41,8 @@ struct Line {
 };
 
 struct VisibleLines {
-  std::vector<Line> lines;                  ///< ascending by edge, hence by (a, b), and along it; then the intersections
+  /// Ascending by edge, hence by (a, b), and along it; then those of ghosts, by edge; then the intersections.
+  std::vector<Line> lines;
   std::vector<Intersection> intersections;  ///< ascending by (s, t), s and t the first triangles of planar pieces
   std::vector<Cut> cuts;
   std::vector<Occluder> occluders;
@@ -74,6 +76,10 @@ inline VisibleLines visible_lines(const Mesh& mesh, const View& view, const Line
 
 /// Those of the lines that are of one of these classes, by EdgeClass, and no diagonals that only LineOptions::diagonals brought.
 VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const EdgeClasses& classes);
+
+/// The faces at a line, ascending, each once: those of its edge, or of an intersection those that meet. Of an edge that faces and
+/// ghosts have, the one line has the faces, the other the ghosts.
+std::vector<FaceId> faces_at(const Mesh& mesh, const VisibleLines& lines, const Line& line);
 
 /// What a line runs along: from the vertex a to b, or, where they are not valid, along an intersection.
 struct SupportingLine {

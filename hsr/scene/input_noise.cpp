@@ -20,8 +20,17 @@ namespace {
 
 constexpr std::size_t most_triangles = 200'000;
 
-/// The unit in the last place of the largest coordinate, of floats if all coordinates are floats.
-double last_place(const Mesh& mesh) {
+/// Whether all coordinates are whole multiples of a power of ten, as a file of so many decimals gives them.
+bool has_decimals(const Mesh& mesh, double scale) {
+  return std::all_of(mesh.points.begin(), mesh.points.end(), [&](const Point3& p) {
+    return std::round(p.x * scale) / scale == p.x && std::round(p.y * scale) / scale == p.y &&
+           std::round(p.z * scale) / scale == p.z;
+  });
+}
+
+/// How far noise moves a coordinate: sixteen units in the last place of the largest one, of floats if all coordinates are floats; or
+/// two of the last decimals that the file has, if these are five to nine.
+double noise_of_coordinates(const Mesh& mesh) {
   double most = 0;
   bool are_floats = true;
   for (const Point3& p : mesh.points)
@@ -29,7 +38,11 @@ double last_place(const Mesh& mesh) {
       most = std::max(most, std::fabs(p[axis]));
       are_floats = are_floats && static_cast<double>(static_cast<float>(p[axis])) == p[axis];
     }
-  return std::ldexp(most, are_floats ? -23 : -52);
+  const double in_last_place = 16 * std::ldexp(most, are_floats ? -23 : -52);
+  if (are_floats || has_decimals(mesh, 1e4)) return in_last_place;
+  for (const int digits : {5, 6, 7, 8, 9})
+    if (has_decimals(mesh, std::pow(10, digits))) return std::max(in_last_place, 2 * std::pow(10, -digits));
+  return in_last_place;
 }
 
 double largest_side(const Mesh& mesh) {
@@ -87,6 +100,17 @@ std::size_t edges_that_close(const Mesh& mesh, double tolerance) {
   return close;
 }
 
+/// Whether a tolerance is smaller than the details of the model.
+bool can_be_merged(const Mesh& mesh, double tolerance) {
+  IndexedVector<VertexId, VertexId> merged = mesh.merged;
+  try {
+    merge_clusters(mesh.points, tolerance, merged);
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
+}
+
 struct Flat {
   Point3 at, normal;
 
@@ -109,7 +133,17 @@ bool is_off_plane(const Mesh& mesh, TriangleId s, TriangleId t, Predicates& exac
   return std::any_of(d.begin(), d.end(), [&](VertexId v) { return exact.side(plane, mesh.points[v]) != Sign::zero; });
 }
 
-/// Which faces touch another nearly in one plane, and how far off it they are at most.
+/// The height of a triangle over its longest side.
+double least_height(const Mesh& mesh, TriangleId t) {
+  const auto& c = mesh.triangles[t];
+  const Point3 u = minus(mesh.points[c[1]], mesh.points[c[0]]), v = minus(mesh.points[c[2]], mesh.points[c[0]]),
+               w = minus(v, u);
+  const Point3 area = cross(u, v);
+  return std::sqrt(dot(area, area) / std::max({dot(u, u), dot(v, v), dot(w, w)}));
+}
+
+/// Which faces touch another nearly in one plane, and how far off it they are at most. Only such as are much larger than the noise: of
+/// a fine mesh neighbours are as near to one plane.
 std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& farthest) {
   const std::size_t n = mesh.triangles.size();
   if (n > most_triangles) return 0;
@@ -118,6 +152,8 @@ std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& far
   std::atomic<double> most = 0;
   parallel_for_each(n, [&](std::size_t i) {
     const TriangleId s(i);
+    constexpr double large = 1000;
+    if (!(least_height(mesh, s) > large * tolerance)) return;
     const Flat flat(mesh, s);
     Predicates exact(bit_range(mesh.points));
     tree.visit_near_triangle(mesh, s, tolerance, [&](TriangleId t) {
@@ -125,7 +161,7 @@ std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& far
       const auto& d = mesh.triangles[t];
       if (std::any_of(d.begin(), d.end(), [&](VertexId v) { return mesh.has_corner(s, v); })) return;
       const double off = std::max(flat.farthest(mesh, t), Flat(mesh, t).farthest(mesh, s));
-      if (off > tolerance || !is_off_plane(mesh, s, t, exact)) return;
+      if (off > tolerance || !(least_height(mesh, t) > large * tolerance) || !is_off_plane(mesh, s, t, exact)) return;
       is_near[mesh.face_of[s].value].store(1, std::memory_order_relaxed);
       is_near[mesh.face_of[t].value].store(1, std::memory_order_relaxed);
       double seen = most.load(std::memory_order_relaxed);
@@ -140,7 +176,7 @@ std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& far
 }  // namespace
 
 InputNoise noise_of(const Mesh& mesh) {
-  const double small = 16 * last_place(mesh);
+  const double small = noise_of_coordinates(mesh);
   // Far from the origin the last place may be as large as the model.
   if (!(small > 0) || !(small < 1e-3 * largest_side(mesh))) return {};
   InputNoise noise;
@@ -151,6 +187,7 @@ InputNoise noise_of(const Mesh& mesh) {
     noise.tolerance = one_digit(small);
   else if (noise.near_planes > 0)
     noise.tolerance = one_digit(std::max(4 * farthest, small));
+  if (noise.tolerance > 0 && !can_be_merged(mesh, noise.tolerance)) return {};
   return noise;
 }
 

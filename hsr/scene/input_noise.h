@@ -13,7 +13,8 @@ struct InputNoise {
   double tolerance = 0;         ///< with which both are mended; 0: there are no such signs
 };
 
-/// Looks for noise of a few units in the last place of the largest coordinate: of floats, if all coordinates are floats.
+/// Looks for noise of a few units in the last place of the largest coordinate (of floats, if all coordinates are floats), or in the
+/// last of five to nine decimals.
 ///
 /// Not exact, it only proposes: distances are doubles. Faces in a mesh of more than 200 000 triangles are not looked at for near
 /// planes. Cost: O(n log n) in edges of one face, and in triangles.

@@ -54,7 +54,7 @@ void count_faces(const Mesh& mesh, const Polygons& polygons, SceneFacts& facts) 
     facts.larger += corners.size() > 4;
     const FaceUse use = mesh.faces[FaceId(f)];
     ++facts.used_as[static_cast<std::size_t>(use)];
-    if (use == FaceUse::no_area) continue;
+    if (use == FaceUse::no_area || use == FaceUse::ghost) continue;
     const std::size_t first = vertices.size();
     bool same[3] = {true, true, true};
     const Point3& o = mesh.points[VertexId(corners[0])];

@@ -18,7 +18,7 @@ struct SceneFacts {
 
   std::size_t faces = 0;                                     ///< as given
   std::size_t triangular = 0, quadrangular = 0, larger = 0;  ///< by corners as given; the rest has fewer than three
-  std::array<std::size_t, 4> used_as = {};                   ///< by FaceUse
+  std::array<std::size_t, face_use_count> used_as = {};      ///< by FaceUse
   std::size_t duplicate_faces = 0;                           ///< used, with the vertices of an earlier face that is used
   std::size_t axis_parallel_faces = 0;                       ///< used, one coordinate the same at all corners
   std::size_t triangles = 0, wires = 0;
@@ -36,7 +36,9 @@ struct SceneFacts {
   bool is_closed() const { return triangles > 0 && odd_edges == 0; }
   bool is_manifold() const { return non_manifold_edges == 0 && pinched_vertices == 0; }
   bool is_consistently_oriented() const { return flipped_edges == 0; }
-  std::size_t faces_used() const { return faces - used_as[static_cast<std::size_t>(FaceUse::no_area)]; }
+  std::size_t faces_used() const {
+    return faces - used_as[static_cast<std::size_t>(FaceUse::no_area)] - used_as[static_cast<std::size_t>(FaceUse::ghost)];
+  }
 };
 
 /// @pre `mesh` was made of `polygons`. Cost: O(n log n)

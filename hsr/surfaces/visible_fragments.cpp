@@ -445,7 +445,7 @@ void FragmentFinder::find_sides() {
   const auto& lines = lines_->lines;
   const auto& segments = intersections_->segments;
   const auto bounds_a_fragment = [&](std::size_t i) {
-    if (lines[i].is_intersection() || (lines[i].intervals() == 1 && lines[i].starts_hidden)) return false;
+    if (lines[i].is_intersection() || lines[i].is_ghost || (lines[i].intervals() == 1 && lines[i].starts_hidden)) return false;
     const auto triangles = mesh_.triangles_at(lines[i].edge);
     return std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) { return !is_left_out(t); });
   };

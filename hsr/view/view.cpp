@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/error.h"
 #include "geometry/rational_vector.h"
@@ -36,6 +37,15 @@ Frame frame_toward(const RationalVector& toward, const Point3& up, const Point3&
   if (is_zero(right))
     throw InputError("up: found a direction along the line of sight (or zero), expected one that is not parallel to it");
   return {origin, unit(right), unit(cross(toward, right))};
+}
+
+/// The sine, and exactly that where it is 0, 1/2 or 1.
+double sine(double degrees) {
+  const double turn = std::fmod(std::fmod(degrees, 360) + 360, 360);
+  const double first = turn < 180 ? turn : turn - 180;  // the half turn after it is the same, downward
+  const double quarter = first <= 90 ? first : 180 - first;
+  const double size = quarter == 0 ? 0 : quarter == 30 ? 0.5 : quarter == 90 ? 1 : std::sin(quarter * (std::numbers::pi / 180));
+  return turn < 180 ? size : -size;
 }
 
 Point3 without_minus_zero(const Point3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
@@ -76,6 +86,21 @@ View perspective_view(const Point3& eye, const Point3& target, const Point3& up,
       throw InputError(
           "near: found a distance that is no number beside the distance of eye and target, expected one nearer to it");
   }
+  return view;
+}
+
+View oblique_view(const View& base, double degrees, double ratio) {
+  if (base.is_perspective()) throw InputError("oblique: found a perspective, expected a parallel view");
+  if (!std::isfinite(degrees)) throw InputError("oblique: found an angle that is not finite, expected degrees");
+  if (!std::isfinite(ratio) || !(ratio > 0))
+    throw InputError("oblique: found the ratio " + std::to_string(ratio) + ", expected a finite one above 0");
+  const Point3 toward = unit(rational(base.viewpoint.at)), &right = base.frame.right, &up = base.frame.up;
+  const double across = ratio * sine(degrees + 90), upward = ratio * sine(degrees);
+  View view = base;
+  view.viewpoint.at =
+      without_minus_zero({toward.x + across * right.x + upward * up.x, toward.y + across * right.y + upward * up.y,
+                          toward.z + across * right.z + upward * up.z});
+  if (!is_finite(view.viewpoint.at)) throw InputError("oblique: found a ratio beyond the doubles, expected a smaller one");
   return view;
 }
 

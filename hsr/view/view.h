@@ -42,6 +42,14 @@ View parallel_view(const Point3& direction, const Point3& up, const Point3& targ
 /// @throws InputError if eye and target coincide or are not finite, `up` is parallel to the line of sight, or near <= 0
 View perspective_view(const Point3& eye, const Point3& target, const Point3& up, std::optional<double> near_distance = {});
 
+/// An oblique view: what is parallel to the paper of `base` keeps its image, and what recedes from the viewer at a right angle to
+/// it is drawn at `degrees` from the horizontal, counter-clockwise, and `ratio` times as long. The frame is that of `base`.
+///
+/// The direction toward the viewer is base's, of length 1, plus ratio cos(degrees) right plus ratio sin(degrees) up; it is computed
+/// in doubles, once, and exact from then on. Sines of multiples of 30 degrees that are doubles are these.
+/// @throws InputError if `base` is a perspective, an argument is not finite, or the ratio is not above 0
+View oblique_view(const View& base, double degrees, double ratio);
+
 /// front, back, left, right, top, bottom, iso, for models with Z up; `y_up` turns the view (x, y, z -> x, z, -y), never the
 /// model.
 /// @throws InputError for another name

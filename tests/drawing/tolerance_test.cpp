@@ -136,6 +136,38 @@ TEST_CASE("a building on a national grid is one drawing, with a tolerance", "[dr
   CHECK(difference(expected, drawn(moved, 1e-7)) == "");
 }
 
+TEST_CASE("a building turned and saved with six decimals is one drawing, with a tolerance", "[drawing][tolerance][T1]") {
+  const TestScene straight = building();
+  const auto expected = drawn(straight, 0);
+  TestScene scene = straight;
+  for (Point3& p : scene.points) {
+    p = turned(p, 37);
+    p = {std::round(p.x * 1e6) / 1e6, std::round(p.y * 1e6) / 1e6, std::round(p.z * 1e6) / 1e6};
+  }
+  scene.view = parallel_view(turned({1, -1, 1}, 37), {0, 0, 1});
+  CHECK(noise_of(scene.mesh()).tolerance >= 1e-6);
+  CHECK(difference(expected, drawn(scene, noise_of(scene.mesh()).tolerance)) == "");
+}
+
+TEST_CASE("a clean round model has no noise, however far from the origin", "[drawing][tolerance]") {
+  for (const double far : {20.0, 200.0, 1000.0}) {
+    TestScene ball;
+    const int n = 40;
+    const auto at = [&](int i, int j) {
+      if (i == 0 || i == n) return Point3{far, 0, i == 0 ? 1.0 : -1.0};
+      const double u = 3.14159265358979323846 * i / n, v = 2 * 3.14159265358979323846 * j / n;
+      const auto as_float = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+      return Point3{as_float(far + std::sin(u) * std::cos(v)), as_float(std::sin(u) * std::sin(v)), as_float(std::cos(u))};
+    };
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        ball.add_face({at(i, j), at(i + 1, j), at(i + 1, (j + 1) % n)});
+        ball.add_face({at(i, j), at(i + 1, (j + 1) % n), at(i, (j + 1) % n)});
+      }
+    CHECK(noise_of(ball.mesh()).tolerance == 0);
+  }
+}
+
 /// Every face has points of its own, each moved by some units in the last place of a float.
 TestScene noisy(const TestScene& scene) {
   TestScene soup;

@@ -351,6 +351,24 @@ TEST_CASE("where two boxes touch, their walls seen edge-on make no line", "[line
   CHECK(lines_of(x, "hidden") == 0);
 }
 
+TEST_CASE("a sheet that is stored twice is pierced as one is", "[lines][shape][C6][C17]") {
+  Labelled whole;
+  for (int k = 0; k < 2; ++k) whole.add_face({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}});
+  whole.add_face({{0, 2, -1}, {8, 2, -1}, {8, 6, 1}, {0, 6, 1}});
+  Labelled cut;
+  for (int k = 0; k < 2; ++k) {
+    cut.add_face({{0, 0, 0}, {8, 0, 0}, {8, 4, 0}, {0, 4, 0}});
+    cut.add_face({{0, 4, 0}, {8, 4, 0}, {8, 8, 0}, {0, 8, 0}});
+  }
+  cut.add_face({{0, 2, -1}, {8, 2, -1}, {8, 4, 0}, {0, 4, 0}});
+  cut.add_face({{0, 4, 0}, {8, 4, 0}, {8, 6, 1}, {0, 6, 1}});
+  for (const Point3& direction : {Point3{0, 0, 1}, Point3{1, -1, 1}, Point3{2, -3, 1}}) {
+    whole.scene.view = cut.scene.view = scenes::from_direction(direction);
+    CHECK(lines_of(whole, "intersection") > 0);
+    CHECK(difference(whole.ink(), cut.ink()) == "");
+  }
+}
+
 TEST_CASE("facets that meet at the crease angle are all alike", "[lines][shape][C20]") {
   Labelled x;
   const int n = 12;  // 30 degrees, but for the rounding of sines

@@ -66,8 +66,8 @@ class ClassAt {
   bool is_nearer(const HalfPlane& x, const HalfPlane& y) const { return x.side * sgn(dot(along_, cross(x.into, y.into))) > 0; }
   std::vector<const HalfPlane*> counted() const;
   // Intersection or sharp, or nothing.
-  std::optional<ClassVerdict> bent(const std::vector<const HalfPlane*>& all, const HalfPlane& left, const HalfPlane& right,
-                                   const HalfPlane* edge_on, double crease) const;
+  std::optional<ClassVerdict> bent(const HalfPlane& left, const HalfPlane& right, const HalfPlane* edge_on,
+                                   double crease) const;
   EdgeClass flat(FaceId left, FaceId right) const {
     if (!labels_.material.empty() && labels_.material[left.value] != labels_.material[right.value]) return EdgeClass::material;
     if (!labels_.object.empty() && labels_.object[left.value] != labels_.object[right.value]) return EdgeClass::joint;
@@ -92,14 +92,14 @@ std::vector<const HalfPlane*> ClassAt::counted() const {
   return all;
 }
 
-std::optional<ClassVerdict> ClassAt::bent(const std::vector<const HalfPlane*>& all, const HalfPlane& left,
-                                          const HalfPlane& right, const HalfPlane* edge_on, double crease) const {
+std::optional<ClassVerdict> ClassAt::bent(const HalfPlane& left, const HalfPlane& right, const HalfPlane* edge_on,
+                                          double crease) const {
   const auto pierced = [&](const HalfPlane& x) {
     const Vec normal = cross(along_, x.into);
     bool opposite = false, above = false, below = false;
-    for (const HalfPlane* p : all) {
-      const int s = sgn(dot(normal, p->into));
-      opposite = opposite || (s == 0 && sgn(dot(x.into, p->into)) < 0);
+    for (const HalfPlane& p : half_planes_) {
+      const int s = sgn(dot(normal, p.into));
+      opposite = opposite || (s == 0 && sgn(dot(x.into, p.into)) < 0);
       above = above || s > 0;
       below = below || s < 0;
     }
@@ -141,10 +141,10 @@ ClassPart ClassAt::verdicts(double crease) const {
   } else {
     for (auto& side : sides)
       std::sort(side.begin(), side.end(), [&](const HalfPlane* x, const HalfPlane* y) { return is_nearer(*x, *y); });
-    part.verdict = bent(all, *sides[0].front(), *sides[1].front(), front, crease);
+    part.verdict = bent(*sides[0].front(), *sides[1].front(), front, crease);
     const EdgeClass else_class = flat(sides[0].front()->top, sides[1].front()->top);
     const bool is_flat = !part.verdict || part.verdict->edge_class == EdgeClass::smooth;
-    if (is_flat) part.behind = bent(all, *sides[0].back(), *sides[1].back(), back, crease);
+    if (is_flat) part.behind = bent(*sides[0].back(), *sides[1].back(), back, crease);
     const bool is_near = part.verdict && part.verdict->is_near_crease;
     if (is_flat) part.verdict = ClassVerdict{else_class, is_near};
     part.verdict->flat = else_class;

@@ -30,7 +30,7 @@ TEST_CASE("A cube is closed, manifold, oriented, one piece", "[scene_facts]") {
   CHECK(f.used_points == 8);
   CHECK(f.quadrangular == 6);
   CHECK(f.triangles == 12);
-  CHECK(f.used_as == std::array<std::size_t, 4>{6, 0, 0, 0});
+  CHECK(f.used_as == std::array<std::size_t, face_use_count>{6, 0, 0, 0});
   CHECK(f.regular_edges == 12);
   CHECK(f.coplanar_edges == 0);
   CHECK(f.axis_parallel_faces == 6);
@@ -96,7 +96,7 @@ TEST_CASE("A diagonal of a bent face along an edge of other faces is not counted
   Polygons p = polygons({{0, 1, 2, 3}, {0, 2, 4}});
   p.segments = {{0, 5}, {1, 2}};
   const SceneFacts f = facts(points, p);
-  CHECK(f.used_as == std::array<std::size_t, 4>{1, 1, 0, 0});
+  CHECK(f.used_as == std::array<std::size_t, face_use_count>{1, 1, 0, 0});
   CHECK(f.boundary_edges == 7);
   CHECK(f.non_manifold_edges == 0);
   CHECK(f.wires == 2);

@@ -13,4 +13,8 @@ enum class Format { svg, pdf, eps, dxf, tex, hpgl, png, json, csv };
 /// @throws InputError for another ending
 Format format_of(const std::string& path, std::span<const Format> expected);
 
+/// The format of that name, "svg", one of those expected. @param said what the message begins with
+/// @throws InputError as format_of() does
+Format format_named(const std::string& name, const std::string& said, std::span<const Format> expected);
+
 }  // namespace hsr::internal

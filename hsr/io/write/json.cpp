@@ -4,6 +4,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "hsr/drawing/cut_parameter.h"
 #include "hsr/io/write/interval_places.h"
@@ -16,13 +18,23 @@ using namespace internal;
 
 namespace {
 
-/// Writes one line after the other; one object per thread.
+/// The object that the faces are of, if they are of one.
+void append_object(std::string& out, const FaceObjects* objects, std::span<const FaceId> faces) {
+  if (objects == nullptr) return;
+  const std::uint32_t object = objects->object_of(faces);
+  if (object == FaceObjects::none) return;
+  out += ", \"object\": ";
+  append_integer(out, object);
+}
+
+/// Writes one line after the other; one writer per thread.
 class LineWriter {
  public:
   LineWriter(const Mesh& mesh, const View& view, const VisibleLines& lines, const JsonOptions& options)
       : mesh_(mesh),
         view_(view),
         lines_(lines),
+        objects_(options.objects),
         numbers_(options.numbers),
         why_(options.why),
         places_(mesh, view, options.numbers) {}
@@ -43,8 +55,11 @@ class LineWriter {
     out += "], \"class\": \"";
     out += name_of(line.edge_class);
     out += "\", \"faces\": [";
-    append_faces(out, line);
-    out += "], \"visible\": [";
+    const std::vector<FaceId> faces = faces_at(mesh_, lines_, line);
+    append_faces(out, faces);
+    out += ']';
+    append_object(out, objects_, faces);
+    out += ", \"visible\": [";
     append_intervals(out, line, false);
     out += "], \"hidden\": [";
     append_intervals(out, line, true);
@@ -78,19 +93,12 @@ class LineWriter {
     out += ']';
   }
 
-  void append_faces(std::string& out, const Line& line) {
-    faces_.clear();
-    if (line.is_intersection())
-      for (const TriangleId t : {support_.meet.s, support_.meet.t}) faces_.push_back(mesh_.face_of[t].value);
-    else
-      for (const TriangleId t : mesh_.triangles_at(line.edge)) faces_.push_back(mesh_.face_of[t].value);
-    std::sort(faces_.begin(), faces_.end());
-    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+  static void append_faces(std::string& out, std::span<const FaceId> faces) {
     const char* comma = "";
-    for (const std::uint32_t f : faces_) {
+    for (const FaceId f : faces) {
       out += comma;
       comma = ", ";
-      append_integer(out, f);
+      append_integer(out, f.value);
     }
   }
 
@@ -123,11 +131,11 @@ class LineWriter {
   const Mesh& mesh_;
   const View& view_;
   const VisibleLines& lines_;
+  const FaceObjects* objects_;
   Numbers numbers_;
   bool why_;
   IntervalPlaces places_;
   SupportingLine support_;  // of the line at hand
-  std::vector<std::uint32_t> faces_;
 };
 
 /// A fragment as text, and what it is sorted by.
@@ -139,11 +147,13 @@ struct FragmentText {
 
 /// The rings in space, each from its smallest point on.
 FragmentText fragment_text(const Mesh& mesh, const View& view, const VisibleFragments& all, const Fragment& f,
-                           Numbers numbers) {
+                           const JsonOptions& options) {
+  const Numbers numbers = options.numbers;
   FragmentText out;
   out.face = mesh.face_of[f.facet].value;
   out.text = "{\"face\": ";
   append_integer(out.text, out.face);
+  append_object(out.text, options.objects, std::array{mesh.face_of[f.facet]});
   out.text += ", \"rings\": [";
   for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
     std::vector<std::array<Rational, 3>> ring;
@@ -165,11 +175,12 @@ FragmentText fragment_text(const Mesh& mesh, const View& view, const VisibleFrag
   return out;
 }
 
-void append_fragments(std::string& out, const Mesh& mesh, const View& view, const VisibleFragments& all, Numbers numbers) {
+void append_fragments(std::string& out, const Mesh& mesh, const View& view, const VisibleFragments& all,
+                      const JsonOptions& options) {
   std::vector<FragmentText> texts(all.fragments.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, texts.size(), 256), [&](const auto& range) {
     for (std::size_t k = range.begin(); k != range.end(); ++k)
-      texts[k] = fragment_text(mesh, view, all, all.fragments[k], numbers);
+      texts[k] = fragment_text(mesh, view, all, all.fragments[k], options);
   });
   std::sort(texts.begin(), texts.end(), [](const FragmentText& x, const FragmentText& y) {
     return x.face != y.face ? x.face < y.face : x.start < y.start;
@@ -180,6 +191,18 @@ void append_fragments(std::string& out, const Mesh& mesh, const View& view, cons
     out += texts[k].text;
   }
   out += "\n]";
+}
+
+void append_names(std::string& out, const FaceObjects* objects) {
+  if (objects == nullptr || !objects->are_told_apart()) return;
+  out += ", \"objects\": [";
+  const char* comma = "";
+  for (const std::string& name : objects->names) {
+    out += comma;
+    comma = ", ";
+    append_string(out, name);
+  }
+  out += ']';
 }
 
 }  // namespace
@@ -223,7 +246,9 @@ std::string lines_json(const Mesh& mesh, const View& view, const VisibleLines& l
       writer.append(parts[p], lines.lines[i]);
     }
   });
-  std::string out = "{\"format\": \"hsr-lines/1\", \"view\": " + view_json(view, options.numbers) + ", \"lines\": [\n";
+  std::string out = "{\"format\": \"hsr-lines/1\", \"view\": " + view_json(view, options.numbers);
+  append_names(out, options.objects);
+  out += ", \"lines\": [\n";
   std::size_t size = out.size() + 8;
   for (const std::string& part : parts) size += part.size();
   out.reserve(size);
@@ -232,7 +257,7 @@ std::string lines_json(const Mesh& mesh, const View& view, const VisibleLines& l
     part = {};
   }
   out += "\n]";
-  if (options.fragments != nullptr) append_fragments(out, mesh, view, *options.fragments, options.numbers);
+  if (options.fragments != nullptr) append_fragments(out, mesh, view, *options.fragments, options);
   out += "}\n";
   return out;
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "hsr/face_objects.h"
 #include "hsr/io/write/numbers.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/fragments.h"
@@ -15,6 +16,9 @@ struct JsonOptions {
   Numbers numbers = Numbers::rounded;
   const VisibleFragments* fragments = nullptr;  ///< written beside the lines
   bool why = false;                             ///< with "by", the faces that hide: only if the lines have their occluders
+  /// Names of objects at the top, and at each line and fragment that is of one of them its number among these; nullptr, or fewer
+  /// than two: none of this is written.
+  const FaceObjects* objects = nullptr;
 };
 
 /// Visible lines as JSON, "hsr-lines/1" (docs/conventions.md, "JSON").

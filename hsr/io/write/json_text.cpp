@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "hsr/io/write/utf8.h"
+
 namespace hsr::internal {
 
 void append_integer(std::string& out, std::uint64_t x) {
@@ -41,18 +43,24 @@ void append_point(std::string& out, const Point3& p, Numbers numbers) {
 void append_string(std::string& out, std::string_view text) {
   static constexpr char digits[] = "0123456789abcdef";
   out += '"';
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (byte < 0x20) {
-      out += "\\u00";
-      out += digits[byte >> 4];
-      out += digits[byte & 15];
-    } else {
-      out += c;
+  for (std::size_t i = 0; i < text.size();) {
+    const Utf8Character c = utf8_character(text, i);
+    if (c.bytes == 0) {
+      out += replacement_character;
+      ++i;
+      continue;
     }
+    if (c.code == '"' || c.code == '\\') {
+      out += '\\';
+      out += static_cast<char>(c.code);
+    } else if (c.code < 0x20) {
+      out += "\\u00";
+      out += digits[c.code >> 4];
+      out += digits[c.code & 15];
+    } else {
+      out.append(text, i, c.bytes);
+    }
+    i += c.bytes;
   }
   out += '"';
 }

@@ -15,6 +15,6 @@ void append_integer(std::string& out, std::uint64_t x);
 void append_number(std::string& out, double x, Numbers numbers);
 void append_rational(std::string& out, const Rational& x, Numbers numbers);
 void append_point(std::string& out, const Point3& p, Numbers numbers);
-void append_string(std::string& out, std::string_view text);  ///< quoted; control characters, quotes and backslashes escaped
+void append_string(std::string& out, std::string_view text);  ///< quoted and escaped; malformed UTF-8 becomes U+FFFD
 
 }  // namespace hsr::internal

@@ -69,7 +69,7 @@ std::string mesh_json(const Mesh& mesh, Numbers numbers) {
   out += "\n], \"faces\": [";
   comma = "\n";
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    if (mesh.faces[FaceId(f)] == FaceUse::no_area) continue;
+    if (mesh.faces[FaceId(f)] == FaceUse::no_area || mesh.faces[FaceId(f)] == FaceUse::ghost) continue;
     const std::uint32_t first = mesh.first_triangle[FaceId(f)], end = mesh.first_triangle[FaceId(f + 1U)];
     out += comma;
     comma = ",\n";

@@ -1,6 +1,9 @@
 #include "hsr/io/write/svg.h"
 
+#include <set>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/layers.h"
@@ -11,6 +14,53 @@ namespace hsr {
 using namespace internal;
 
 namespace {
+
+/// What identifies each object within a layer: its name, with _ for what is no letter, digit, point or dash of ASCII, and a number
+/// where two names come to the same.
+std::vector<std::string> ids_of(const std::vector<std::string>& names) {
+  std::vector<std::string> ids;
+  std::set<std::string> taken;
+  for (const std::string& name : names) {
+    std::string id;
+    for (const char c : name) {
+      const bool is_kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+      id += is_kept ? c : '_';
+    }
+    const std::string wanted = id;
+    for (int k = 2; !taken.insert(id).second; ++k) id = wanted + "__" + std::to_string(k);
+    ids.push_back(std::move(id));
+  }
+  return ids;
+}
+
+/// Opens and closes the groups of objects within the layers.
+class ObjectGroups {
+ public:
+  explicit ObjectGroups(const std::vector<std::string>& names) : names_(names), ids_(ids_of(names)) {}
+
+  /// What follows is of this object of that layer. Objects without a name have no group.
+  void begin(std::string& out, const std::string& layer, std::uint32_t object) {
+    if (object < names_.size() && names_[object].empty()) object = FaceObjects::none;
+    if (object == open_) return;
+    end(out);
+    open_ = object;
+    if (object == FaceObjects::none) return;
+    out += "<g id=\"" + layer + '-' + ids_[object] + "\" class=\"object\" data-object=\"";
+    append_text(out, names_[object]);
+    out += "\" inkscape:label=\"";
+    append_text(out, names_[object]);
+    out += "\">\n";
+  }
+  void end(std::string& out) {
+    if (open_ != FaceObjects::none) out += "</g>\n";
+    open_ = FaceObjects::none;
+  }
+
+ private:
+  const std::vector<std::string>& names_;
+  std::vector<std::string> ids_;
+  std::uint32_t open_ = FaceObjects::none;
+};
 
 void append_faces(std::string& out, std::span<const std::uint32_t> faces) {
   out += "\" data-face=\"";
@@ -24,7 +74,7 @@ void append_faces(std::string& out, std::span<const std::uint32_t> faces) {
 
 /// The fills, and under them again, with pens of their own colours, cut to the outline of all: what the pens add lies under the
 /// fills, but where two meet within a pixel.
-void append_fills(std::string& out, const Fills& fills) {
+void append_fills(std::string& out, const Fills& fills, ObjectGroups& objects) {
   if (fills.fills.empty()) return;
   out += "<clipPath id=\"outline\"><path clip-rule=\"evenodd\" d=\"";
   for (std::uint32_t r = fills.first_outline_ring; r < fills.rings(); ++r) {
@@ -42,6 +92,7 @@ void append_fills(std::string& out, const Fills& fills) {
       "</g>\n<g class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-width=\"0\">"
       "<g id=\"fills\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
   for (const Fill& fill : fills.fills) {
+    objects.begin(out, "fill", fill.object);
     out += "<path d=\"";
     for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
       if (fills.ring(r).empty()) continue;
@@ -55,6 +106,7 @@ void append_fills(std::string& out, const Fills& fills) {
     append_faces(out, {fills.faces.data() + fill.first_face, fills.faces.data() + fill.end_face});
     out += "\"/>\n";
   }
+  objects.end(out);
   out += "</g></g>\n";
 }
 
@@ -96,10 +148,15 @@ void append_layer_start(std::string& out, const Layer& layer) {
 std::string svg(const Drawing& drawing, const SvgOptions& options) {
   std::string out;
   append_svg_start(out, drawing.width, drawing.height, options, !drawing.fills.fills.empty());
-  append_fills(out, drawing.fills);
+  ObjectGroups objects(drawing.objects);
+  append_fills(out, drawing.fills, objects);
   for (const Layer& layer : layers_of(drawing)) {
     append_layer_start(out, layer);
-    for (const Polyline& p : layer.polylines) append_path(out, drawing, p);
+    for (const Polyline& p : layer.polylines) {
+      objects.begin(out, layer.name('-'), p.object);
+      append_path(out, drawing, p);
+    }
+    objects.end(out);
     out += "</g>\n";
   }
   out += "</svg>\n";

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "hsr/io/write/json_text.h"
+#include "hsr/io/write/utf8.h"
 
 namespace hsr::internal {
 
@@ -26,42 +27,27 @@ void append_length(std::string& out, double mm) {
   out.append(text, end);
 }
 
-/// Text as XML: what XML 1.0 cannot carry becomes U+FFFD, malformed UTF-8 too.
 void append_text(std::string& out, const std::string& text) {
-  static constexpr const char* replacement = "\xEF\xBF\xBD";
   for (std::size_t i = 0; i < text.size();) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    const std::size_t length = c < 0x80                ? 1
-                               : c >= 0xC2 && c < 0xE0 ? 2
-                               : c >= 0xE0 && c < 0xF0 ? 3
-                               : c >= 0xF0 && c < 0xF5 ? 4
-                                                       : 0;
-    bool good = length > 0 && i + length <= text.size();
-    std::uint32_t code = length == 1 ? c : c & (0xFFU >> (length + 1));
-    for (std::size_t k = 1; good && k < length; ++k) {
-      const auto next = static_cast<unsigned char>(text[i + k]);
-      good = (next & 0xC0U) == 0x80U;
-      code = code << 6 | (next & 0x3FU);
-    }
-    static constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    good = good && code >= least[length] && code <= 0x10FFFF && !(code >= 0xD800 && code < 0xE000) && code != 0xFFFE &&
-           code != 0xFFFF && (code >= 0x20 || code == '\t' || code == '\n');
-    if (!good) {
-      out += replacement;
+    const Utf8Character c = utf8_character(text, i);
+    const bool is_text =
+        c.bytes > 0 && c.code != 0xFFFE && c.code != 0xFFFF && (c.code >= 0x20 || c.code == '\t' || c.code == '\n');
+    if (!is_text) {
+      out += replacement_character;
       ++i;
       continue;
     }
-    if (c == '<')
+    if (c.code == '<')
       out += "&lt;";
-    else if (c == '>')
+    else if (c.code == '>')
       out += "&gt;";
-    else if (c == '&')
+    else if (c.code == '&')
       out += "&amp;";
-    else if (c == '"')
+    else if (c.code == '"')
       out += "&quot;";
     else
-      out.append(text, i, length);
-    i += length;
+      out.append(text, i, c.bytes);
+    i += c.bytes;
   }
 }
 

@@ -1,0 +1,65 @@
+#include "hsr/cli/model_arguments.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/error.h"
+#include "hsr/cli/standard_input.h"
+#include "hsr/drawing/page.h"
+#include "hsr/io/read/read.h"
+#include "hsr/joined_models.h"
+
+namespace hsr::cli {
+
+void ModelArguments::add_to(Options& options) {
+  options
+      .add_several("MODEL", models,
+                   "OBJ, OFF, PLY, STL (each also .gz), glTF or GLB; several are one scene, - is standard input")
+      .required();
+  options.add("--from", from, "FORMAT", "What standard input holds, where MODEL is - [by content]")
+      .one_of({"obj", "off", "ply", "stl", "gltf", "glb"});
+}
+
+void ModelArguments::add_with_order_to(Options& options) {
+  options
+      .add_several("ORDER.json|MODEL", models,
+                   "hsr-order/1 by anyone, or models whose faces are painted in the files' order; - is standard input")
+      .required();
+  options.add("--from", from, "FORMAT", "What standard input holds; json: an order [a model, by content]")
+      .one_of({"json", "obj", "off", "ply", "stl", "gltf", "glb"});
+}
+
+void ModelArguments::add_objects_to(Options& options) {
+  options.begin_group("Objects");
+  options.add_one_each("--only", objects.only, "NAME",
+                       "No other objects than this one, as the file names it, or a file that names none; may be repeated");
+  options.add_one_each("--hide", objects.hide, "NAME", "This object is not there; may be repeated");
+}
+
+void ModelArguments::add_ghosts_to(Options& options) {
+  options.add_one_each("--ghost", objects.ghost, "NAME",
+                       "The lines of this object are drawn, and it hides nothing; may be repeated");
+}
+
+void ModelArguments::check() const {
+  const auto of_input = std::count(models.begin(), models.end(), "-");
+  if (of_input > 1) throw InputError("-: found twice among the models, expected standard input once");
+  if (of_input == 0 && !from.empty())
+    throw InputError("--from: found no MODEL that is -, expected it with standard input only: the format of a file is its own");
+}
+
+Model ModelArguments::read(const std::string& unit, const std::string& up_axis) const {
+  std::vector<ModelToJoin> parts;
+  for (const std::string& path : models) {
+    ModelToJoin part{path == "-" ? read_standard_input(from) : read_model(path)};
+    // What is given for all is no reason to convert anything: the options say it again where it is used.
+    if (unit.empty()) part.unit = name_of_unit(part.model.unit.value_or(1));
+    if (up_axis.empty()) part.is_y_up = part.model.up_axis == 'y';
+    parts.push_back(std::move(part));
+  }
+  Model model = joined(std::move(parts)).model;
+  select(model, objects);
+  return model;
+}
+
+}  // namespace hsr::cli

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hsr/cli/command_line.h"
+#include "hsr/model.h"
+#include "hsr/object_selection.h"
+
+namespace hsr::cli {
+
+/// The arguments that say what the scene is: models, and which of their objects.
+struct ModelArguments {
+  std::vector<std::string> models;  ///< paths; - is the standard input
+  std::string from;                 ///< the format of the standard input; empty: by content
+  ObjectSelection objects;
+
+  /// MODEL ... and --from.
+  void add_to(Options& options);
+  /// The same for models or a painting order.
+  void add_with_order_to(Options& options);
+  /// --only and --hide.
+  void add_objects_to(Options& options);
+  /// And --ghost, for verbs that draw lines.
+  void add_ghosts_to(Options& options);
+
+  /// @throws InputError where standard input is asked for twice, or its format is given and it is not read
+  void check() const;
+  /// One model of all of them, with the objects that are wanted.
+  /// @param unit, up_axis what holds for all models; empty: what each of them says, else mm and z
+  /// @throws InputError as readers, joined() and select() do
+  Model read(const std::string& unit, const std::string& up_axis) const;
+};
+
+}  // namespace hsr::cli
