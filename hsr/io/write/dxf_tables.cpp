@@ -234,7 +234,8 @@ void append_dxf_header(DxfText& out, const DxfExtent& e, const DxfOptions& optio
   variable("$EXTMAX");
   out.add_point(e.right, e.top);
   variable("$LTSCALE");
-  out.add_number(40, 3 / (12 * options.page_scale));
+  const double dashes = 3 / (12 * options.page_scale);
+  out.add_number(40, dashes > 0 && std::isfinite(dashes) ? dashes : 1);
   const double unit = options.unit;
   const int code = unit == 1 ? 4 : unit == 10 ? 5 : unit == 1000 ? 6 : unit == 25.4 ? 1 : 0;
   variable("$INSUNITS");
