@@ -22,10 +22,15 @@
 #include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/shading.h"
+#include "hsr/io/write/dxf.h"
+#include "hsr/io/write/eps.h"
 #include "hsr/io/write/format.h"
+#include "hsr/io/write/hpgl.h"
 #include "hsr/io/write/json.h"
+#include "hsr/io/write/pdf.h"
 #include "hsr/io/write/png.h"
 #include "hsr/io/write/svg.h"
+#include "hsr/io/write/tikz.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/input_noise.h"
 #include "hsr/surfaces/regions.h"
@@ -49,6 +54,7 @@ struct DrawArguments {
   bool check = false;
   std::string hidden = "none";
   PageArguments page;
+  std::string dxf_release = "r12";
   bool exact = false, why = false;
   std::string arithmetic = "staged";
   CommonArguments common;
@@ -59,6 +65,7 @@ const char* const examples = R"(Examples:
   hsr draw part.stl -o part.svg --hidden dashed            hidden lines dashed, on their own layers
   hsr draw part.obj -o front.svg -o front.png --view front --scale 1:2
   hsr draw house.glb -o house.svg --eye 20,15,30          glTF has y up, in metres
+  hsr draw part.obj -o part.pdf -o part.dxf --view front   for a reader of papers, and for a CAD program
   hsr draw part.ply -o lines.json --edges all --exact      every edge, parameters as "p/q"
   hsr draw part.stl -o part.svg --fill                     filled, with the lines on top
   hsr draw part.stl -o part.svg -o errors.csv              and how wrong a z-buffer is, size by size, against its time
@@ -67,7 +74,8 @@ const char* const examples = R"(Examples:
   hsr draw part.stl -o part.svg --oblique 45,0.5           cabinet projection: the front stays true
   zcat part.obj.gz | hsr draw - -o svg:- > part.svg        from standard input to standard output
 
-Writes each FILE, all of them or none: .svg and .png show the lines on a page; .json has every line with its visible and its
+Writes each FILE, all of them or none: .svg, .pdf, .eps, .tex (TikZ), .hpgl (or .plt) and .png show the lines on a page, .dxf has
+them in units of the model, 1:1, whatever the page; .json has every line with its visible and its
 hidden intervals; .csv is a table of errors against run time. Standard error tells what was written, and the scale of a page.
 Exit status 1: --check or a csv found a difference that must not be.)";
 
@@ -165,13 +173,17 @@ struct DrawRequest {
   bool wants(Format format) const {
     return std::any_of(outputs.begin(), outputs.end(), [&](const Output& o) { return o.format == format; });
   }
-  bool wants_picture() const { return wants(Format::svg) || wants(Format::png); }
+  bool wants_picture() const {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [](const Output& o) { return o.format != Format::json && o.format != Format::csv; });
+  }
 };
 
 DrawRequest parse(const DrawArguments& a) {
   DrawRequest request;
   a.models.check();
-  request.outputs = parse_outputs(a.outputs, std::array{Format::svg, Format::png, Format::json, Format::csv});
+  request.outputs = parse_outputs(a.outputs, std::array{Format::svg, Format::pdf, Format::eps, Format::dxf, Format::tex,
+                                                        Format::hpgl, Format::png, Format::json, Format::csv});
   if (a.lines.method == "appel" && a.why)
     throw InputError(
         "--why: appel counts the faces that hide and does not know which they are, expected --method roberts or auto");
@@ -205,6 +217,7 @@ class DrawCommand {
     check();
     measure_errors();
     draw_page();
+    draw_in_model_units();
     write();
     if (!is_right_) throw CheckFailed();
   }
@@ -217,6 +230,8 @@ class DrawCommand {
   void check();
   void measure_errors();
   void draw_page();
+  Drawing drawn(const DrawingOptions& options) const;
+  void draw_in_model_units();
   void write();
   void note_idle_options();
   std::string note_on_size() const;
@@ -224,6 +239,7 @@ class DrawCommand {
   bool wants_fragments() const { return a_.fill || a_.check || request_.wants(Format::csv); }
   std::string bytes_of(Format format) const;
   std::string summary_of(Format format, const std::string& bytes) const;
+  std::string summary_of_page(bool has_fills) const;
   SampleGrid samples(int width, int height) const {
     return samples_for(scene_.view(), scene_.mesh, request_.drawing, width, height);
   }
@@ -240,6 +256,7 @@ class DrawCommand {
   std::optional<VisibleFragments> fragments_;
   std::vector<ErrorAgainstTime> errors_;
   std::optional<Drawing> drawing_;
+  std::optional<Drawing> model_drawing_;  // the same in units of the model, for DXF
   DecisionCounts decisions_;
   bool is_right_ = true;
 };
@@ -274,6 +291,10 @@ void DrawCommand::note_idle_options() {
   };
   if (a_.why && !request_.wants(Format::json)) note("--why", "json");
   if (a_.exact && !request_.wants(Format::json)) note("--exact", "json");
+  if (a_.dxf_release != "r12" && !request_.wants(Format::dxf)) note("--dxf", "dxf");
+  if (a_.fill)
+    for (const auto& [format, name] : {std::pair{Format::dxf, "dxf"}, std::pair{Format::hpgl, "hpgl"}})
+      if (request_.wants(format)) context_.note(fmt::format("{} has the lines only, no filled areas", name));
   if (request_.size && !request_.wants(Format::png) && !request_.wants(Format::csv) && !a_.check) note("--size", "png");
 }
 
@@ -374,15 +395,27 @@ void DrawCommand::measure_errors() {
   is_right_ = false;
 }
 
+Drawing DrawCommand::drawn(const DrawingOptions& options) const {
+  if (!a_.fill || options.in_frame_units) return draw(scene_.mesh, scene_.view(), lines_, options);
+  const Regions regions =
+      regions_of(*exact_, *fragments_, face_colours(scene_.model, scene_.mesh, scene_.view()), request_.merge);
+  return draw(scene_.mesh, scene_.view(), lines_, options, &regions);
+}
+
+/// Not the page's drawing made larger: each coordinate is rounded once, to what it is in the model.
+void DrawCommand::draw_in_model_units() {
+  if (!request_.wants(Format::dxf)) return;
+  DrawingOptions options = request_.drawing;
+  options.in_frame_units = true;
+  options.min_length /= drawing_->scale;
+  model_drawing_ = context_.report.timed("drawing in units of the model", [&] { return drawn(options); });
+  decisions_ += model_drawing_->decisions;
+}
+
 void DrawCommand::draw_page() {
   if (!request_.wants_picture()) return;
   context_.progress.stage("drawing");
-  drawing_ = context_.report.timed("drawing", [&] {
-    if (!a_.fill) return draw(scene_.mesh, scene_.view(), lines_, request_.drawing);
-    const Regions regions =
-        regions_of(*exact_, *fragments_, face_colours(scene_.model, scene_.mesh, scene_.view()), request_.merge);
-    return draw(scene_.mesh, scene_.view(), lines_, request_.drawing, &regions);
-  });
+  drawing_ = context_.report.timed("drawing", [&] { return drawn(request_.drawing); });
   decisions_ += drawing_->decisions;
   describe(context_.report, *drawing_);
   if (drawing_->polylines.empty() && !scene_.mesh.edges.empty())
@@ -430,6 +463,17 @@ std::string DrawCommand::bytes_of(Format format) const {
   switch (format) {
     case Format::svg:
       return svg(*drawing_, scene_.captions());
+    case Format::pdf:
+      return pdf(*drawing_, scene_.captions().title);
+    case Format::eps:
+      return eps(*drawing_, scene_.captions().title);
+    case Format::dxf:
+      return dxf(*model_drawing_,
+                 {a_.dxf_release == "2000" ? DxfVersion::r2000 : DxfVersion::r12, request_.drawing.unit, drawing_->scale});
+    case Format::tex:
+      return tikz(*drawing_);
+    case Format::hpgl:
+      return hpgl(*drawing_);
     case Format::png:
       return png(*drawing_, request_.size);
     case Format::csv:
@@ -448,16 +492,25 @@ std::uint64_t straight_lines(const Drawing& drawing) {
   return count;
 }
 
+std::string DrawCommand::summary_of_page(bool has_fills) const {
+  std::string text = paper_size(drawing_->width, drawing_->height);
+  const bool is_empty = drawing_->polylines.empty() && drawing_->fills.fills.empty();
+  if (!is_empty) text += ", " + scale_text(drawing_->scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
+  text += ", " + counted(straight_lines(*drawing_), "line");
+  return a_.fill && has_fills ? text + ", " + counted(drawing_->fills.fills.size(), "filled area") : text;
+}
+
 /// What is in a file of that format.
 std::string DrawCommand::summary_of(Format format, const std::string& bytes) const {
   switch (format) {
-    case Format::svg: {
-      std::string text = paper_size(drawing_->width, drawing_->height);
-      const bool is_empty = drawing_->polylines.empty() && drawing_->fills.fills.empty();
-      if (!is_empty) text += ", " + scale_text(drawing_->scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
-      text += ", " + counted(straight_lines(*drawing_), "line");
-      return a_.fill ? text + ", " + counted(drawing_->fills.fills.size(), "filled area") : text;
-    }
+    case Format::svg:
+    case Format::pdf:
+    case Format::eps:
+    case Format::tex:
+    case Format::hpgl:
+      return summary_of_page(format != Format::hpgl);
+    case Format::dxf:
+      return model_size(*model_drawing_, request_.drawing.unit) + ", " + counted(straight_lines(*model_drawing_), "line");
     case Format::png:
       return pixel_size(bytes);
     case Format::csv:
@@ -508,12 +561,14 @@ void add_surface_options(DrawArguments& a, Options& options) {
 
 void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<DrawArguments>();
-  Options options = command.add_verb("draw", "Draw the visible lines of models: SVG, PNG or JSON", examples);
+  Options options =
+      command.add_verb("draw", "Draw the visible lines of models: SVG, PDF, EPS, DXF, TikZ, HPGL, PNG or JSON", examples);
   a->models.add_to(options);
   options
       .add_one_each(
           "-o,--output", a->outputs, "FILE",
-          "The drawing; its ending chooses svg, png or json; csv: a table of error against run time, of the "
+          "The drawing; its ending chooses svg, pdf, eps, dxf, tex, hpgl, png or json; csv: a table of error against run time, "
+          "of the "
           "exact fragments and of z-buffers of 256, 512, ... samples each way, up to --size [8192]; svg:- and the like "
           "write to standard output; may be repeated")
       .required();
@@ -524,6 +579,9 @@ void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
   add_line_options(*a, options);
   add_surface_options(*a, options);
   a->page.add_to(options, "PNG: pixels [150 to the inch]; --check and csv: samples");
+  options.add("--dxf", a->dxf_release, "RELEASE", "DXF: r12, which everything reads, or 2000, with line weights")
+      .with_default_shown()
+      .one_of({"r12", "2000"});
   options.begin_group("Numbers");
   options.add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
   a->common.add_threads_to(options);

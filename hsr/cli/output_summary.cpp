@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -32,6 +33,17 @@ std::string counted(std::uint64_t count, const std::string& one) {
 }
 
 std::string paper_size(double width, double height) { return fmt::format("{:.6g} x {:.6g} mm", width, height); }
+
+std::string model_size(const Drawing& drawing, double unit) {
+  const char* const name = unit == 1 ? " mm" : unit == 10 ? " cm" : unit == 1000 ? " m" : unit == 25.4 ? " in" : " units";
+  if (drawing.points.empty()) return std::string("1:1 in") + name;
+  const auto extent = [&](auto coordinate) {
+    const auto [low, high] = std::ranges::minmax(drawing.points, {}, coordinate);
+    return static_cast<double>(coordinate(high) - coordinate(low)) / 1000 / drawing.scale;
+  };
+  return fmt::format("1:1 in units of the model, {:.6g} x {:.6g}{}", extent([](const PaperPoint& p) { return p.x; }),
+                     extent([](const PaperPoint& p) { return p.y; }), name);
+}
 
 std::string scale_text(double mm_per_unit, double unit, const PageArguments& page, bool is_perspective) {
   const std::string at = is_perspective ? " at the target" : "", per_unit = millimetres(mm_per_unit) + " mm per unit";

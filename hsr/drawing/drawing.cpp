@@ -337,7 +337,9 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   });
   Collector collector(drawing, mesh, lines, overlay);
   std::vector<std::uint8_t> is_short(chains.size(), 0);
-  if (options.min_length > 0) is_short = in_short_groups(distinct.lines, chains, options.min_length * 1000);
+  if (options.min_length > 0)
+    is_short =
+        in_short_groups(distinct.lines, chains, options.min_length * 1000 * (options.in_frame_units ? drawing.scale : 1));
   for (const std::uint32_t c : order) {
     if (is_short[c] != 0) {
       ++drawing.groups_dropped;

@@ -20,7 +20,10 @@ enum class HiddenLines : std::uint8_t { none, dashed, solid };
 struct DrawingOptions {
   Page page = {};
   std::optional<double> scale = {};  ///< paper length over model length; nothing: fit
-  double unit = 1;                   ///< millimetres in a model unit
+  /// No page and no fitting: points are those of the view's frame, its origin at (0, 0), y down. `scale` and `unit` are passed over:
+  /// Drawing::scale is the power of ten that makes the drawing 1000 to 10 000 "mm" large, and min_length is in units of the frame.
+  bool in_frame_units = false;
+  double unit = 1;  ///< millimetres in a model unit
   HiddenLines hidden = HiddenLines::none;
   /// Degrees across the shorter side of the picture, perspective only: the picture is cut to a frame around the target with the
   /// proportions of the page less its margins. Nothing: all that is beyond the near plane.

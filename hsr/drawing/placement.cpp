@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "geometry/error.h"
 
@@ -156,6 +157,27 @@ Wide fitting(Wide width, Wide height, Wide area_width, Wide area_height) {
   return std::isfinite(scale) ? scale : 1;
 }
 
+/// 10^k that makes the larger side 1000 or more, and less than 10 000; 1 where there is no side.
+Rational decimal_scale(Wide size) {
+  Rational scale = 1.0;
+  if (!(size > 0) || !std::isfinite(size)) return scale;
+  const Rational ten = 10.0;
+  for (; size < 1000; size *= 10) scale = scale * ten;
+  for (; size >= 10000; size /= 10) scale = scale / ten;
+  return scale;
+}
+
+/// The frame's origin at (0, 0), no page around it.
+Placement in_frame_units(Placement result, const View& view, Wide width, Wide height, bool framed) {
+  const Rational scale = decimal_scale(std::max(width, height));
+  result.scale = static_cast<double>(wide(scale));
+  result.width = std::max(1.0, static_cast<double>(width * wide(scale)));
+  result.height = std::max(1.0, static_cast<double>(height * wide(scale)));
+  result.projection.place(result.projection.relative(view.frame.origin), scale, 0, 0);
+  if (framed) result.frame = PaperFrame{-result.width / 2, -result.height / 2, result.width / 2, result.height / 2};
+  return result;
+}
+
 }  // namespace
 
 std::optional<FrameSize> frame_size(const View& view, const DrawingOptions& options) {
@@ -189,6 +211,8 @@ Placement internal::placement(const Mesh& mesh, const View& view, const VisibleL
     const bool is_wide = width - height > 1e-9L * std::max(width, height);
     if ((page.turns || page.fits) && is_wide != (page.width > page.height)) std::swap(page.width, page.height);
   }
+
+  if (options.in_frame_units) return in_frame_units(std::move(result), view, width, height, framed);
 
   const Wide area_width = page.width - 2 * page.margin, area_height = page.height - 2 * page.margin;
   const Rational scale = options.scale ? Rational(*options.scale) * Rational(options.unit)

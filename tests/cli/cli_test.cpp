@@ -159,8 +159,8 @@ TEST_CASE("bad usage is one line that says what was expected", "[cli][M4]") {
   const std::string model = write(d / "cube.obj", cube), out = " -o " + (d / "a.svg");
   check_refused(run("draw " + (d / "none.obj") + out), {"none.obj"});
   check_refused(run("draw " + model), {"--output"});
-  check_refused(run("draw " + model + " -o " + (d / "a.pdf")), {"pdf", "later"});
-  check_refused(run("draw " + model + " -o " + (d / "a.dxf")), {"dxf", "later"});
+  check_refused(run("draw " + model + " -o " + (d / "a.bmp")), {".bmp", ".pdf", ".dxf", ".tex", ".hpgl"});
+  check_refused(run("draw " + model + " --scale 6000:1 -o " + (d / "a.pdf") + " --page fit"), {"pdf", "5080"});
   check_refused(run("draw " + model + " -o " + (d / "a.bmp")), {"svg", "png", "json"});
   check_refused(run("draw " + model + out + " --view aslant"), {"aslant", "iso"});
   check_refused(run("draw " + model + out + " --view iso --eye 1,2,3"), {"--view", "--eye"});

@@ -18,7 +18,7 @@ set(rooms
   "coordinates drawing"      # rounds as a drawing does
   "raster painter hsr"
   "check drawing raster"
-  "io drawing"
+  "io coordinates"
   "study io check"
   "cli study")
 

@@ -9,18 +9,17 @@ namespace hsr::internal {
 namespace {
 
 const char* name_of(Format f) {
-  return f == Format::svg ? "svg" : f == Format::png ? "png" : f == Format::json ? "json" : "csv";
+  static constexpr const char* names[] = {"svg", "pdf", "eps", "dxf", "tex", "hpgl", "png", "json", "csv"};
+  return names[static_cast<std::size_t>(f)];
 }
 
 /// One of those expected, or an InputError that says what was found instead.
 Format chosen(const std::string& name, const std::string& said, const std::string& found, std::span<const Format> expected) {
   std::string all;
   for (std::size_t k = 0; k < expected.size(); ++k) {
-    if (name == name_of(expected[k])) return expected[k];
+    if (name == name_of(expected[k]) || (name == "plt" && expected[k] == Format::hpgl)) return expected[k];
     all += std::string(k == 0 ? "" : k + 1 < expected.size() ? ", " : " or ") + "." + name_of(expected[k]);
   }
-  if (name == "pdf" || name == "eps" || name == "dxf" || name == "tex")
-    throw InputError(said + ": " + name + " comes in a later release; this one writes " + all);
   throw InputError(said + ": found " + found + ", expected " + all);
 }
 

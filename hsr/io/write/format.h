@@ -5,11 +5,12 @@
 
 namespace hsr::internal {
 
-/// What a result can be written as; csv: the table of error against run time.
-enum class Format { svg, png, json, csv };
+/// What a result can be written as; tex: LaTeX with TikZ; csv: the table of error against run time.
+enum class Format { svg, pdf, eps, dxf, tex, hpgl, png, json, csv };
 
 /// The format that a file name's ending chooses, one of those expected.
-/// @throws InputError for another ending; for pdf, eps, dxf and tex it says that they come in a later release
+/// The ending .plt means hpgl, too.
+/// @throws InputError for another ending
 Format format_of(const std::string& path, std::span<const Format> expected);
 
 /// The format of that name, "svg", one of those expected. @param said what the message begins with

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "hsr/drawing/cut_parameter.h"
+#include "hsr/io/write/interval_places.h"
 #include "hsr/io/write/json_text.h"
 #include "hsr/symbols/constructions.h"
 
@@ -30,7 +31,13 @@ void append_object(std::string& out, const FaceObjects* objects, std::span<const
 class LineWriter {
  public:
   LineWriter(const Mesh& mesh, const View& view, const VisibleLines& lines, const JsonOptions& options)
-      : mesh_(mesh), view_(view), lines_(lines), objects_(options.objects), numbers_(options.numbers), why_(options.why) {}
+      : mesh_(mesh),
+        view_(view),
+        lines_(lines),
+        objects_(options.objects),
+        numbers_(options.numbers),
+        why_(options.why),
+        places_(mesh, view, options.numbers) {}
 
   void append(std::string& out, const Line& line) {
     support_ = supporting_line_of(mesh_, lines_, line);
@@ -57,6 +64,7 @@ class LineWriter {
     out += "], \"hidden\": [";
     append_intervals(out, line, true);
     out += ']';
+    places_.append(out, lines_, line, support_);
     if (why_) {
       out += ", \"by\": [";
       const char* comma = "";
@@ -126,6 +134,7 @@ class LineWriter {
   const FaceObjects* objects_;
   Numbers numbers_;
   bool why_;
+  IntervalPlaces places_;
   SupportingLine support_;  // of the line at hand
 };
 

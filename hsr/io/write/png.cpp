@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "geometry/error.h"
-#include "hsr/io/write/line_style.h"
+#include "hsr/io/write/layers.h"
 
 namespace hsr {
 
@@ -72,6 +72,20 @@ void paint_fills(cairo_t* c, const Fills& fills) {
   }
 }
 
+void draw_layer(cairo_t* c, const Drawing& drawing, const Layer& layer) {
+  const LineStyle& style = layer.style;
+  cairo_set_line_width(c, style.width);
+  cairo_set_line_cap(c, style.is_dashed() ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+  const double dashes[] = {style.dash, style.gap};
+  cairo_set_dash(c, dashes, style.is_dashed() ? 2 : 0, 0);
+  for (const Polyline& p : layer.polylines) {
+    for (const PaperPoint& point : drawing.points_of(p))
+      cairo_line_to(c, static_cast<double>(point.x) / 1000, static_cast<double>(point.y) / 1000);
+    if (p.closed) cairo_close_path(c);
+    cairo_stroke(c);
+  }
+}
+
 }  // namespace
 
 PixelSize parse_size(const std::string& text) {
@@ -102,17 +116,7 @@ std::string png(const Drawing& drawing, std::optional<PixelSize> size) {
   cairo_set_line_join(c.get(), CAIRO_LINE_JOIN_ROUND);
   paint_fills(c.get(), drawing.fills);
   cairo_set_source_rgb(c.get(), 0, 0, 0);
-  for (const Polyline& p : drawing.polylines) {
-    const LineStyle style = line_style(p.hidden, p.edge_class, drawing.hidden);
-    cairo_set_line_width(c.get(), style.width);
-    cairo_set_line_cap(c.get(), style.is_dashed() ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
-    const double dashes[] = {style.dash, style.gap};
-    cairo_set_dash(c.get(), dashes, style.is_dashed() ? 2 : 0, 0);
-    for (const PaperPoint& point : drawing.points_of(p))
-      cairo_line_to(c.get(), static_cast<double>(point.x) / 1000, static_cast<double>(point.y) / 1000);
-    if (p.closed) cairo_close_path(c.get());
-    cairo_stroke(c.get());
-  }
+  for (const Layer& layer : layers_of(drawing)) draw_layer(c.get(), drawing, layer);
   expect_success(cairo_status(c.get()));
   std::string out;
   expect_success(cairo_surface_write_to_png_stream(surface.get(), append, &out));

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "hsr/io/write/json.h"
 #include "hsr/io/write/json_text.h"
-#include "hsr/io/write/line_style.h"
+#include "hsr/io/write/layers.h"
 #include "hsr/io/write/svg_text.h"
 
 namespace hsr {
@@ -62,8 +61,6 @@ class ObjectGroups {
   std::vector<std::string> ids_;
   std::uint32_t open_ = FaceObjects::none;
 };
-
-std::string layer_of(const Polyline& p) { return (p.hidden ? "hidden-" : "visible-") + std::string(name_of(p.edge_class)); }
 
 void append_faces(std::string& out, std::span<const std::uint32_t> faces) {
   out += "\" data-face=\"";
@@ -129,11 +126,10 @@ void append_path(std::string& out, const Drawing& drawing, const Polyline& p) {
   out += "\"/>\n";
 }
 
-void append_layer_start(std::string& out, const Polyline& p, HiddenLines hidden_lines) {
-  const std::string visibility = p.hidden ? "hidden" : "visible", edge_class = name_of(p.edge_class);
-  const LineStyle style = line_style(p.hidden, p.edge_class, hidden_lines);
-  out += "<g id=\"" + layer_of(p) + "\" class=\"" + visibility + ' ' + edge_class;
-  out += "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + visibility + ' ' + edge_class;
+void append_layer_start(std::string& out, const Layer& layer) {
+  const LineStyle& style = layer.style;
+  out += "<g id=\"" + layer.name('-') + "\" class=\"" + layer.name();
+  out += "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + layer.name();
   out += "\" fill=\"none\" stroke=\"#000\" stroke-linejoin=\"round\" stroke-linecap=\"";
   out += style.is_dashed() ? "butt" : "round";
   out += "\" stroke-width=\"";
@@ -154,19 +150,15 @@ std::string svg(const Drawing& drawing, const SvgOptions& options) {
   append_svg_start(out, drawing.width, drawing.height, options, !drawing.fills.fills.empty());
   ObjectGroups objects(drawing.objects);
   append_fills(out, drawing.fills, objects);
-  const Polyline* last = nullptr;
-  for (const Polyline& p : drawing.polylines) {
-    if (last == nullptr || last->hidden != p.hidden || last->edge_class != p.edge_class) {
-      objects.end(out);
-      if (last != nullptr) out += "</g>\n";
-      append_layer_start(out, p, drawing.hidden);
+  for (const Layer& layer : layers_of(drawing)) {
+    append_layer_start(out, layer);
+    for (const Polyline& p : layer.polylines) {
+      objects.begin(out, layer.name('-'), p.object);
+      append_path(out, drawing, p);
     }
-    last = &p;
-    objects.begin(out, layer_of(p), p.object);
-    append_path(out, drawing, p);
+    objects.end(out);
+    out += "</g>\n";
   }
-  objects.end(out);
-  if (last != nullptr) out += "</g>\n";
   out += "</svg>\n";
   return out;
 }

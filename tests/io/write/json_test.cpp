@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "hsr/coordinates/segments.h"
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/mesh_json.h"
 #include "hsr/lines/visible_lines.h"
@@ -39,29 +40,60 @@ struct Example {
 
 TEST_CASE("Lines are written with their class, faces and intervals", "[write][json][R4][J2]") {
   const Example e;
-  CHECK(lines_json(e.mesh, e.view, e.lines) ==
-        R"({"format": "hsr-lines/1", "view": {"eye": [0, 0, 1, 0], "target": [0, 0, 0], "up": [0, 1, 0], )"
-        R"("frame": {"origin": [0, 0, 0], "right": [1, 0, 0], "up": [0, 1, 0]}, "near": null}, "lines": [)"
-        "\n"
-        R"({"edge": [0, 1], "class": "wire", "faces": [], "visible": [[0, 0.3333333333333333], [0.5555555555555556, 1]], )"
-        R"("hidden": [[0.3333333333333333, 0.5555555555555556]]},)"
-        "\n"
-        R"({"edge": [2, 3], "class": "boundary", "faces": [0], "visible": [[0, 1]], "hidden": []},)"
-        "\n"
-        R"({"edge": [2, 4], "class": "boundary", "faces": [0], "visible": [[0, 1]], "hidden": []},)"
-        "\n"
-        R"({"edge": [3, 4], "class": "boundary", "faces": [0], "visible": [[0, 1]], "hidden": []})"
-        "\n]}\n");
+  CHECK(
+      lines_json(e.mesh, e.view, e.lines) ==
+      R"({"format": "hsr-lines/1", "view": {"eye": [0, 0, 1, 0], "target": [0, 0, 0], "up": [0, 1, 0], )"
+      R"("frame": {"origin": [0, 0, 0], "right": [1, 0, 0], "up": [0, 1, 0]}, "near": null}, "lines": [)"
+      "\n"
+      R"({"edge": [0, 1], "class": "wire", "faces": [], "visible": [[0, 0.3333333333333333], [0.5555555555555556, 1]], )"
+      R"("hidden": [[0.3333333333333333, 0.5555555555555556]], )"
+      R"("visible_points": [[[0, 0, 0], [1, 0, 0]], [[1.6666666666666667, 0, 0], [3, 0, 0]]], )"
+      R"("visible_image": [[[0, 0], [1, 0]], [[1.6666666666666667, 0], [3, 0]]], )"
+      R"("hidden_points": [[[1, 0, 0], [1.6666666666666667, 0, 0]]], "hidden_image": [[[1, 0], [1.6666666666666667, 0]]]},)"
+      "\n"
+      R"({"edge": [2, 3], "class": "boundary", "faces": [0], "visible": [[0, 1]], "hidden": [], )"
+      R"("visible_points": [[[1, -1, 1], [2, -1, 1]]], "visible_image": [[[1, -1], [2, -1]]], "hidden_points": [], "hidden_image": []},)"
+      "\n"
+      R"({"edge": [2, 4], "class": "boundary", "faces": [0], "visible": [[0, 1]], "hidden": [], )"
+      R"("visible_points": [[[1, -1, 1], [1, 2, 1]]], "visible_image": [[[1, -1], [1, 2]]], "hidden_points": [], "hidden_image": []},)"
+      "\n"
+      R"({"edge": [3, 4], "class": "boundary", "faces": [0], "visible": [[0, 1]], "hidden": [], )"
+      R"("visible_points": [[[2, -1, 1], [1, 2, 1]]], "visible_image": [[[2, -1], [1, 2]]], "hidden_points": [], "hidden_image": []})"
+      "\n]}\n");
 }
 
 TEST_CASE("Exact numbers are strings", "[write][json][J1]") {
   const Example e;
   const std::string text = lines_json(e.mesh, e.view, e.lines, {.numbers = Numbers::exact, .why = true});
   CHECK(text.find(R"("eye": ["0", "0", "1", "0"], "target": ["0", "0", "0"])") != std::string::npos);
-  CHECK(text.find(R"("visible": [["0", "1/3"], ["5/9", "1"]], "hidden": [["1/3", "5/9"]], "by": [[0, "1/3", "5/9"]]})") !=
-        std::string::npos);
-  CHECK(text.find(R"("visible": [["0", "1"]], "hidden": [], "by": []})") != std::string::npos);
+  CHECK(text.find(R"("visible": [["0", "1/3"], ["5/9", "1"]], "hidden": [["1/3", "5/9"]], )") != std::string::npos);
+  CHECK(text.find(R"("hidden_points": [[["1", "0", "0"], ["5/3", "0", "0"]]], "hidden_image": [[["1", "0"], ["5/3", "0"]]], )"
+                  R"("by": [[0, "1/3", "5/9"]]})") != std::string::npos);
+  CHECK(text.find(R"("visible": [["0", "1"]], "hidden": [], "visible_points")") != std::string::npos);
   CHECK(nlohmann::json::accept(text));
+}
+
+TEST_CASE("The ends of intervals are where segments() has them", "[write][json][J6]") {
+  Example e;
+  e.view = perspective_view({1.3, 0.2, 9}, {1, 0, 0.1}, {0, 1, 0});
+  const SceneView scene(e.mesh, e.view);
+  e.lines = visible_lines(scene);
+  const auto json = nlohmann::json::parse(lines_json(e.mesh, e.view, e.lines));
+  std::vector<std::array<std::size_t, 2>> next(e.lines.lines.size(), {0, 0});
+  std::size_t compared = 0;
+  for (const Segment& s : segments(scene, e.lines)) {
+    const auto& line = json["lines"][s.line];
+    const std::string visibility = s.is_hidden ? "hidden" : "visible";
+    const std::size_t k = next[s.line][s.is_hidden ? 1 : 0]++;
+    const auto& points = line[visibility + "_points"][k];
+    const auto& image = line[visibility + "_image"][k];
+    for (const auto& [end, p] : {std::pair{std::size_t{0}, s.from}, std::pair{std::size_t{1}, s.to}}) {
+      CHECK(points[end] == nlohmann::json({p.space.x, p.space.y, p.space.z}));
+      CHECK(image[end] == nlohmann::json({p.paper.x, p.paper.y}));
+      ++compared;
+    }
+  }
+  CHECK(compared >= 12);
 }
 
 TEST_CASE("A perspective view has its near plane", "[write][json][V7][J5]") {

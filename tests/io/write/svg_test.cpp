@@ -146,8 +146,13 @@ TEST_CASE("A file's ending chooses its format", "[write][format]") {
   CHECK(format_of("dir.png/a.JSON", expected) == Format::json);
   CHECK(format_of("a.svg.png", expected) == Format::png);
   CHECK(format_of("a.csv", std::array{Format::csv}) == Format::csv);
-  for (const char* later : {"a.pdf", "a.eps", "a.dxf", "a.tex"})
-    CHECK_THROWS_WITH(format_of(later, expected), Catch::Contains("later release") && Catch::Contains(".svg, .png or .json"));
-  for (const char* wrong : {"a", "a.", "a.svg/b", "a.obj", "a.csv"})
+  const std::array lines = {Format::pdf, Format::eps, Format::dxf, Format::tex, Format::hpgl};
+  CHECK(format_of("a.PDF", lines) == Format::pdf);
+  CHECK(format_of("a.eps", lines) == Format::eps);
+  CHECK(format_of("a.dxf", lines) == Format::dxf);
+  CHECK(format_of("a.tex", lines) == Format::tex);
+  CHECK(format_of("a.hpgl", lines) == Format::hpgl);
+  CHECK(format_of("a.plt", lines) == Format::hpgl);
+  for (const char* wrong : {"a", "a.", "a.svg/b", "a.obj", "a.csv", "a.pdf"})
     CHECK_THROWS_WITH(format_of(wrong, expected), Catch::Contains("expected .svg, .png or .json"));
 }

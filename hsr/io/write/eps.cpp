@@ -1,0 +1,67 @@
+#include "hsr/io/write/eps.h"
+
+#include <cmath>
+
+#include "hsr/io/write/painted_paths.h"
+#include "hsr/io/write/svg_text.h"
+
+namespace hsr {
+
+using namespace internal;
+
+namespace {
+
+/// PDF's operators in PostScript. One colour serves filling and drawing: where both occur they are the same.
+const char* const prologue = R"(%%BeginProlog
+/hsr 24 dict def hsr begin
+/m {moveto} bind def /l {lineto} bind def /h {closepath} bind def /n {newpath} bind def
+/S {stroke} bind def /f* {eofill} bind def /B* {gsave eofill grestore stroke} bind def /W* {eoclip} bind def
+/w {setlinewidth} bind def /J {setlinecap} bind def /j {setlinejoin} bind def /d {setdash} bind def
+/rg {setrgbcolor} bind def /RG {setrgbcolor} bind def
+/q {gsave} bind def /Q {grestore} bind def /cm {6 array astore concat} bind def
+end
+%%EndProlog
+)";
+
+std::string printable(const std::string& text) {
+  std::string out;
+  for (const char c : text.substr(0, 200)) out += c >= ' ' && c <= '~' ? c : '?';
+  return out;
+}
+
+}  // namespace
+
+std::string eps(const Drawing& drawing, const std::string& title) {
+  const double width = points_of(drawing.width), height = points_of(drawing.height);
+  std::string out = "%!PS-Adobe-3.0 EPSF-3.0\n%%Creator: hsr\n%%Title: " + printable(title) + "\n%%BoundingBox: 0 0 ";
+  append_length(out, std::ceil(width));
+  out += ' ';
+  append_length(out, std::ceil(height));
+  out += "\n%%HiResBoundingBox: 0 0 ";
+  append_length(out, width);
+  out += ' ';
+  append_length(out, height);
+  out += "\n%%LanguageLevel: 2\n%%Pages: 1\n%%EndComments\n";
+  out += prologue;
+  out += "%%Page: 1 1\nhsr begin\nq\n";
+  append_page_space(out, drawing.height);
+  if (!drawing.fills.fills.empty()) {
+    out += "% layer: fill\nq\n";
+    append_fill_clip(out, drawing.fills);
+    for (const double pen : underlay_widths) {
+      append_length(out, pen);
+      out += " w\n";
+      append_fill_paths(out, drawing.fills, "B*");
+    }
+    out += "Q\n";
+    append_fill_paths(out, drawing.fills, "f*");
+  }
+  for (const Layer& layer : layers_of(drawing)) {
+    out += "% layer: " + layer.name() + "\n";
+    append_lines(out, drawing, layer);
+  }
+  out += "Q\nend\n%%Trailer\n%%EOF\n";
+  return out;
+}
+
+}  // namespace hsr

@@ -1,0 +1,50 @@
+#include "hsr/io/write/hpgl.h"
+
+#include <cmath>
+
+#include "hsr/io/write/dashes.h"
+#include "hsr/io/write/layers.h"
+
+namespace hsr {
+
+using namespace internal;
+
+namespace {
+
+void append_stroke(std::string& out, std::span<const PaperPoint> points, double height) {
+  // 25 thousandths of a millimetre to a plotter unit.
+  const auto append_point = [&](const PaperPoint& p) {
+    out += std::to_string(std::llround(static_cast<double>(p.x) / 25)) + ',' +
+           std::to_string(std::llround((height * 1000 - static_cast<double>(p.y)) / 25));
+  };
+  out += "PU";
+  append_point(points.front());
+  const char* separator = ";PD";
+  for (const PaperPoint& p : points.subspan(1)) {
+    out += separator;
+    separator = ",";
+    append_point(p);
+  }
+  out += ";\n";
+}
+
+}  // namespace
+
+std::string hpgl(const Drawing& drawing) {
+  std::string out = "IN;\n";
+  int pen = 0;
+  for (const Layer& layer : layers_of(drawing)) {
+    out += "SP" + std::to_string(++pen) + ";\n";
+    for (const Polyline& p : layer.polylines) {
+      std::vector<PaperPoint> points(drawing.points_of(p).begin(), drawing.points_of(p).end());
+      if (p.closed) points.push_back(points.front());
+      if (!layer.style.is_dashed())
+        append_stroke(out, points, drawing.height);
+      else
+        for (const auto& dash : dashes_of(points, layer.style)) append_stroke(out, dash, drawing.height);
+    }
+  }
+  return out + "PU;SP0;\n";
+}
+
+}  // namespace hsr

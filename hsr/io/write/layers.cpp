@@ -1,0 +1,23 @@
+#include "hsr/io/write/layers.h"
+
+#include "hsr/io/write/json.h"
+
+namespace hsr::internal {
+
+std::string Layer::name(char between) const {
+  return (hidden ? std::string("hidden") : std::string("visible")) + between + name_of(edge_class);
+}
+
+std::vector<Layer> layers_of(const Drawing& drawing) {
+  std::vector<Layer> layers;
+  const std::span<const Polyline> all = drawing.polylines;
+  for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+    const bool hidden = all[first].hidden;
+    const EdgeClass edge_class = all[first].edge_class;
+    while (end < all.size() && all[end].hidden == hidden && all[end].edge_class == edge_class) ++end;
+    layers.push_back({hidden, edge_class, line_style(hidden, edge_class, drawing.hidden), all.subspan(first, end - first)});
+  }
+  return layers;
+}
+
+}  // namespace hsr::internal

@@ -1,0 +1,184 @@
+#include "hsr/io/write/pdf.h"
+
+#include <zlib.h>
+
+#include <utility>
+#include <vector>
+
+#include "geometry/error.h"
+#include "hsr/io/write/json_text.h"
+#include "hsr/io/write/painted_paths.h"
+#include "hsr/io/write/svg_text.h"
+#include "hsr/io/write/utf8.h"
+
+namespace hsr {
+
+using namespace internal;
+
+namespace {
+
+constexpr double longest_side = 5080;  // mm: 14400 points, the limit of PDF 1.5
+
+std::string deflated(const std::string& text) {
+  uLongf size = compressBound(text.size());
+  std::string out(size, '\0');
+  const int status = compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+                               text.size(), Z_DEFAULT_COMPRESSION);
+  if (status != Z_OK) throw InputError("pdf: the drawing does not fit into memory");
+  out.resize(size);
+  return out;
+}
+
+/// Numbered objects, from 1 on, and at the end where each of them begins.
+class PdfFile {
+ public:
+  PdfFile() : text_("%PDF-1.5\n%\xE2\xE3\xCF\xD3\n") {}
+
+  /// A number for an object that is written later.
+  std::size_t reserve() {
+    starts_.push_back(0);
+    return starts_.size();
+  }
+  void write(std::size_t number, const std::string& body) {
+    starts_[number - 1] = text_.size();
+    append_integer(text_, number);
+    text_ += " 0 obj\n" + body + "\nendobj\n";
+  }
+  void write_stream(std::size_t number, const std::string& keys, const std::string& contents) {
+    const std::string bytes = deflated(contents);
+    write(number, "<< " + keys + "/Filter /FlateDecode /Length " + std::to_string(bytes.size()) + " >>\nstream\n" + bytes +
+                      "\nendstream");
+  }
+  std::string finish(std::size_t root, std::size_t info) {
+    const std::size_t table = text_.size();
+    const std::string size = std::to_string(starts_.size() + 1);
+    text_ += "xref\n0 " + size + "\n0000000000 65535 f \n";
+    for (const std::size_t start : starts_) {
+      const std::string digits = std::to_string(start);
+      if (digits.size() > 10) throw InputError("pdf: the file would be 10 GB or more, expected less");
+      text_ += std::string(10 - digits.size(), '0') + digits + " 00000 n \n";
+    }
+    text_ += "trailer\n<< /Size " + size + " /Root " + std::to_string(root) + " 0 R /Info " + std::to_string(info) +
+             " 0 R >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
+    return std::move(text_);
+  }
+
+ private:
+  std::string text_;
+  std::vector<std::size_t> starts_;
+};
+
+std::string reference(std::size_t number) { return std::to_string(number) + " 0 R "; }
+
+/// A text string: UTF-16 in hexadecimal digits, which carries any text.
+std::string text_string(const std::string& text) {
+  std::string out = "<FEFF";
+  const auto append_unit = [&](std::uint32_t unit) {
+    for (int shift = 12; shift >= 0; shift -= 4) out += "0123456789ABCDEF"[unit >> shift & 15U];
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    const Utf8Character c = utf8_character(text, i);
+    i += c.bytes > 0 ? c.bytes : 1;
+    if (c.bytes > 0 && c.code >= 0x10000) {
+      append_unit(0xD800 + ((c.code - 0x10000) >> 10));
+      append_unit(0xDC00 + ((c.code - 0x10000) & 0x3FFU));
+    } else {
+      append_unit(c.bytes > 0 ? c.code : 0xFFFD);
+    }
+  }
+  return out + ">";
+}
+
+/// The contents of the page, with the names of its layers' resources: /L0, /L1, ...
+class PdfPage {
+ public:
+  PdfPage(PdfFile& file, const Drawing& drawing) : file_(file) {
+    append_page_space(contents_, drawing.height);
+    if (!drawing.fills.fills.empty()) paint_fills(drawing);
+    for (const Layer& layer : layers_of(drawing)) {
+      begin_layer(layer.name());
+      append_lines(contents_, drawing, layer);
+      contents_ += "EMC\n";
+    }
+  }
+
+  const std::string& contents() const { return contents_; }
+  /// Groups by number, those drawn last first, as layers are listed.
+  std::string groups() const {
+    std::string out;
+    for (auto g = groups_.rbegin(); g != groups_.rend(); ++g) out += reference(*g);
+    return out;
+  }
+  std::string resources() const {
+    std::string out = "<< /Properties << ";
+    for (std::size_t k = 0; k < groups_.size(); ++k) out += "/L" + std::to_string(k) + " " + reference(groups_[k]);
+    out += ">> ";
+    if (underlay_ != 0) out += "/XObject << /Underlay " + reference(underlay_) + ">> ";
+    return out + ">>";
+  }
+
+ private:
+  void begin_layer(const std::string& name) {
+    contents_ += "/OC /L" + std::to_string(groups_.size()) + " BDC\n";
+    groups_.push_back(file_.reserve());
+    file_.write(groups_.back(), "<< /Type /OCG /Name (" + name + ") >>");
+  }
+  /// As the SVG has them: under the fills, and cut to the outline of all, the same with pens of their own colours.
+  void paint_fills(const Drawing& drawing) {
+    std::string bordered;
+    append_fill_paths(bordered, drawing.fills, "B*");
+    underlay_ = file_.reserve();
+    std::string box = "[0 0 ";
+    append_length(box, drawing.width);
+    box += ' ';
+    append_length(box, drawing.height);
+    file_.write_stream(underlay_, "/Type /XObject /Subtype /Form /BBox " + box + "] ", bordered);
+    begin_layer("fill");
+    contents_ += "q\n";
+    append_fill_clip(contents_, drawing.fills);
+    for (const double width : underlay_widths) {
+      append_length(contents_, width);
+      contents_ += " w /Underlay Do\n";
+    }
+    contents_ += "Q\n";
+    append_fill_paths(contents_, drawing.fills, "f*");
+    contents_ += "EMC\n";
+  }
+
+  PdfFile& file_;
+  std::string contents_;
+  std::vector<std::size_t> groups_;
+  std::size_t underlay_ = 0;
+};
+
+}  // namespace
+
+std::string pdf(const Drawing& drawing, const std::string& title) {
+  if (!(drawing.width <= longest_side) || !(drawing.height <= longest_side)) {
+    std::string found;
+    append_length(found, drawing.width);
+    found += " x ";
+    append_length(found, drawing.height);
+    throw InputError("pdf: found a page of " + found + " mm, expected at most 5080 mm either way");
+  }
+  PdfFile file;
+  const std::size_t root = file.reserve(), info = file.reserve(), pages = file.reserve(), page = file.reserve(),
+                    contents = file.reserve();
+  const PdfPage drawn(file, drawing);
+  const std::string groups = drawn.groups();
+  std::string layers;
+  if (!groups.empty()) layers = " /OCProperties << /OCGs [ " + groups + "] /D << /Order [ " + groups + "] >> >>";
+  file.write(root, "<< /Type /Catalog /Pages " + reference(pages) + layers + " >>");
+  file.write(info, "<< /Title " + text_string(title) + " /Producer (hsr) >>");
+  file.write(pages, "<< /Type /Pages /Count 1 /Kids [ " + reference(page) + "] >>");
+  std::string box = "[0 0 ";
+  append_length(box, points_of(drawing.width));
+  box += ' ';
+  append_length(box, points_of(drawing.height));
+  file.write(page, "<< /Type /Page /Parent " + reference(pages) + "/MediaBox " + box + "] /Contents " + reference(contents) +
+                       "/Resources " + drawn.resources() + " >>");
+  file.write_stream(contents, "", drawn.contents());
+  return file.finish(root, info);
+}
+
+}  // namespace hsr

@@ -1,0 +1,110 @@
+#include "hsr/io/write/tikz.h"
+
+#include "hsr/io/write/json_text.h"
+#include "hsr/io/write/layers.h"
+#include "hsr/io/write/svg_text.h"
+
+namespace hsr {
+
+using namespace internal;
+
+namespace {
+
+std::string length(double mm) {
+  std::string out;
+  append_length(out, mm);
+  return out;
+}
+
+/// A document around the picture, unless there is one.
+std::string document_start(const Drawing& drawing) {
+  const std::string size = "\\paperwidth=" + length(drawing.width) + "mm \\paperheight=" + length(drawing.height) + "mm\n";
+  return R"(% Run pdflatex on this file, or \input it into a document that has \usepackage{tikz}.
+% Styles by name, such as "hsr visible outline", may be set before: \tikzset{hsr visible outline/.style={line width=1pt}}
+\def\hsrbegin{}\def\hsrend{}
+\ifx\tikzpicture\undefined
+\documentclass{article}
+\usepackage{tikz}
+\pagestyle{empty}
+)" + size +
+         R"(\pdfpagewidth=\paperwidth \pdfpageheight=\paperheight
+\hoffset=-1in \voffset=-1in \textwidth=\paperwidth \textheight=\paperheight
+\oddsidemargin=0pt \topmargin=0pt \headheight=0pt \headsep=0pt \topskip=0pt \parindent=0pt \maxdepth=0pt
+\def\hsrbegin{\begin{document}\noindent}\def\hsrend{\end{document}}
+\fi
+\def\hsrstyle#1#2{\pgfkeysifdefined{/tikz/hsr #1/.@cmd}{}{\tikzset{hsr #1/.style={#2}}}}
+)";
+}
+
+void append_style(std::string& out, const Layer& layer) {
+  out += "\\hsrstyle{" + layer.name() + "}{line width=" + length(layer.style.width) + "mm, line join=round, line cap=";
+  out += layer.style.is_dashed() ? "butt" : "round";
+  if (layer.style.is_dashed())
+    out += ", dash pattern=on " + length(layer.style.dash) + "mm off " + length(layer.style.gap) + "mm";
+  out += "}\n";
+}
+
+void append_path(std::string& out, std::span<const PaperPoint> points, bool closed) {
+  const char* between = "";
+  for (const PaperPoint& p : points) {
+    out += between;
+    between = "\n--";
+    out += '(';
+    append_coordinate(out, p.x);
+    out += ',';
+    append_coordinate(out, p.y);
+    out += ')';
+  }
+  if (closed) out += "\n--cycle";
+}
+
+void append_rings(std::string& out, const Fills& fills, std::uint32_t first, std::uint32_t end) {
+  for (std::uint32_t r = first; r < end; ++r)
+    if (!fills.ring(r).empty()) append_path(out, fills.ring(r), true);
+}
+
+void append_fills(std::string& out, const Fills& fills, const std::string& draw) {
+  for (const Fill& fill : fills.fills) {
+    out += "\\definecolor{hsr fill}{RGB}{";
+    for (std::size_t k = 0; k < 3; ++k) out += (k == 0 ? "" : ",") + std::to_string(fill.colour[k]);
+    out += "}\\path[even odd rule, fill=hsr fill" + draw + "] ";
+    append_rings(out, fills, fill.first_ring, fill.end_ring);
+    out += ";\n";
+  }
+}
+
+/// As the SVG has them: under the fills, and cut to the outline of all, the same with pens of their own colours.
+void append_filled_scopes(std::string& out, const Fills& fills) {
+  if (fills.fills.empty()) return;
+  out += "\\begin{scope}[hsr fill]\n\\begin{scope}[line join=round, even odd rule]\n\\clip ";
+  append_rings(out, fills, fills.first_outline_ring, fills.rings());
+  out += ";\n";
+  for (const double width : underlay_widths) append_fills(out, fills, ", draw=hsr fill, line width=" + length(width) + "mm");
+  out += "\\end{scope}\n";
+  append_fills(out, fills, "");
+  out += "\\end{scope}\n";
+}
+
+}  // namespace
+
+std::string tikz(const Drawing& drawing) {
+  const std::vector<Layer> layers = layers_of(drawing);
+  std::string out = document_start(drawing);
+  out += "\\hsrstyle{fill}{}\n";
+  for (const Layer& layer : layers) append_style(out, layer);
+  out += "\\hsrbegin\n\\begin{tikzpicture}[x=1mm,y=-1mm]\n\\useasboundingbox (0,0) rectangle (" + length(drawing.width) + "," +
+         length(drawing.height) + ");\n";
+  append_filled_scopes(out, drawing.fills);
+  for (const Layer& layer : layers) {
+    out += "\\begin{scope}[hsr " + layer.name() + "]\n";
+    for (const Polyline& p : layer.polylines) {
+      out += "\\draw ";
+      append_path(out, drawing.points_of(p), p.closed);
+      out += ";\n";
+    }
+    out += "\\end{scope}\n";
+  }
+  return out + "\\end{tikzpicture}%\n\\hsrend\n";
+}
+
+}  // namespace hsr

@@ -1,0 +1,366 @@
+#include "tests/io/write/other_programs.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "hsr/io/write/dxf.h"
+#include "hsr/io/write/eps.h"
+#include "hsr/io/write/hpgl.h"
+#include "hsr/io/write/pdf.h"
+#include "hsr/io/write/svg.h"
+#include "hsr/io/write/tikz.h"
+
+// What hsr writes, read by programs that are not ours, against the exact answer. A program that is missing is told of and passed
+// over: packages.txt names those that tests/run installs, packages-long.txt those that only the long tests need.
+
+using namespace hsr;
+
+namespace {
+
+constexpr int dots = 20;  // to a millimetre: 508 to the inch
+constexpr double margin = 0.08;
+
+/// How a format is turned into picture.png in the workplace, from the file drawn.<format>.
+struct Renderer {
+  const char* program;
+  const char* format;
+  const char* command;
+};
+
+const Renderer renderers[] = {
+    {"rsvg-convert", "svg", "rsvg-convert -w 1524 -h 1016 -b white -o picture.png drawn.svg"},
+    {"pdftoppm", "pdf", "pdftoppm -r 508 -png -singlefile drawn.pdf picture"},
+    {"mutool", "pdf", "mutool draw -q -r 508 -o picture.png drawn.pdf"},
+    {"gs", "eps",
+     "gs -q -dSAFER -dNOPAUSE -dBATCH -dEPSCrop -r508 -sDEVICE=png16m -dGraphicsAlphaBits=4 -sOutputFile=picture.png "
+     "drawn.eps"},
+};
+
+std::string bytes_of(const Drawing& drawing, const std::string& format) {
+  return format == "svg" ? svg(drawing) : format == "pdf" ? pdf(drawing) : format == "eps" ? eps(drawing) : tikz(drawing);
+}
+
+bool is_there(const std::string& program) {
+  if (has_program(program)) return true;
+  WARN(program << " is missing: what it would have shown is not tested");
+  return false;
+}
+
+RenderedPage rendered(const Renderer& r, const std::string& bytes) {
+  const Workplace here("hsr_rendered");
+  here.write(std::string("drawn.") + r.format, bytes);
+  int status = 0;
+  INFO(here.run(r.command, status));
+  REQUIRE(status == 0);
+  RenderedPage page = read_png(here / "picture.png");
+  REQUIRE(page.width == 1524);
+  REQUIRE(page.height == 1016);
+  return page;
+}
+
+/// Pixels that show something else than the exact drawing.
+ExactPicture::Wrong wrong_in(const Renderer& r, const DrawnScene& scene, const Drawing& expected, const std::string& bytes) {
+  return ExactPicture(scene, expected).compare(rendered(r, bytes), dots, !expected.fills.fills.empty(), margin);
+}
+
+void check_right(const Renderer& r, const DrawnScene& scene, const Drawing& drawing) {
+  CAPTURE(r.program);
+  const auto wrong = wrong_in(r, scene, drawing, bytes_of(drawing, r.format));
+  CHECK(wrong.seen > 350000);
+  CHECK(wrong.lines == 0);
+  CHECK(wrong.dashes == 0);
+  CHECK(wrong.areas == 0);
+}
+
+}  // namespace
+
+TEST_CASE("Other programs show SVG, PDF and EPS as the exact drawing is, filled and not", "[write][others][D11]") {
+  const DrawnScene scene;
+  for (const Renderer& r : renderers) {
+    if (!is_there(r.program)) continue;
+    check_right(r, scene, scene.draw(true));
+    check_right(r, scene, scene.draw(false));
+  }
+}
+
+TEST_CASE("A lost hole, a pen that is too wide, a lost dash and a swapped layer are found in pictures", "[write][others]") {
+  const DrawnScene scene;
+  const Drawing right = scene.draw();
+  const auto wrong_with = [&](const auto& plant) {
+    Drawing planted = right;
+    plant(planted);
+    const Renderer& r = renderers[1];
+    return wrong_in(r, scene, right, bytes_of(planted, r.format));
+  };
+  if (!is_there(renderers[1].program)) return;
+  REQUIRE(wrong_with([](Drawing&) {}).all() == 0);
+  CHECK(wrong_with([](Drawing& d) {  // of the plate: the box and the hole
+          for (Fill& fill : d.fills.fills)
+            if (fill.end_ring - fill.first_ring > 1) fill.end_ring = fill.first_ring + 1;
+        })
+            .areas > 1000);
+  CHECK(wrong_with([](Drawing& d) {
+          for (Polyline& p : d.polylines)
+            if (p.edge_class == EdgeClass::smooth) p.edge_class = EdgeClass::outline;
+        }).areas > 100);
+  CHECK(wrong_with([](Drawing& d) { d.hidden = HiddenLines::solid; }).dashes > 100);
+  CHECK(wrong_with([](Drawing& d) {
+          for (Polyline& p : d.polylines) p.hidden = !p.hidden;
+        }).lines > 1000);
+  CHECK(wrong_with([](Drawing& d) { d.polylines.pop_back(); }).lines > 10);
+  CHECK(wrong_with([](Drawing& d) { std::swap(d.fills.fills.front().colour, d.fills.fills.back().colour); }).areas > 1000);
+}
+
+TEST_CASE("A PDF is sound, has a layer for each visibility and class, and the page in points", "[write][others][D12]") {
+  const DrawnScene scene;
+  const Drawing drawing = scene.draw();
+  const Workplace here("hsr_pdf");
+  here.write("drawn.pdf", pdf(drawing, "a \xC3\xA9 (\\"));
+  int status = 0;
+  if (is_there("qpdf")) {
+    const std::string said = here.run("qpdf --check drawn.pdf", status);
+    INFO(said);
+    CHECK(status == 0);
+    const std::string all = here.run("qpdf --qdf --object-streams=disable drawn.pdf -", status);
+    std::string names;
+    for (std::size_t at = all.find("/Name ("); at != std::string::npos; at = all.find("/Name (", at + 1))
+      names += all.substr(at + 7, all.find(')', at) - at - 7) + ",";
+    CHECK(names == "visible smooth,visible boundary,visible sharp,visible outline,hidden sharp,hidden outline,fill,");
+  }
+  if (is_there("pdfinfo")) {
+    const std::string said = here.run("pdfinfo drawn.pdf", status);
+    INFO(said);
+    CHECK(said.find("Page size:       216 x 144 pts") != std::string::npos);
+    CHECK(said.find("Title:           a \xC3\xA9 (\\") != std::string::npos);
+  }
+}
+
+namespace {
+
+/// What ezdxf reads from a file, as JSON: errors of its audit, and each entity's layer, points and extended data.
+const char* const dxf_reader = R"(
+import json, sys, ezdxf
+document = ezdxf.readfile(sys.argv[1])
+out = {"errors": [str(e.message) for e in document.audit().errors], "version": document.dxfversion,
+       "units": document.header.get("$INSUNITS", 0), "scale": document.header["$LTSCALE"], "layers": {}, "entities": []}
+for layer in document.layers:
+    out["layers"][layer.dxf.name] = [layer.dxf.linetype, layer.dxf.get("lineweight", -3)]
+for e in document.modelspace():
+    if e.dxftype() == "LINE": points = [list(e.dxf.start)[:2], list(e.dxf.end)[:2]]
+    elif e.dxftype() == "POLYLINE": points = [list(v.dxf.location)[:2] for v in e.vertices]
+    else: points = [list(p)[:2] for p in e.get_points("xy")]
+    closed = e.dxftype() != "LINE" and bool(e.is_closed if e.dxftype() == "POLYLINE" else e.closed)
+    out["entities"].append({"type": e.dxftype(), "layer": e.dxf.layer, "points": points, "closed": closed,
+                            "data": [tag.value for tag in e.get_xdata("HSR")]})
+print(json.dumps(out))
+)";
+
+double distance(const Point2& p, const Point2& a, const Point2& b) {
+  const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
+  const double t = square == 0 ? 0 : std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0, 1.0);
+  return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
+}
+
+struct PlainLine {
+  Point2 a, b;
+  bool is_hidden;
+};
+
+bool is_on_one(const Point2& p, const std::vector<PlainLine>& lines, bool is_hidden, double within) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const PlainLine& l) { return l.is_hidden == is_hidden && distance(p, l.a, l.b) < within; });
+}
+
+/// Points of the one drawing that are not on the other.
+int strays(const std::vector<PlainLine>& lines, const std::vector<PlainLine>& others, double within) {
+  int count = 0;
+  for (const PlainLine& l : lines)
+    for (const double t : {0.01, 0.3, 0.5, 0.7, 0.99}) {
+      const Point2 p = {l.a.x + t * (l.b.x - l.a.x), l.a.y + t * (l.b.y - l.a.y)};
+      if (!is_on_one(p, others, l.is_hidden, within)) ++count;
+    }
+  return count;
+}
+
+std::vector<PlainLine> lines_of(const nlohmann::json& entities) {
+  std::vector<PlainLine> lines;
+  for (const auto& e : entities) {
+    const bool is_hidden = e["layer"].get<std::string>().starts_with("HIDDEN_");
+    const auto& points = e["points"];
+    for (std::size_t k = 0; k + (e["closed"] ? 0 : 1) < points.size(); ++k) {
+      const auto &p = points[k], &q = points[(k + 1) % points.size()];
+      lines.push_back({{p[0], p[1]}, {q[0], q[1]}, is_hidden});
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+namespace {
+
+nlohmann::json read_dxf(const Drawing& drawing, DxfVersion version) {
+  const Workplace here("hsr_dxf");
+  here.write("read.py", dxf_reader);
+  here.write("drawn.dxf", dxf(drawing, {version, 1000, DrawnScene::scale}));
+  int status = 0;
+  const std::string said = here.run("/usr/bin/python3 read.py drawn.dxf", status);
+  INFO(said);
+  REQUIRE(status == 0);
+  return nlohmann::json::parse(said);
+}
+
+void check_header(const nlohmann::json& read, bool is_2000) {
+  CHECK(read["errors"].empty());
+  CHECK(read["version"] == (is_2000 ? "AC1015" : "AC1009"));
+  CHECK(read["units"] == 6);
+  CHECK(read["scale"] == 0.05);  // 12 of the line type are 3 mm of paper, 0.6 units
+  CHECK(read["layers"]["HIDDEN_SHARP"] == nlohmann::json({"ACAD_ISO02W100", is_2000 ? 25 : -3}));
+  CHECK(read["layers"]["VISIBLE_OUTLINE"] == nlohmann::json({"CONTINUOUS", is_2000 ? 50 : -3}));
+}
+
+}  // namespace
+
+TEST_CASE("A DXF is sound, and has each visible and hidden part at 1:1 with its edges and faces", "[write][others][D13]") {
+  const Workplace here("hsr_ezdxf");
+  int status = 0;
+  (void)here.run("/usr/bin/python3 -c 'import ezdxf'", status);
+  if (status != 0) {
+    WARN("python3-ezdxf is missing: DXF is not tested with it");
+    return;
+  }
+  const DrawnScene scene;
+  const Drawing drawing = scene.draw_in_frame_units();
+  std::vector<PlainLine> exact;
+  for (const Segment& s : segments(scene.scene, scene.lines)) exact.push_back({s.from.paper, s.to.paper, s.is_hidden});
+  for (const DxfVersion version : {DxfVersion::r12, DxfVersion::r2000}) {
+    const nlohmann::json read = read_dxf(drawing, version);
+    check_header(read, version == DxfVersion::r2000);
+    const std::vector<PlainLine> lines = lines_of(read["entities"]);
+    CHECK(strays(lines, exact, 1e-5) == 0);
+    std::vector<PlainLine> drawn = lines;
+    for (PlainLine l : lines) {  // a visible line lies over what is hidden there
+      l.is_hidden = true;
+      drawn.push_back(l);
+    }
+    CHECK(strays(exact, drawn, 1e-5) == 0);
+    std::size_t numbers = 0;
+    for (const auto& e : read["entities"]) {
+      REQUIRE(e["data"][0] == "edges");
+      numbers += e["data"].size() - 2;
+    }
+    CHECK(numbers == 2 * drawing.edges.size() + drawing.faces.size());
+    Drawing planted = drawing;  // layers swapped
+    for (Polyline& p : planted.polylines) p.hidden = !p.hidden;
+    CHECK(strays(lines_of(read_dxf(planted, version)["entities"]), exact, 1e-5) > 50);
+    planted = drawing;  // larger by a thousandth
+    for (PaperPoint& p : planted.points) p = {p.x + p.x / 1000, p.y + p.y / 1000};
+    CHECK(strays(lines_of(read_dxf(planted, version)["entities"]), exact, 1e-5) > 50);
+  }
+}
+
+namespace {
+
+struct PaperBox {
+  std::int64_t left, top, right, bottom;
+};
+
+PaperBox box_of(const Drawing& drawing) {
+  const auto [left, right] = std::ranges::minmax(drawing.points, {}, &PaperPoint::x);
+  const auto [top, bottom] = std::ranges::minmax(drawing.points, {}, &PaperPoint::y);
+  return {left.x, top.y, right.x, bottom.y};
+}
+
+std::vector<PlainLine> lines_on_paper(const Drawing& drawing) {
+  std::vector<PlainLine> lines;
+  for (const Polyline& p : drawing.polylines) {
+    const auto at = drawing.points_of(p);
+    for (std::size_t k = 0; k + (p.closed ? 0 : 1) < at.size(); ++k) {
+      const PaperPoint &a = at[k], &b = at[(k + 1) % at.size()];
+      lines.push_back({{double(a.x), double(a.y)}, {double(b.x), double(b.y)}, p.hidden});
+    }
+  }
+  return lines;
+}
+
+bool is_inked_near(const RenderedPage& page, int x, int y) {
+  for (int dx = -3; dx <= 3; ++dx)
+    for (int dy = -3; dy <= 3; ++dy)
+      if (page.at(std::clamp(x + dx, 0, page.width - 1), std::clamp(y + dy, 0, page.height - 1))[0] < 128) return true;
+  return false;
+}
+
+/// Points of visible lines without ink, and ink far from all lines, in what hp2xx makes of `written`. It cuts the picture to the
+/// lines: true size, ten dots to the millimetre.
+std::array<int, 2> wrong_ink(const Drawing& written, const Drawing& expected) {
+  const Workplace here("hsr_hpgl");
+  here.write("drawn.hpgl", hpgl(written));
+  int status = 0;
+  INFO(here.run("hp2xx -q -t -d 254 -p 11111111 -m png -f picture.png drawn.hpgl", status));
+  REQUIRE(status == 0);
+  const RenderedPage page = read_png(here / "picture.png");
+  REQUIRE(page.width > 0);
+  const PaperBox box = box_of(expected);
+  const std::vector<PlainLine> lines = lines_on_paper(expected);
+  std::array<int, 2> wrong = {0, 0};
+  for (const PlainLine& l : lines)
+    for (const double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      const double x = l.a.x + t * (l.b.x - l.a.x) - double(box.left), y = l.a.y + t * (l.b.y - l.a.y) - double(box.top);
+      if (!l.is_hidden && !is_inked_near(page, int(x / 100), int(y / 100))) ++wrong[0];
+    }
+  for (int y = 0; y < page.height; ++y)
+    for (int x = 0; x < page.width; ++x) {
+      if (page.at(x, y)[0] > 127) continue;
+      const Point2 p = {x * 100.0 + double(box.left), y * 100.0 + double(box.top)};
+      if (std::none_of(lines.begin(), lines.end(), [&](const PlainLine& l) { return distance(p, l.a, l.b) < 400; })) ++wrong[1];
+    }
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("hp2xx draws the HPGL where the exact drawing has lines", "[write][others][D14]") {
+  if (!is_there("hp2xx")) return;
+  const DrawnScene scene;
+  const Drawing drawing = scene.draw(false);
+  CHECK(wrong_ink(drawing, drawing) == std::array{0, 0});
+  Drawing planted = drawing;  // a line lost
+  planted.polylines.pop_back();
+  CHECK(wrong_ink(planted, drawing)[0] > 0);
+  planted = drawing;  // the end of a line moved by 5 mm, within the picture
+  PaperPoint& end = planted.points[planted.polylines.back().first_point];
+  end.y += 2 * end.y > box_of(drawing).top + box_of(drawing).bottom ? -5000 : 5000;
+  CHECK(wrong_ink(planted, drawing)[1] > 0);
+}
+
+TEST_CASE("pdflatex shows TikZ as the exact drawing is, alone and in a document, with styles by name",
+          "[write][others][long]") {
+  if (!is_there("pdflatex") || !is_there("pdftoppm")) return;
+  const DrawnScene scene;
+  const Renderer tex = {"pdflatex", "tex",
+                        "pdflatex -interaction=batchmode drawn.tex && pdftoppm -r 508 -png -singlefile drawn.pdf picture"};
+  check_right(tex, scene, scene.draw(true));
+  check_right(tex, scene, scene.draw(false));
+  const Workplace here("hsr_tex");
+  here.write("drawn.tex", tikz(scene.draw(false)));
+  here.write(
+      "paper.tex",
+      "\\documentclass{article}\\usepackage{tikz}\\pagestyle{empty}\\begin{document}Before.\n"
+      "\\tikzset{hsr visible outline/.style={draw=red, line width=1mm}}\n\\noindent\\input{drawn}\n\nAfter.\\end{document}\n");
+  int status = 0;
+  const std::string said = here.run(
+      "pdflatex -interaction=nonstopmode paper.tex && pdftotext paper.pdf - && pdftoppm -r 100 -png -singlefile paper.pdf "
+      "picture",
+      status);
+  INFO(said);
+  REQUIRE(status == 0);
+  CHECK(said.find("After.") != std::string::npos);
+  const RenderedPage page = read_png(here / "picture.png");
+  int red = 0, black = 0;
+  for (std::size_t k = 0; k < page.bytes.size(); k += 3) {
+    if (page.bytes[k] > 240 && page.bytes[k + 1] < 20) ++red;
+    if (page.bytes[k] < 60) ++black;
+  }
+  CHECK(red > 1000);
+  CHECK(black > 500);
+}
