@@ -22,8 +22,9 @@
 #include "hsr/surfaces/regions.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
-#include "python/src/arrays.h"
 #include "python/src/arguments.h"
+#include "python/src/arrays.h"
+#include "python/src/errors.h"
 
 namespace hsr::python {
 
@@ -179,9 +180,9 @@ void Drawer::place() {
   page_.captions = {std::filesystem::path(data_.model().name).filename().string(), "view: " + chosen_.title};
   page_.size = request_.size;
   if (request_.wants(Format::json))
-    page_.json = lines_json(mesh, chosen_.view, lines_,
-                            {request_.exact ? Numbers::exact : Numbers::rounded, request_.fill ? &*fragments_ : nullptr,
-                             request_.lines.why});
+    page_.json = lines_json(
+        mesh, chosen_.view, lines_,
+        {request_.exact ? Numbers::exact : Numbers::rounded, request_.fill ? &*fragments_ : nullptr, request_.lines.why});
 }
 
 /// All of the files, or none.
@@ -203,6 +204,7 @@ DrawnPage Drawer::draw() {
   place();
   ticket_.check();
   write();
+  for (std::string& note : page_.notes) note = without_dashes(note);
   return std::move(page_);
 }
 

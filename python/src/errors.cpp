@@ -12,7 +12,18 @@ namespace hsr::python {
 
 namespace {
 
-/// Options are arguments here: "--min-length: found ..." is "min_length: found ...".
+PyObject* add(py::module_& module, const char* name, PyObject* base) {
+  PyObject* type = PyErr_NewException((std::string("hsr.") + name).c_str(), base, nullptr);
+  if (type == nullptr) throw py::error_already_set();
+  module.add_object(name, py::reinterpret_borrow<py::object>(type));
+  return type;
+}
+
+// As long as the interpreter lives.
+PyObject *input_error, *precondition_error, *invariant_error, *memory_limit;
+
+}  // namespace
+
 std::string without_dashes(const std::string& message) {
   std::string text;
   static const std::regex option("--([a-z]+(-[a-z]+)*)");
@@ -29,18 +40,6 @@ std::string without_dashes(const std::string& message) {
   }
   return text + message.substr(end);
 }
-
-PyObject* add(py::module_& module, const char* name, PyObject* base) {
-  PyObject* type = PyErr_NewException((std::string("hsr.") + name).c_str(), base, nullptr);
-  if (type == nullptr) throw py::error_already_set();
-  module.add_object(name, py::reinterpret_borrow<py::object>(type));
-  return type;
-}
-
-// As long as the interpreter lives.
-PyObject *input_error, *precondition_error, *invariant_error, *memory_limit;
-
-}  // namespace
 
 void add_errors(py::module_& module) {
   input_error = add(module, "InputError", PyExc_ValueError);

@@ -13,8 +13,8 @@
 #include "hsr/drawing/cut_parameter.h"
 #include "hsr/io/write/json.h"
 #include "hsr/lines/hidden_points.h"
-#include "python/src/arrays.h"
 #include "python/src/arguments.h"
+#include "python/src/arrays.h"
 
 namespace hsr::python {
 
@@ -44,9 +44,7 @@ class LinesData {
 
  private:
   const Line& line_of(std::size_t i) const { return lines_.lines[segments_[i].line]; }
-  const Cut& cut(std::size_t i, std::uint32_t end) const {
-    return lines_.cuts_of(line_of(i))[segments_[i].interval + end];
-  }
+  const Cut& cut(std::size_t i, std::uint32_t end) const { return lines_.cuts_of(line_of(i))[segments_[i].interval + end]; }
   double parameter(std::size_t i, std::uint32_t end) const {
     return rounded_parameter(scene_.mesh(), scene_.view(), supporting_line_of(scene_.mesh(), lines_, line_of(i)), cut(i, end));
   }

@@ -13,8 +13,8 @@
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/verify/verify.h"
-#include "python/src/polygon_arrays.h"
 #include "python/src/arguments.h"
+#include "python/src/polygon_arrays.h"
 
 namespace hsr::python {
 
@@ -141,7 +141,8 @@ py::dict dict_of(const Verdict& v) {
                   "order_exists"_a = v.order_exists, "cycle"_a = v.cycle, "cuts_that_suffice"_a = v.cuts_that_suffice);
 }
 
-py::dict judge(const std::vector<PaintedPolygon>& far_to_near, const View& view, const Arguments& arguments, Coplanar coplanar) {
+py::dict judge(const std::vector<PaintedPolygon>& far_to_near, const View& view, const Arguments& arguments,
+               Coplanar coplanar) {
   VerifyOptions options;
   options.limit = arguments.get<std::size_t>("limit", options.limit);
   options.ties = coplanar;
@@ -151,7 +152,8 @@ py::dict judge(const std::vector<PaintedPolygon>& far_to_near, const View& view,
 }
 
 py::dict verify_order(const std::shared_ptr<OrderData>& data, const py::dict& named) {
-  return judge(painted_polygons(data->scene, data->order), data->scene.view(), Arguments(named), data->scene.options().coplanar);
+  return judge(painted_polygons(data->scene, data->order), data->scene.view(), Arguments(named),
+               data->scene.options().coplanar);
 }
 
 /// The faces of a scene in their order.
@@ -162,7 +164,8 @@ py::dict verify_scene(const std::shared_ptr<SceneData>& data, const py::dict& na
   for (std::size_t f = 0; f < model.polygons.size(); ++f) {
     PaintedPolygon& p = far_to_near.emplace_back();
     p.face = static_cast<std::uint32_t>(f);
-    for (const std::uint32_t v : model.polygons[f]) p.corners.push_back({model.points[v].x, model.points[v].y, model.points[v].z});
+    for (const std::uint32_t v : model.polygons[f])
+      p.corners.push_back({model.points[v].x, model.points[v].y, model.points[v].z});
   }
   const View view = cli::choose_view(arguments.view(), data->scene().mesh(), model).view;
   return judge(far_to_near, view, arguments, arguments.scene().which_coplanar());

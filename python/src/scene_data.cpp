@@ -41,8 +41,8 @@ std::shared_ptr<SceneData> from_arrays(const Doubles& points, const Numbers32& c
 }
 
 /// The entries of a list by face, those of one more model behind them; a model without any has none for its faces.
-void append(std::vector<std::uint32_t>& all, std::size_t faces_before, const std::vector<std::uint32_t>& more, std::size_t faces,
-            std::size_t names_before) {
+void append(std::vector<std::uint32_t>& all, std::size_t faces_before, const std::vector<std::uint32_t>& more,
+            std::size_t faces, std::size_t names_before) {
   if (all.empty() && more.empty()) return;
   all.resize(faces_before, 0xffffffffU);
   for (const std::uint32_t name : more)

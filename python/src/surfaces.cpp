@@ -13,8 +13,8 @@
 #include "hsr/raster/caster.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
-#include "python/src/polygon_arrays.h"
 #include "python/src/arguments.h"
+#include "python/src/polygon_arrays.h"
 
 namespace hsr::python {
 
@@ -60,7 +60,8 @@ py::dict find_fragments(const std::shared_ptr<SceneData>& data, const py::dict& 
     const VisibleFragments fragments = fragments_of(seen.view, method, ticket);
     ticket.check();
     found = polygons(seen.view, fragments);
-    for (const Rational& area : visible_areas(seen.scene.mesh(), seen.chosen.view, fragments)) areas.push_back(area.to_double());
+    for (const Rational& area : visible_areas(seen.scene.mesh(), seen.chosen.view, fragments))
+      areas.push_back(area.to_double());
   });
   py::dict all = arrays_of(found);
   all["area"] = array_of(std::move(areas));
