@@ -73,10 +73,9 @@ class _Polygon:
         self.face, self.edge, self.width = face, edge, width
 
     def paint(self, pen, corners, original, image):
-        is_opaque = self.face[3] == 1
         if self.face[3] > 0:
-            # Pieces that meet at a cut would leave a seam between them: opaque ones go under it.
-            pen.polygon(image(corners), self.face, 0.6 if is_opaque and not original.all() else 0)
+            # What meets in a side would leave a seam, through which shows what is behind: opaque pieces go under it.
+            pen.polygon(image(corners), self.face, 0.5 if self.face[3] == 1 else 0)
         if self.edge[3] > 0 and self.width > 0 and original.any():
             ends = image(numpy.concatenate([corners, corners[:1]]))
             pen.sides([ends[k : k + 2] for k in numpy.flatnonzero(original)], self.edge, self.width)
@@ -167,7 +166,7 @@ class OrderedArtist(Artist):
     def order(self, matrix):
         """The pieces from far to near in the view of a projection (4, 4): an `Order`; face k of it is the k-th of the scene."""
         if self._order is None or not numpy.array_equal(matrix, self._matrix):
-            self._order, self._matrix = _order(self._tree, self._view(matrix)), matrix.copy()
+            self._order, self._matrix = _order(self._tree, self._view(matrix), coplanar="last"), matrix.copy()
         return self._order
 
     def draw(self, renderer):
