@@ -1,0 +1,31 @@
+#include <fmt/core.h>
+
+#include "geometry/error.h"
+#include "hsr/cli/model_defaults.h"
+#include "hsr/cli/page_arguments.h"
+
+namespace hsr::cli {
+
+DrawingOptions PageArguments::options() const {
+  if (!(margin >= 0)) throw InputError(fmt::format("--margin: found {}, expected millimetres, 0 or more", margin));
+  DrawingOptions options;
+  options.page = parse_page(page);
+  options.page.margin = margin;
+  if (!(min_length >= 0)) throw InputError(fmt::format("--min-length: found {}, expected millimetres, 0 or more", min_length));
+  options.min_length = min_length;
+  options.scale = parse_scale(scale);
+  if (!unit.empty()) options.unit = parse_unit(unit);
+  return options;
+}
+
+std::string PageArguments::adopt_unit(const Model& model, DrawingOptions& options) const {
+  options.unit = unit_of(unit, model);
+  return unit.empty() && options.scale ? unit_note(model) : std::string();
+}
+
+SampleGrid samples_for(const View& view, const Mesh& mesh, const DrawingOptions& options, int width, int height) {
+  if (const auto frame = frame_size(view, options)) return sample_grid(view, *frame, width, height);
+  return sample_grid(view, paper_rectangle(mesh, view), width, height);
+}
+
+}  // namespace hsr::cli
