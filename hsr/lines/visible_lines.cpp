@@ -18,7 +18,9 @@ VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const
     if (!classes[static_cast<std::size_t>(line.edge_class)]) return true;
     return line.edge_class == EdgeClass::smooth && !line.is_intersection() && !line.is_ghost && is_only_diagonal(line.edge);
   });
-  if (!classes[static_cast<std::size_t>(EdgeClass::intersection)]) some.intersections.clear();
+  // With a tolerance a line in which faces pierce each other may be of another class.
+  if (std::none_of(some.lines.begin(), some.lines.end(), [](const Line& line) { return line.is_intersection(); }))
+    some.intersections.clear();
   return some;
 }
 

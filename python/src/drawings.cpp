@@ -118,6 +118,7 @@ class Drawer {
   const Ticket& ticket_;
   Scene scene_;
   cli::ChosenView chosen_;
+  FaceObjects objects_;
   std::optional<SceneView> prepared_;
   VisibleLines lines_;
   std::optional<VisibleLines> every_line_;
@@ -131,6 +132,8 @@ void Drawer::choose_view() {
   chosen_ = cli::choose_view(request_.view, scene_.mesh(), model);
   for (const std::string& note : {chosen_.note, chosen_.up_axis_note})
     if (!note.empty()) page_.notes.push_back(note);
+  objects_ = objects_of(model);
+  request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = chosen_.field_of_view;
   if (const std::string note = request_.page.adopt_unit(model, request_.drawing); !note.empty()) page_.notes.push_back(note);
   if (!request_.wants(Format::json)) request_.lines.frame = frame_size(chosen_.view, request_.drawing);
@@ -180,9 +183,9 @@ void Drawer::place() {
   page_.captions = {std::filesystem::path(data_.model().name).filename().string(), "view: " + chosen_.title};
   page_.size = request_.size;
   if (request_.wants(Format::json))
-    page_.json = lines_json(
-        mesh, chosen_.view, lines_,
-        {request_.exact ? Numbers::exact : Numbers::rounded, request_.fill ? &*fragments_ : nullptr, request_.lines.why});
+    page_.json = lines_json(mesh, chosen_.view, lines_,
+                            {request_.exact ? Numbers::exact : Numbers::rounded, request_.fill ? &*fragments_ : nullptr,
+                             request_.lines.why, &objects_});
 }
 
 /// All of the files, or none.

@@ -281,7 +281,10 @@ class Errors(unittest.TestCase):
             "try:\n    hsr.visible_lines(scene, edges='all')\n"
             "except hsr.MemoryLimit as e:\n    print('refused:', e)\n"
         )
-        ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, env=os.environ, check=False)
+        # The scenes are modules beside this one.
+        paths = [os.path.dirname(os.path.abspath(__file__)), os.environ.get("PYTHONPATH", "")]
+        env = {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
+        ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, env=env, check=False)
         self.assertRegex(ran.stdout, "^refused: out of memory, limit .* GB: the scene does not fit", ran.stderr)
 
 
