@@ -35,7 +35,7 @@ class Workplace {
   /// What a program says, run here; its status in `status`.
   std::string run(const std::string& command, int& status) const {
     const std::string log = *this / "log";
-    const int ended = std::system(("cd " + path_.string() + " && " + command + " > " + log + " 2>&1 < /dev/null").c_str());
+    const int ended = std::system(("cd " + path_.string() + " && ( " + command + " ) > " + log + " 2>&1 < /dev/null").c_str());
     status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
     std::ostringstream text;
     text << std::ifstream(log).rdbuf();

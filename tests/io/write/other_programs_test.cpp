@@ -361,6 +361,6 @@ TEST_CASE("pdflatex shows TikZ as the exact drawing is, alone and in a document,
     if (page.bytes[k] > 240 && page.bytes[k + 1] < 20) ++red;
     if (page.bytes[k] < 60) ++black;
   }
-  CHECK(red > 1000);
+  CHECK(red > 500);
   CHECK(black > 500);
 }
