@@ -1,7 +1,5 @@
 #include "hsr/lines/edge_classifier.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "geometry/vector3.h"
