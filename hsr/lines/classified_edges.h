@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hsr/lines/edge_classifier.h"
@@ -23,7 +24,8 @@ constexpr std::size_t edges_of_block = 512;
 struct RequestedPart {
   EdgeId edge;
   EdgeClass edge_class = EdgeClass::smooth;
-  bool is_behind = false;  ///< what touches the seen surface there from behind
+  bool is_behind = false;                ///< what touches the seen surface there from behind
+  std::optional<EdgeClass> hidden = {};  ///< the class where it is hidden, if that is another
   Cut from{Cut::Kind::start}, to{Cut::Kind::end};
 };
 
@@ -34,6 +36,8 @@ struct ClassifiedEdges {
   std::vector<EdgeId> edges;
   std::vector<EdgeClass> classes;
   std::vector<ImageBox> boxes;
+  /// Whether the class of some depends on whether it is hidden there.
+  bool has_hidden_classes = false;
   /// By edge of the list: 1 if it is hidden all along and its image is no point. Empty if this is known of none.
   std::vector<std::uint8_t> hidden;
   DecisionCounts decisions;

@@ -14,6 +14,7 @@
 #include "hsr/lines/appel.h"
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/convex_body.h"
+#include "hsr/lines/hidden_classes.h"
 #include "hsr/lines/image_mask.h"
 #include "hsr/lines/near_parts.h"
 #include "hsr/lines/roberts.h"
@@ -307,7 +308,7 @@ VisibleLines Plan::run() const {
     for (Line& line : all.lines)
       if (line.is_intersection()) line.edge_class = segment_classes_[line.intersection];
   all.plan = outcome_;
-  return all;
+  return with_hidden_classes(parts_.mesh(), parts_.view(), *requested_, options_, std::move(all));
 }
 
 }  // namespace
