@@ -303,7 +303,7 @@ void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
           "-o,--output", a->outputs, "FILE",
           "The order; its ending chooses svg, png or json; svg:- and the like write to standard output; may be repeated")
       .required();
-  a->models.add_objects_to(options);
+  a->models.add_objects_without_ghosts_to(options);
   add_order_options(*a, options);
   a->view.add_to(options);
   a->scene.add_to(options);
