@@ -93,7 +93,8 @@ class Forms(unittest.TestCase):
         self.assertTrue((hsr.visible_lines(hsr.scene(parts, only="1"), "front").edge >= 8).all())
         # A ghost stays one as a part of another scene.
         again = hsr.visible_lines([through, Thing(vertices=V + [0, 0, 5], faces=F)], "front")
-        self.assertEqual(again.edge[again.visible].min() < 8, again.edge[again.visible].max() >= 8)
+        seen = again.edge[again.visible]
+        self.assertTrue(((seen >= 8) & (seen < 16)).any())
         with self.assertRaisesRegex(hsr.InputError, 'ghost: found no object "2", expected one of "0", "1"'):
             hsr.scene(parts, ghost="2")
         with self.assertRaisesRegex(hsr.InputError, "hide: found 1, expected the name of an object"):
