@@ -514,6 +514,19 @@ TEST_CASE("a box that is stored twice on a floor keeps its hidden lines", "[line
   CHECK(by_visibility(once.ink()) == by_visibility(twice.ink()));
 }
 
+TEST_CASE("the corner of a doubled sheet on a floor is no place where bodies touch", "[lines][shape][C21]") {
+  Labelled x;
+  x.add_face({{-5, -5, 0}, {9, -5, 0}, {9, 9, 0}, {-5, 9, 0}});
+  for (int k = 0; k < 2; ++k) {
+    x.add_face({{0, 0, 0}, {3, 0, 0}, {3, 0, 2}, {0, 0, 2}});
+    x.add_face({{0, 0, 0}, {0, 4, 0}, {0, 4, 2}, {0, 0, 2}});
+  }
+  x.scene.view = scenes::from_direction({1, -2, -1});  // from below: the floor hides all of it
+  INFO(x.ink());
+  CHECK(lines_of(x, "hidden boundary") == 4);  // its ends and its upper side
+  CHECK(lines_of(x, "hidden outline") == 1);   // its corner; at its foot it may be a body on either side
+}
+
 TEST_CASE("many files in which every face is stored twice are drawn as with each once",
           "[lines][metamorphic][shape][.][long]") {
   check_twice(760'000, 200);
