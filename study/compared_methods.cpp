@@ -74,7 +74,7 @@ ShownPicture shown_order(const Mesh& mesh, const View& view, const SampleGrid& g
   const Image<std::uint32_t> pieces = paint(mesh, view, order, grid);
   ShownPicture picture{Image<TriangleId>(grid.width, grid.height), {}};
   std::transform(pieces.pixels.begin(), pieces.pixels.end(), picture.triangles.pixels.begin(),
-                 [&](std::uint32_t p) { return p == no_piece ? TriangleId() : order.pieces[p].facet; });
+                 [&](std::uint32_t p) { return p == no_piece ? TriangleId() : first_triangle(order.pieces[p].facet); });
   return picture;
 }
 

@@ -63,7 +63,7 @@ Report::Json json_of(const std::vector<PaintersCycle>& cycles, const Mesh& mesh,
   Report::Json list = Report::Json::array();
   for (const PaintersCycle& cycle : cycles) {
     Report::Json faces = Report::Json::array(), points = Report::Json::array();
-    for (const TriangleId t : cycle.facets) faces.push_back(mesh.face_of[t].value);
+    for (const FacetId facet : cycle.facets) faces.push_back(mesh.face_of[first_triangle(facet)].value);
     for (const auto& w : witnesses(mesh, view, cycle))
       points.push_back(Report::Json::array({w[0].to_double(), w[1].to_double(), w[2].to_double()}));
     list.push_back({{"faces", std::move(faces)}, {"witnesses", std::move(points)}});

@@ -12,7 +12,7 @@ namespace hsr {
 /// A part of a face in numbers.
 struct PlacedPolygon {
   FaceId face;
-  TriangleId facet;  ///< the triangle it lies in; of a planar face, its first
+  FacetId facet;  ///< the planar piece of the face that it lies in
   /// The outer ring first, counter-clockwise as seen; the others are holes, clockwise.
   std::vector<std::vector<PlacedPoint>> rings;
 };

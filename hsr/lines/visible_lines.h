@@ -43,7 +43,7 @@ struct Line {
 struct VisibleLines {
   /// Ascending by edge, hence by (a, b), and along it; then those of ghosts, by edge; then the intersections.
   std::vector<Line> lines;
-  std::vector<Intersection> intersections;  ///< ascending by (s, t), s and t the first triangles of planar pieces
+  std::vector<Intersection> intersections;  ///< ascending by (s, t)
   std::vector<Cut> cuts;
   std::vector<Occluder> occluders;
   std::uint64_t pairs = 0;  ///< edge-triangle pairs that were tested

@@ -12,10 +12,16 @@ namespace hsr::internal {
 
 class OcclusionPyramid;
 
+/// Where two triangles of different facets pierce each other: a piece of an Intersection.
+struct TriangleIntersection {
+  TriangleId s, t;  ///< s < t
+  Cut from, to;
+};
+
 /// Where the faces meet other than in common edges.
 struct Intersections {
-  std::vector<Intersection> segments;     ///< ascending by (s, t)
-  std::vector<std::uint8_t> has_contact;  ///< by EdgeId: it may lie, in part, in a face that it is not an edge of
+  std::vector<TriangleIntersection> segments;  ///< ascending by (s, t)
+  std::vector<std::uint8_t> has_contact;       ///< by EdgeId: it may lie, in part, in a face that it is not an edge of
   DecisionCounts decisions;
 };
 
@@ -43,9 +49,9 @@ MeetingFaces meeting_faces(const Intersections& all);
 Intersections intersections_of(const ProjectedMesh& projected, const MeetingFaces& known,
                                const std::vector<std::uint8_t>& left_out);
 
-/// The pieces of one line in which two facets meet as one where they abut, named by the first triangles of the facets; each
+/// The pieces of one line in which two facets meet as one where they abut, each
 /// from the lexicographically smaller end to the other. Ascending by (s, t), then by place.
-std::vector<Intersection> merge_segments(const ProjectedMesh& projected, const std::vector<Intersection>& pieces);
+std::vector<Intersection> merge_segments(const ProjectedMesh& projected, const std::vector<TriangleIntersection>& pieces);
 
 /// A box of the image in which an intersection lies.
 ImageBox box_of(const ProjectedMesh& projected, const Intersection& meet);

@@ -18,7 +18,7 @@ namespace hsr {
 
 /// A connected part of a face that is visible, as seen: its rings in the image.
 struct Fragment {
-  TriangleId facet;                            ///< the triangle it lies in; of a planar face, its first
+  FacetId facet;                               ///< the planar piece of the face that it lies in
   std::uint32_t first_ring = 0, end_ring = 0;  ///< the outer ring first, counter-clockwise as seen; holes clockwise
 };
 

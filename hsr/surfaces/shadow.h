@@ -10,7 +10,7 @@ namespace hsr::internal {
 ///
 /// Of two that are in one plane it is the triangle; else where the triangle's plane is the nearer one within the triangle. Beyond
 /// the near plane. @pre neither is seen edge-on
-void shadow_on(const ProjectedMesh& projected, TriangleId t, TriangleId facet, bool are_coplanar,
+void shadow_on(const ProjectedMesh& projected, TriangleId t, FacetId facet, bool are_coplanar,
                std::vector<MapHalfPlane>& half_planes);
 
 /// Takes from convex pieces what is within all of the half-planes: what is left of each is cut into convex pieces.

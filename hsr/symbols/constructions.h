@@ -15,6 +15,6 @@ namespace hsr {
 Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut);
 
 /// A point of the visibility map in space, exactly: the point of the facet's plane that is seen there.
-std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, TriangleId facet, const MapPoint& p);
+std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, FacetId facet, const MapPoint& p);
 
 }  // namespace hsr

@@ -173,7 +173,8 @@ TEST_CASE("of fifty squares however near to one another the nearest is seen", "[
     const Mesh mesh = scene.mesh();
     const VisibleFragments found = visible_fragments(mesh, scene.view);
     REQUIRE(found.fragments.size() == 1);
-    CHECK(mesh.points[mesh.triangles[found.fragments[0].facet][0]].z == *std::max_element(depths.begin(), depths.end()));
+    CHECK(mesh.points[mesh.triangles[first_triangle(found.fragments[0].facet)][0]].z ==
+          *std::max_element(depths.begin(), depths.end()));
     CHECK(canonical(mesh, scene.view, found) == canonical(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
     CHECK(check_fragments(mesh, scene.view, found, sample_grid(scene.view, paper_rectangle(mesh, scene.view), 64, 64))
               .is_right());

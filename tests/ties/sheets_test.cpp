@@ -60,7 +60,7 @@ struct Sheets {
     const Image<std::uint32_t> pieces = paint(mesh, view, order, board());
     Image<TriangleId> triangles(size, size);
     for (std::size_t k = 0; k < pieces.pixels.size(); ++k)
-      if (pieces.pixels[k] != no_piece) triangles.pixels[k] = order.pieces[pieces.pixels[k]].facet;
+      if (pieces.pixels[k] != no_piece) triangles.pixels[k] = first_triangle(order.pieces[pieces.pixels[k]].facet);
     return faces(triangles);
   }
   /// A colour of its own for each face, and the picture of those that are expected.

@@ -13,7 +13,7 @@ namespace hsr {
 
 /// Faces each of which hides a part of its predecessor, and the first a part of the last: no order of whole faces is right.
 struct PaintersCycle {
-  std::vector<TriangleId> facets;
+  std::vector<FacetId> facets;
   /// By face, the corners of a convex part of the image in which the next face is in front of it.
   std::vector<std::vector<MapPoint>> common;
 };
