@@ -4,14 +4,13 @@
 #include <cmath>
 #include <memory>
 
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
 #include "hsr/raster/alpha_buffer.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/depth_buffer.h"
-#include "hsr/raster/painted_order.h"
 #include "hsr/raster/row_z_buffer.h"
 #include "hsr/raster/scanline.h"
 #include "hsr/raster/tiled_z_buffer.h"

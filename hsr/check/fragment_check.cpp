@@ -1,10 +1,9 @@
-#include "hsr/check/fragment_check.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "hsr/check/sample_checks.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/rasterizer.h"
 #include "hsr/scene/facet.h"

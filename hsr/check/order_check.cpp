@@ -1,7 +1,5 @@
-#include "hsr/check/order_check.h"
-
+#include "hsr/check/sample_checks.h"
 #include "hsr/raster/caster.h"
-#include "hsr/raster/painted_order.h"
 #include "hsr/scene/facet.h"
 
 namespace hsr {

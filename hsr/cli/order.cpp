@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "geometry/error.h"
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/cli/coincident_note.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
@@ -18,13 +18,13 @@
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/image_png.h"
-#include "hsr/io/write/order_json.h"
+#include "hsr/io/write/json.h"
 #include "hsr/io/write/painting_svg.h"
 #include "hsr/io/write/png.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
-#include "hsr/raster/painted_order.h"
+#include "hsr/raster/caster.h"
 #include "hsr/raster/supersampling.h"
 
 namespace hsr::cli {

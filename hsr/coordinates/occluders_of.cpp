@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "hsr/coordinates/segments.h"
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/lines/triangle_occlusion.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/view_parts.h"

@@ -5,7 +5,7 @@
 
 #include "geometry/rational_vector.h"
 #include "hsr/drawing/cut_parameter.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/symbols/constructions.h"
 
 namespace hsr::internal {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hsr/coordinates/placed_point.h"
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/drawing/projection.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/painter/painters_order.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hsr/drawing/page.h"
-#include "hsr/face_objects.h"
+#include "hsr/face_labels.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/regions.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/symbols/constructions.h"
 
 namespace hsr::internal {

@@ -312,7 +312,7 @@ VisibleLines Plan::run() const {
 
 }  // namespace
 
-LinePlan plan_lines(const SceneView& scene, const LineOptions& options) { return Plan(scene, options).outcome(); }
+LinePlan internal::plan_lines(const SceneView& scene, const LineOptions& options) { return Plan(scene, options).outcome(); }
 
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options) {
   require(options.method != LineMethod::appel || !options.why,

@@ -8,7 +8,7 @@
 #include "hsr/scene/half_space.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/triangle_filter.h"
-#include "hsr/symbols/intersection.h"
+#include "hsr/symbols/cut.h"
 
 namespace hsr::internal {
 

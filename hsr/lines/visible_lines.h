@@ -9,9 +9,7 @@
 #include "geometry/number.h"
 #include "geometry/predicates.h"
 #include "hsr/lines/line_options.h"
-#include "hsr/lines/plan.h"
 #include "hsr/symbols/cut.h"
-#include "hsr/symbols/intersection.h"
 #include "hsr/view/view.h"
 
 namespace hsr {

@@ -1,5 +1,3 @@
-#include "hsr/raster/painted_order.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "geometry/constructed_point.h"
 #include "geometry/error.h"
+#include "hsr/raster/caster.h"
 #include "hsr/raster/compositing.h"
 #include "hsr/raster/rasterizer.h"
 #include "hsr/scene/view_parts.h"

@@ -6,7 +6,7 @@
 
 #include "hsr/scene/occluders.h"
 #include "hsr/scene/projected_mesh.h"
-#include "hsr/symbols/intersection.h"
+#include "hsr/symbols/cut.h"
 
 namespace hsr::internal {
 

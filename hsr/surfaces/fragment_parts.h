@@ -9,8 +9,8 @@
 
 #include "hsr/lines/line_progress.h"
 #include "hsr/scene/facet.h"
-#include "hsr/surfaces/fragments.h"
 #include "hsr/surfaces/rings.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr::internal {

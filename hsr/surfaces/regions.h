@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hsr/model.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 
 namespace hsr {
 

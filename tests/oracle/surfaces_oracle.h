@@ -6,7 +6,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/scene/tie_rule.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/view/view.h"
 #include "tests/oracle/exact_vector.h"
 

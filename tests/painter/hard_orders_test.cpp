@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "geometry/error.h"
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
-#include "hsr/raster/painted_order.h"
+#include "hsr/raster/caster.h"
 #include "tests/oracle/painting_oracle.h"
 #include "tests/scenes/random_scenes.h"
 

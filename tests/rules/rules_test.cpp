@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/surfaces/visible_fragments.h"

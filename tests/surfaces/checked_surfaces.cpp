@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "geometry/error.h"
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/raster/samples.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"

@@ -5,9 +5,7 @@
 #include "hsr/io/write/painted_paths.h"
 #include "hsr/io/write/svg_text.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -64,4 +62,4 @@ std::string eps(const Drawing& drawing, const std::string& title) {
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

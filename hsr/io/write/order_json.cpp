@@ -1,5 +1,3 @@
-#include "hsr/io/write/order_json.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

@@ -11,9 +11,7 @@
 #include "hsr/io/write/svg_text.h"
 #include "hsr/io/write/utf8.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -181,4 +179,4 @@ std::string pdf(const Drawing& drawing, const std::string& title) {
   return file.finish(root, info);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

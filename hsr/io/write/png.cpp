@@ -10,9 +10,7 @@
 #include "geometry/error.h"
 #include "hsr/io/write/layers.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -123,4 +121,4 @@ std::string png(const Drawing& drawing, std::optional<PixelSize> size) {
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -9,9 +9,7 @@
 #include "hsr/io/write/layers.h"
 #include "hsr/io/write/svg_text.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -163,4 +161,4 @@ std::string svg(const Drawing& drawing, const SvgOptions& options) {
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -4,9 +4,7 @@
 #include "hsr/io/write/layers.h"
 #include "hsr/io/write/svg_text.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -107,4 +105,4 @@ std::string tikz(const Drawing& drawing) {
   return out + "\\end{tikzpicture}%\n\\hsrend\n";
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal
