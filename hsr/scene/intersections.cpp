@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "geometry/bounded_point.h"
+#include "geometry/cancel.h"
 #include "geometry/constructed_point.h"
 #include "geometry/parallel.h"
 #include "geometry/plane_intersection.h"
@@ -353,7 +354,8 @@ std::optional<TriangleIntersection> Finder::segment(TriangleId s, TriangleId t) 
 
 }  // namespace
 
-Intersections find_intersections(const ProjectedMesh& projected, const Occluders& occluders, const OcclusionPyramid* pyramid) {
+Intersections find_intersections(const ProjectedMesh& projected, const Occluders& occluders, const OcclusionPyramid* pyramid,
+                                 const std::stop_token& stop) {
   Intersections all;
   all.has_contact.resize(projected.mesh().edges.size(), 0);
   constexpr std::size_t block = 64;
@@ -364,6 +366,7 @@ Intersections find_intersections(const ProjectedMesh& projected, const Occluders
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
+      throw_if_stopped(stop);
       Finder finder(projected, &occluders, &placed, pyramid, all.has_contact);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t leaf = part * block; leaf < end; ++leaf)
@@ -389,7 +392,7 @@ MeetingFaces meeting_faces(const Intersections& all) {
 }
 
 Intersections intersections_of(const ProjectedMesh& projected, const MeetingFaces& known,
-                               const std::vector<std::uint8_t>& left_out) {
+                               const std::vector<std::uint8_t>& left_out, const std::stop_token& stop) {
   Intersections all;
   all.has_contact = known.has_contact;
   constexpr std::size_t block = 256;
@@ -399,6 +402,7 @@ Intersections intersections_of(const ProjectedMesh& projected, const MeetingFace
     return projected.reaches_beyond_near(t) && (left_out.empty() || left_out[t.value] == 0);
   };
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+    throw_if_stopped(stop);
     Finder finder(projected, nullptr, nullptr, nullptr, all.has_contact);
     for (std::size_t k = part * block; k < std::min((part + 1) * block, known.pairs.size()); ++k) {
       const auto [s, t] = known.pairs[k];

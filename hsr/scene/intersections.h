@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "hsr/scene/occluders.h"
@@ -30,10 +31,11 @@ struct Intersections {
 /// Piercing is to cross: each face has points strictly on both sides of the other's plane, at a segment of positive length that
 /// lies along no side of them. Touching is a contact, if it is along a line.
 /// @param pyramid segments that it hides are left out; nullptr: nothing is known to be hidden
+/// @throws CancelledError if asked to stop
 /// Exact: yes; contacts are marked generously. Cost: O(n log n + k) for k pairs whose boxes touch, parallel.
 /// Source: Guigue & Devillers 2003 (signs of degree 3 first).
 Intersections find_intersections(const ProjectedMesh& projected, const Occluders& occluders,
-                                 const OcclusionPyramid* pyramid = nullptr);
+                                 const OcclusionPyramid* pyramid = nullptr, const std::stop_token& stop = {});
 
 /// Which faces meet other than in common edges; no view changes it.
 struct MeetingFaces {
@@ -45,9 +47,10 @@ MeetingFaces meeting_faces(const Intersections& all);
 
 /// What find_intersections() finds where it is known which faces meet, and perhaps more contacts.
 /// @param left_out triangles whose intersections are not wanted; empty: none
+/// @throws CancelledError if asked to stop
 /// Exact: yes. Cost: O(pairs), parallel.
 Intersections intersections_of(const ProjectedMesh& projected, const MeetingFaces& known,
-                               const std::vector<std::uint8_t>& left_out);
+                               const std::vector<std::uint8_t>& left_out, const std::stop_token& stop = {});
 
 /// The pieces of one line in which two facets meet as one where they abut, each
 /// from the lexicographically smaller end to the other. Ascending by (s, t), then by place.

@@ -65,8 +65,8 @@ void Subtraction::visible_sides(FacetId facet, std::vector<MapSide>& sides) {
 
 VisibleFragments roberts_surfaces(const SceneView& scene, const FragmentOptions& options) {
   const Mesh& mesh = scene.mesh();
-  const ProjectedMesh& projected = scene.parts().projected();
-  const Occluders& occluders = scene.parts().occluders(Excluded::edge_on);
+  const ProjectedMesh& projected = scene.parts().projected(options.stop);
+  const Occluders& occluders = scene.parts().occluders(Excluded::edge_on, options.stop);
   const VisibleFragments all = fragments_in_blocks(
       mesh, options, [&] { return Subtraction(projected, occluders); },
       [](Subtraction& subtraction, FacetId facet, FragmentParts& parts) {

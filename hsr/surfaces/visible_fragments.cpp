@@ -306,7 +306,7 @@ void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPa
 class FragmentFinder {
  public:
   FragmentFinder(const SceneView& scene, const FragmentOptions& options)
-      : options_(options), parts_(scene.parts()), projected_(parts_.projected()), mesh_(parts_.mesh()) {}
+      : options_(options), parts_(scene.parts()), projected_(parts_.projected(options.stop)), mesh_(parts_.mesh()) {}
 
   VisibleFragments fragments();
 
@@ -354,14 +354,14 @@ bool FragmentFinder::has_many_borders() const {
 
 /// A face that is seen edge-on has no area in the image: it is left out, and its edges with it.
 void FragmentFinder::find_lines() {
-  left_out_ = &parts_.hidden_or_edge_on();
-  occluders_ = &parts_.occluders(Excluded::hidden_and_edge_on);
+  left_out_ = &parts_.hidden_or_edge_on(options_.stop);
+  occluders_ = &parts_.occluders(Excluded::hidden_and_edge_on, options_.stop);
   // Of a mesh few lines are looked along, as most edges have a face on each side: records may not pay.
   const bool is_soup = has_many_borders();
   if (is_soup) occluders_->prepare();
-  intersections_ = &parts_.visible_intersections();
+  intersections_ = &parts_.visible_intersections(options_.stop);
   // In lines of others a face seen edge-on hides what is behind it, here it hides nothing.
-  if (options_.lines != nullptr && !parts_.has_edge_on()) {
+  if (options_.lines != nullptr && !parts_.has_edge_on(options_.stop)) {
     lines_ = options_.lines;
     if (lines_->plan.method != "appel") occluders_->prepare();
     return;
@@ -371,7 +371,7 @@ void FragmentFinder::find_lines() {
 }
 
 void FragmentFinder::find_own_lines(bool is_soup) {
-  const OcclusionPyramid* const tiles = parts_.pyramid();
+  const OcclusionPyramid* const tiles = parts_.pyramid(options_.stop);
   auto edges = parallel_collect<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e) {
       const auto triangles = mesh_.triangles_at(EdgeId(e));
@@ -384,12 +384,12 @@ void FragmentFinder::find_own_lines(bool is_soup) {
   LineOptions line_options;
   line_options.stop = options_.stop;
   const bool may_count = projected_.arithmetic() == Arithmetic::staged && !is_soup;
-  const bool appel_pays =
-      may_count && parts_.occluding_edges(Excluded::hidden_and_edge_on).edges().size() <= occluders_->triangles.size();
+  const bool appel_pays = may_count && parts_.occluding_edges(Excluded::hidden_and_edge_on, options_.stop).edges().size() <=
+                                           occluders_->triangles.size();
   if (!appel_pays) occluders_->prepare();
-  own_lines_ =
-      appel_pays ? appel(projected_, requested, parts_.occluding_edges(Excluded::hidden_and_edge_on), *occluders_, line_options)
-                 : roberts(projected_, requested, *occluders_, line_options, tiles);
+  own_lines_ = appel_pays ? appel(projected_, requested, parts_.occluding_edges(Excluded::hidden_and_edge_on, options_.stop),
+                                  *occluders_, line_options)
+                          : roberts(projected_, requested, *occluders_, line_options, tiles);
 }
 
 /// The numbers from 0 to n - 1, ascending by key(i) < keys.
@@ -410,7 +410,7 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
   std::vector<DecisionCounts> counts(parts.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      SideFinder finder(projected_, *occluders_, *intersections_, place_, parts_.pyramid());
+      SideFinder finder(projected_, *occluders_, *intersections_, place_, parts_.pyramid(options_.stop));
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t i = part * block; i < end; ++i) visit(finder, order[i]);
       parts[part] = finder.take();
