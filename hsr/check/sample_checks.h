@@ -32,6 +32,7 @@ struct FragmentCheck {
 
 /// The facet that the fragments show at each sample: its first triangle; not valid: none. @param overlapping gets how often a
 /// sample was painted again
+/// @throws PreconditionError as cast() does, and if a fragment is not in front of the eye as the samples are
 Image<TriangleId> paint(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples,
                         std::uint64_t& overlapping);
 /// Of a scene that nothing else looks at.
@@ -52,6 +53,7 @@ inline FragmentCheck check_fragments(const Mesh& mesh, const View& view, const V
   return check_fragments(SceneView(mesh, view), fragments, samples);
 }
 /// Compares with a picture that cast() has already made. @param nearest what cast() gives for these samples
+/// @throws PreconditionError as paint() does
 FragmentCheck check_fragments(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples,
                               const Image<TriangleId>& nearest);
 /// Of a scene that nothing else looks at.

@@ -45,6 +45,7 @@ std::vector<Segment> segments(const SceneView& scene, const VisibleLines& lines)
 
 /// The faces that hide a part of the segment, ascending, each once; of a visible segment none. What only touches a surface from
 /// behind may have none, too.
+/// @throws std::out_of_range if the segment is of none of the lines
 /// Exact: yes. Cost: that of one edge of roberts().
 std::vector<FaceId> occluders_of(const SceneView& scene, const VisibleLines& lines, const Segment& segment);
 

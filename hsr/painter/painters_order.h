@@ -40,6 +40,7 @@ struct PaintersOrder {
 };
 
 /// The corner in space, exactly.
+/// @throws PreconditionError if its planes meet in no single point: a corner of another mesh or view
 std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, FacetId facet, const PieceCorner& corner);
 
 }  // namespace hsr

@@ -52,6 +52,7 @@ inline Image<std::uint32_t> paint(const Mesh& mesh, const View& view, const Pain
 constexpr std::uint32_t no_piece = 0xffffffffU;
 
 /// Paints the pieces in the colours of their faces on white, composited in floats; each opacity is multiplied by `opacity`.
+/// @throws PreconditionError as the other does
 Image<Colour> paint(const SceneView& scene, const PaintersOrder& order, const SampleGrid& samples,
                     const std::vector<Colour>& colours, double opacity);
 /// Of a scene that nothing else looks at.

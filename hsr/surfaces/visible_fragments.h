@@ -45,6 +45,7 @@ struct FragmentOptions {
 
 /// The area of each fragment's image, in coordinates of the frame (View::frame: right by up, which are unit lengths but for
 /// rounding), exactly. Perspective: in the plane of the frame.
+/// @throws PreconditionError if the fragments are not of this mesh and view, where their corners then are nowhere
 /// Cost: some exact rationals for each corner, parallel.
 std::vector<Rational> visible_areas(const Mesh& mesh, const View& view, const VisibleFragments& fragments);
 

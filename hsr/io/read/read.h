@@ -21,6 +21,7 @@ Model read_model(const std::string& path);
 
 /// The model in the bytes of a file in memory; `name` is used like a path: for its ending, in messages, and to find the files
 /// that the model names.
+/// @throws InputError as above
 Model read_model(const std::string& name, std::string_view bytes);
 
 /// A painting order by anyone.

@@ -31,6 +31,8 @@ struct JsonOptions {
 ///   (2) t is the correctly rounded double of the exact parameter, or with Numbers::exact the parameter itself, "p/q"
 ///   (3) the ends of the intervals in space and in the view's frame, y up, correctly rounded, or with Numbers::exact as they are
 ///   (4) the same text for any number of threads
+///
+/// @throws PreconditionError if the origin of the view's frame is not in front of the eye
 std::string lines_json(const Mesh& mesh, const View& view, const VisibleLines& lines, const JsonOptions& options = {});
 
 /// The view as it stands in every JSON file.
