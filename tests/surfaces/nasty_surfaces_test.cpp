@@ -280,7 +280,7 @@ TEST_CASE("the invariants find fragments that are wrong", "[surfaces][check]") {
     CHECK_THROWS_WITH(check_invariants(projected, wrong), Catch::Contains("run along one another"));
   }
   SECTION("a hole is a fragment of its own") {
-    wrong.fragments.push_back({TriangleId(0), wrong.fragments[0].first_ring + 1, wrong.fragments[0].end_ring});
+    wrong.fragments.push_back({FacetId(0), wrong.fragments[0].first_ring + 1, wrong.fragments[0].end_ring});
     wrong.fragments[0].end_ring = wrong.fragments[0].first_ring + 1;
     CHECK_THROWS_WITH(check_invariants(projected, wrong), Catch::Contains("turns the wrong way"));
   }
