@@ -50,7 +50,7 @@ void Subtraction::visible_sides(FacetId facet, std::vector<MapSide>& sides) {
       if (facet_of(mesh, other) == facet) return true;
       const bool are_coplanar = map_.coplanar(other, first_triangle(facet));
       if (are_coplanar && projected_.ties().is_above(facet, facet_of(mesh, other))) return true;
-      shadow_on(projected_, other, facet, are_coplanar, half_planes);
+      shadow_on(projected_, other, first_triangle(facet), are_coplanar, half_planes);
       subtract(map_, pieces, half_planes);
       return !pieces.empty();
     });
