@@ -32,6 +32,10 @@ struct DrawingOptions {
   /// Last, on the written coordinates: also leave out what runs within 0.01 mm of a stronger line; see near_lines.h.
   bool leave_out_near = false;
   /// Millimetres: lines that are joined to one another and together shorter than this are left out, such as freckles on scans.
+  /// Last of all: lines in an order for pen plotters; see pen_order.h.
+  bool sort_for_pen = false;
+  /// With regions: instead of lines and fills their rings, as closed outlines.
+  bool outline_only = false;
   double min_length = 0;
   /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
   const FaceObjects* objects = nullptr;
