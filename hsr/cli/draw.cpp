@@ -428,6 +428,7 @@ void DrawCommand::draw_page() {
 
 /// Of a picture that a field of view frames, nothing: it is as large as that.
 std::string DrawCommand::note_on_size() const {
+  model_drawing_->pens = drawing_->pens;
   if (request_.drawing.field_of_view || scene_.mesh.edges.empty()) return "";
   if (!scene_.view().is_perspective()) {
     const PaperRectangle all = paper_rectangle(scene_.mesh, scene_.view());

@@ -272,7 +272,8 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   drawing.height = place.height;
   drawing.scale = place.scale;
   drawing.fits = place.fits;
-  drawing.hidden = options.hidden;
+  drawing.pens = Pens(line_group(options.page), options.hidden);
+  drawing.pens.set(options.pens);
 
   const std::vector<std::uint32_t> object_of_line = objects_of_lines(mesh, lines, options.objects);
   const bool tells_objects = options.objects != nullptr && options.objects->are_told_apart();

@@ -8,14 +8,12 @@
 #include <vector>
 
 #include "hsr/drawing/page.h"
+#include "hsr/drawing/pens.h"
 #include "hsr/face_objects.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/regions.h"
 
 namespace hsr {
-
-/// What becomes of hidden parts.
-enum class HiddenLines : std::uint8_t { none, dashed, solid };
 
 struct DrawingOptions {
   Page page = {};
@@ -27,6 +25,7 @@ struct DrawingOptions {
   HiddenLines hidden = HiddenLines::none;
   /// Degrees across the shorter side of the picture, perspective only: the picture is cut to a frame around the target with the
   /// proportions of the page less its margins. Nothing: all that is beyond the near plane.
+  std::vector<PenSetting> pens = {};  ///< other than ISO 128's for that page: see line_group()
   std::optional<double> field_of_view = {};
   Arithmetic arithmetic = Arithmetic::staged;  ///< double_only is taken as staged
   /// Last, on the written coordinates: also leave out what runs within 0.01 mm of a stronger line; see near_lines.h.
@@ -75,7 +74,7 @@ struct Drawing {
   double width = 210, height = 297;  ///< of the page, mm
   double scale = 1;                  ///< millimetres of paper to a unit of the view's frame; 0 or infinite beyond a double
   bool fits = true;                  ///< nothing is outside the page
-  HiddenLines hidden = HiddenLines::none;
+  Pens pens;
 
   std::vector<std::string> objects;                 ///< names; empty: fewer than two are told apart
   std::vector<Polyline> polylines;                  ///< hidden before visible, then by class, object and their first edge
