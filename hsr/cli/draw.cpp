@@ -20,6 +20,7 @@
 #include "hsr/cli/page_arguments.h"
 #include "hsr/cli/paper_note.h"
 #include "hsr/cli/scene_arguments.h"
+#include "hsr/cli/scale_text.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/dxf.h"

@@ -18,6 +18,8 @@ namespace hsr {
 struct DrawingOptions {
   Page page = {};
   std::optional<double> scale = {};  ///< paper length over model length; nothing: fit
+  /// Without `scale`: the largest of ISO 5455 that fits: 1:1, 1:2, 1:5, 1:10, ..., 2:1, 5:1, 10:1, ...
+  bool standard_scale = false;
   /// No page and no fitting: points are those of the view's frame, its origin at (0, 0), y down. `scale` and `unit` are passed over:
   /// Drawing::scale is the power of ten that makes the drawing 1000 to 10 000 "mm" large, and min_length is in units of the frame.
   bool in_frame_units = false;
