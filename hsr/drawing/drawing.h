@@ -25,18 +25,18 @@ struct DrawingOptions {
   bool in_frame_units = false;
   double unit = 1;  ///< millimetres in a model unit
   HiddenLines hidden = HiddenLines::none;
+  std::vector<PenSetting> pens = {};  ///< other than ISO 128's for that page: see line_group()
   /// Degrees across the shorter side of the picture, perspective only: the picture is cut to a frame around the target with the
   /// proportions of the page less its margins. Nothing: all that is beyond the near plane.
-  std::vector<PenSetting> pens = {};  ///< other than ISO 128's for that page: see line_group()
   std::optional<double> field_of_view = {};
   Arithmetic arithmetic = Arithmetic::staged;  ///< double_only is taken as staged
   /// Last, on the written coordinates: also leave out what runs within 0.01 mm of a stronger line; see near_lines.h.
   bool leave_out_near = false;
-  /// Millimetres: lines that are joined to one another and together shorter than this are left out, such as freckles on scans.
   /// Last of all: lines in an order for pen plotters; see pen_order.h.
   bool sort_for_pen = false;
   /// With regions: instead of lines and fills their rings, as closed outlines.
   bool outline_only = false;
+  /// Millimetres: lines that are joined to one another and together shorter than this are left out, such as freckles on scans.
   double min_length = 0;
   /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
   const FaceObjects* objects = nullptr;
