@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -13,9 +14,9 @@ namespace {
 
 std::string contents_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file) throw InputError("--pens: " + path + ": cannot be read, expected a file of pens");
-  return text;
+  if (!file || std::filesystem::is_directory(path))
+    throw InputError("--pens: " + path + ": cannot be read, expected a file of pens");
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ struct Drawing {
   double width = 210, height = 297;  ///< of the page, mm
   double scale = 1;                  ///< millimetres of paper to a unit of the view's frame; 0 or infinite beyond a double
   bool fits = true;                  ///< nothing is outside the page
-  Pens pens;
+  Pens pens = Pens();
 
   std::vector<std::string> objects;                 ///< names; empty: fewer than two are told apart
   std::vector<Polyline> polylines;                  ///< hidden before visible, then by class, object and their first edge

@@ -50,6 +50,7 @@ TEST_CASE("pens are asked for by name, on the command line or in a file", "[cli]
   const std::string ask = "draw " + model + " -o " + (d / "b.svg");
   check_refused(run(ask + " --pen edges=1"), {"found \"edges\"", "visible, hidden, outline, sharp"});
   check_refused(run(ask + " --pens " + (d / "none")), {"--pens", "none", "cannot be read"});
+  check_refused(run(ask + " --pens /"), {"--pens", "cannot be read"});
   check_refused(run(ask + " --pens " + write(d / "bad.pens", "visible=1\nsharp=x\n")), {"bad.pens:2", "found \"x\""});
 }
 

@@ -1,4 +1,5 @@
 // The outline of everything: against the triangles themselves.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 #include <set>
@@ -101,7 +102,10 @@ TEST_CASE("Only the outline of everything is closed rings around the union of al
       CHECK(std::set<PaperPoint>(ring.begin(), ring.end()).size() == ring.size());
     }
     Drawing lost = d;  // the test finds a ring that is missing
-    lost.polylines.pop_back();
+    const auto most = [](const Polyline& p, const Polyline& q) {
+      return p.end_point - p.first_point < q.end_point - q.first_point;
+    };
+    lost.polylines.erase(std::ranges::max_element(lost.polylines, most));
     CHECK(differences(soup, lost, size) > 0);
   }
 }
@@ -119,8 +123,8 @@ TEST_CASE("Holes of the outline are rings, and what is in one behind another fac
   CHECK(frame.outline().points.size() == 8);
   frame.add({1, 5, 1}, {2, 5, 1}, {1, 5, 2});
   CHECK(frame.outline().points.size() == 8);
-  frame.add({1, 5, 1}, {5, 5, 5}, {1, 5, 2});  // its tip is seen in the hole
-  CHECK(frame.outline().points.size() == 11);
+  frame.add({1, 5, 1}, {5, 5, 5}, {1, 5, 2});  // its tip is seen in the hole, from a corner on
+  CHECK(frame.outline().points.size() == 10);
   frame.add({20, 0, 0}, {30, 0, 0}, {20, 0, 10});
   CHECK(frame.outline().polylines.size() == 3);
 }

@@ -82,7 +82,7 @@ TEST_CASE("An SVG has the page in millimetres and a layer for each visibility an
 TEST_CASE("Hidden lines are dashed or solid", "[write][svg]") {
   Drawing d = example();
   CHECK(contains(svg(d), "stroke-dasharray"));
-  d.hidden = HiddenLines::solid;
+  d.pens = Pens(0.5, HiddenLines::solid);
   CHECK_FALSE(contains(svg(d), "stroke-dasharray"));
 }
 
