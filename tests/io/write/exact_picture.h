@@ -122,21 +122,25 @@ class ExactPicture {
       const internal::DashedPath path =
           internal::dashed_path(drawing_.points_of(p), p.closed, drawing_.pens.of(true, p.edge_class));
       const auto& points = path.points;
-      double left = path.lengths[0];  // of the dash or gap at hand
+      double run = 0, begin = 0,
+             end = path.lengths[0];  // of the segments before, and where the dash or gap k is along the line
       std::size_t k = 0;
       for (std::size_t s = 0; s + 1 < points.size(); ++s) {
         const double x = double(points[s + 1].x - points[s].x) / 1000, y = double(points[s + 1].y - points[s].y) / 1000;
-        const double length = std::hypot(x, y), step = 0.5 / dots;
-        for (double at = 0; at < length; at += step, left -= step) {
-          while (left < 0 && k + 1 < 10000) left += path.lengths[++k % path.lengths.size()];
-          const double since = path.lengths[k % path.lengths.size()] - left;
-          if (since < margin || left < margin) continue;
+        const double length = std::hypot(x, y);
+        for (double at = 0; at < length; at += 0.5 / dots) {
+          while (run + at > end) {
+            begin = end;
+            end += path.lengths[++k % path.lengths.size()];
+          }
+          if (run + at - begin < margin || end - run - at < margin) continue;
           const Point2 q = {double(points[s].x) / 1000 + at / length * x, double(points[s].y) / 1000 + at / length * y};
           if (is_near_another(q, points[s], points[s + 1])) continue;
           const std::uint8_t* pixel = page.at(int(q.x * dots), int(q.y * dots));
           ++wrong.seen;
           if ((pixel[0] < 110) != (k % 2 == 0)) ++wrong.dashes;
         }
+        run += length;
       }
     }
   }

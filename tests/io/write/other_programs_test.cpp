@@ -266,9 +266,7 @@ TEST_CASE("A DXF is sound, and has each visible and hidden part at 1:1 with its 
     told_apart.polylines[0].object = 0;
     const auto first = read_dxf(told_apart, version)["entities"][0]["data"];
     CHECK(first[first.size() - 2] == "object");
-    CHECK(first.back() ==
-          "Wand S\xC3\xBC"
-          "d");
+    CHECK(first.back() == "Wand S\\U+00FCd");
     Drawing planted = drawing;  // layers swapped
     for (Polyline& p : planted.polylines) p.hidden = !p.hidden;
     CHECK(strays(lines_of(read_dxf(planted, version)["entities"]), exact, 1e-5) > 50);
