@@ -68,7 +68,8 @@ TEST_CASE("Corners have dashes on both sides, curves run on", "[write][dashes][D
   const auto sides = dashes_of(around);
   CHECK(sides.size() == 8);
   int corners = 0;
-  for (const auto& dash : sides) corners += dash.size() == 3 ? 1 : 0;
+  for (const auto& dash : sides)
+    if (dash.size() == 3 && dash[1] != square[0]) ++corners;  // one has the point in the middle of a side
   CHECK(corners == 4);
 
   std::vector<PaperPoint> circle;
@@ -100,5 +101,5 @@ TEST_CASE("Other patterns keep their dots and gaps, and stretch where dashes are
   CHECK(2 * period[0] + 3.25 == Approx(30));
   const auto dots = lengths(10, {.width = 0.5, .dashes = {0.25, 1.5}});
   CHECK(dots[0] / dots[1] == Approx(0.25 / 1.5));
-  CHECK(6 * dots[0] + 5 * dots[1] == Approx(10).margin(0.5));
+  CHECK(7 * dots[0] + 6 * dots[1] == Approx(10));
 }

@@ -74,7 +74,7 @@ TEST_CASE("An EPS has the page as its bounding box", "[write][eps][D12]") {
   CHECK(text.starts_with("%!PS-Adobe-3.0 EPSF-3.0\n"));
   CHECK(contains(text, "%%BoundingBox: 0 0 284 284\n%%HiResBoundingBox: 0 0 283.464566929 283.464566929\n"));
   CHECK(contains(text, "%%Title: caf??\n"));
-  CHECK(contains(text, "% layer: hidden sharp\n0 0 0 RG\n0.25 w 0 J [3 0.75] 0 d\n40 45 m\n60 44.75 l\nS\n"));
+  CHECK(contains(text, "% layer: hidden sharp\n0 0 0 RG\n0.25 w 0 J\n40 45 m\n42.708 44.966 l\n"));
 }
 
 TEST_CASE("DXF coordinates are those of the view's frame, to a millionth of the drawing or finer", "[write][dxf][D13]") {
@@ -100,8 +100,8 @@ TEST_CASE("TikZ has a scope and a style for each layer", "[write][tikz][D11]") {
 TEST_CASE("HPGL has 40 units to the millimetre, y up, and a pen for each layer", "[write][hpgl][D14]") {
   CHECK(hpgl(example()) ==
         "IN;\nSP1;\n"
-        "PU1600,2200;PD1720,2201;\nPU1750,2202;PD1870,2203;\nPU1900,2204;PD2020,2205;\nPU2050,2206;PD2170,2207;\n"
-        "PU2200,2207;PD2320,2209;\nPU2350,2209;PD2400,2210;\n"
+        "PU1600,2200;PD1708,2201;\nPU1738,2202;PD1847,2203;\nPU1877,2203;PD1985,2205;\nPU2015,2205;PD2123,2207;\n"
+        "PU2153,2207;PD2262,2208;\nPU2292,2209;PD2400,2210;\n"
         "SP2;\nPU1600,2000;PD2400,2000;\nSP3;\nPU1600,1800;PD2400,1790;\nPU;SP0;\n");
 }
 
