@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "hsr/io/write/json_text.h"
-#include "hsr/io/write/line_style.h"
 #include "hsr/io/write/svg_text.h"
+#include "hsr/io/write/underlay.h"
 
 namespace hsr::internal {
 
