@@ -7,9 +7,7 @@
 #include "hsr/io/write/svg_text.h"
 #include "hsr/io/write/underlay.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -122,4 +120,4 @@ std::string painting_svg(const Painting& painting, double opacity, const SvgOpti
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -14,9 +14,7 @@
 #include "hsr/io/write/underlay.h"
 #include "hsr/io/write/utf8.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -244,4 +242,4 @@ std::string pdf(const Drawing& drawing, const std::string& title) {
   return file.finish(root, info);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -12,9 +12,7 @@
 #include "hsr/io/write/layers.h"
 #include "hsr/io/write/underlay.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -131,4 +129,4 @@ std::string png(const Drawing& drawing, std::optional<PixelSize> size) {
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,9 +6,7 @@
 #include "hsr/io/write/svg_text.h"
 #include "hsr/io/write/underlay.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -143,4 +141,4 @@ std::string tikz(const Drawing& drawing) {
   return out + "\\end{tikzpicture}%\n\\hsrend\n";
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal
