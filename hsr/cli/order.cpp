@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "geometry/error.h"
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/cli/coincident_note.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
@@ -13,18 +13,19 @@
 #include "hsr/cli/messages.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
+#include "hsr/cli/scale_text.h"
 #include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/painting.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/image_png.h"
-#include "hsr/io/write/order_json.h"
+#include "hsr/io/write/json.h"
 #include "hsr/io/write/painting_svg.h"
 #include "hsr/io/write/png.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
-#include "hsr/raster/painted_order.h"
+#include "hsr/raster/caster.h"
 #include "hsr/raster/supersampling.h"
 
 namespace hsr::cli {
@@ -63,7 +64,7 @@ Report::Json json_of(const std::vector<PaintersCycle>& cycles, const Mesh& mesh,
   Report::Json list = Report::Json::array();
   for (const PaintersCycle& cycle : cycles) {
     Report::Json faces = Report::Json::array(), points = Report::Json::array();
-    for (const TriangleId t : cycle.facets) faces.push_back(mesh.face_of[t].value);
+    for (const FacetId facet : cycle.facets) faces.push_back(mesh.face_of[first_triangle(facet)].value);
     for (const auto& w : witnesses(mesh, view, cycle))
       points.push_back(Report::Json::array({w[0].to_double(), w[1].to_double(), w[2].to_double()}));
     list.push_back({{"faces", std::move(faces)}, {"witnesses", std::move(points)}});

@@ -55,16 +55,16 @@ class Placer {
   Placer(const Mesh& mesh, const View& view, const Projection& projection)
       : mesh_(mesh), view_(view), projection_(projection) {}
 
-  PaperPoint operator()(TriangleId facet, const PieceCorner& corner) const {
+  PaperPoint operator()(FacetId facet, const PieceCorner& corner) const {
     const HomogeneousPoint at = enclosed(facet, corner);
     if (const auto known = Projection::rounded(at)) return *known;
     return Projection::rounded(projection_.exact(exact_point(mesh_, view_, facet, corner)));
   }
 
  private:
-  HomogeneousPoint enclosed(TriangleId facet, const PieceCorner& corner) const {
+  HomogeneousPoint enclosed(FacetId facet, const PieceCorner& corner) const {
     if (corner.vertex.is_valid()) return projection_.at(corner.vertex);
-    const auto& c = mesh_.triangles[facet];
+    const auto& c = mesh_.triangles[first_triangle(facet)];
     return projection_.at(Plane::of_face(mesh_.points[c[0]], mesh_.points[c[1]], mesh_.points[c[2]]),
                           plane_of(mesh_, view_, corner.a), plane_of(mesh_, view_, corner.b));
   }
@@ -98,7 +98,7 @@ Painting paint_on_page(const SceneView& scene, const PaintersOrder& order, const
   const Placer placer(mesh, view, place.projection);
   parallel_for_each(order.pieces.size(), [&](std::size_t i) {
     const OrderedPiece& piece = order.pieces[i];
-    const FaceId face = mesh.face_of[piece.facet];
+    const FaceId face = mesh.face_of[first_triangle(piece.facet)];
     painting.pieces[i] = {face.value, colours[face.value], piece.first_corner, piece.end_corner};
     for (std::uint32_t k = piece.first_corner; k < piece.end_corner; ++k) {
       const PieceCorner& corner = order.corners[k];

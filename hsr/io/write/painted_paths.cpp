@@ -60,24 +60,4 @@ void append_fill_clip(std::string& out, const Fills& fills) {
   out += "W* n\n";
 }
 
-void append_pen(std::string& out, const LineStyle& style) {
-  append_length(out, style.width);
-  out += style.is_dashed() ? " w 0 J [" : " w 1 J [";
-  if (style.is_dashed()) {
-    append_length(out, style.dash);
-    out += ' ';
-    append_length(out, style.gap);
-  }
-  out += "] 0 d\n";
-}
-
-void append_lines(std::string& out, const Drawing& drawing, const Layer& layer) {
-  out += "0 0 0 RG\n";
-  append_pen(out, layer.style);
-  for (const Polyline& p : layer.polylines) {
-    append_path(out, drawing.points_of(p));
-    out += p.closed ? "h S\n" : "S\n";
-  }
-}
-
 }  // namespace hsr::internal

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "hsr/drawing/drawing.h"
-#include "hsr/io/write/layers.h"
 
 namespace hsr::internal {
 
@@ -16,8 +15,6 @@ void append_page_space(std::string& out, double height);
 void append_fill_paths(std::string& out, const Fills& fills, const char* paint);
 /// From here on only what the fills cover together is painted.
 void append_fill_clip(std::string& out, const Fills& fills);
-void append_pen(std::string& out, const LineStyle& style);
-void append_lines(std::string& out, const Drawing& drawing, const Layer& layer);  ///< with their pen, in black
 
 /// A length of the page in points, 1/72 inch: whole ones to the last bit, so that no reader rounds up to a pixel more.
 double points_of(double mm);

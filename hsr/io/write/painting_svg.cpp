@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "hsr/io/write/json_text.h"
-#include "hsr/io/write/line_style.h"
 #include "hsr/io/write/svg_text.h"
+#include "hsr/io/write/underlay.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -122,4 +120,4 @@ std::string painting_svg(const Painting& painting, double opacity, const SvgOpti
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 #include "hsr/drawing/painting.h"
 #include "hsr/io/write/svg.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A painting order as SVG: every piece in turn, its lines on top of it, so that later pieces cover both.
 ///
@@ -13,4 +13,4 @@ namespace hsr {
 /// some are transparent that would show: the opaque ones have a fine pen instead, which closes most of a seam.
 std::string painting_svg(const Painting& painting, double opacity, const SvgOptions& options = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,11 +8,11 @@
 #include <memory>
 
 #include "geometry/error.h"
+#include "hsr/io/write/dashes.h"
 #include "hsr/io/write/layers.h"
+#include "hsr/io/write/underlay.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -73,15 +73,21 @@ void paint_fills(cairo_t* c, const Fills& fills) {
 }
 
 void draw_layer(cairo_t* c, const Drawing& drawing, const Layer& layer) {
-  const LineStyle& style = layer.style;
-  cairo_set_line_width(c, style.width);
-  cairo_set_line_cap(c, style.is_dashed() ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
-  const double dashes[] = {style.dash, style.gap};
-  cairo_set_dash(c, dashes, style.is_dashed() ? 2 : 0, 0);
+  const Pen& pen = layer.pen;
+  cairo_set_source_rgb(c, pen.colour[0] / 255.0, pen.colour[1] / 255.0, pen.colour[2] / 255.0);
+  cairo_set_line_width(c, pen.width);
+  cairo_set_line_cap(c, pen.is_dashed() ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+  const auto add = [&](std::span<const PaperPoint> points) {
+    cairo_new_sub_path(c);
+    for (const PaperPoint& p : points) cairo_line_to(c, static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000);
+  };
   for (const Polyline& p : layer.polylines) {
-    for (const PaperPoint& point : drawing.points_of(p))
-      cairo_line_to(c, static_cast<double>(point.x) / 1000, static_cast<double>(point.y) / 1000);
-    if (p.closed) cairo_close_path(c);
+    if (pen.is_dashed()) {
+      for (const auto& dash : dashes_of(dashed_path(drawing.points_of(p), p.closed, pen))) add(dash);
+    } else {
+      add(drawing.points_of(p));
+      if (p.closed) cairo_close_path(c);
+    }
     cairo_stroke(c);
   }
 }
@@ -123,4 +129,4 @@ std::string png(const Drawing& drawing, std::optional<PixelSize> size) {
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal
