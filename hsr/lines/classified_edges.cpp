@@ -10,6 +10,7 @@
 #include "geometry/disjoint_sets.h"
 #include "geometry/parallel.h"
 #include "hsr/lines/edge_parts.h"
+#include "hsr/lines/inside_bodies.h"
 #include "hsr/lines/near_parts.h"
 #include "hsr/view/frustum.h"
 
@@ -31,17 +32,37 @@ std::vector<std::span<const CoincidentFaces>> logs_of(const std::vector<FoundInB
   return logs;
 }
 
+/// Whether bodies touch all around a part of an edge: its faces must lead to where they do, and it must lie inside of bodies, since
+/// two that overlap have faces that coincide on the outside, too.
+TouchingRegions::Verdict verdict(const ProjectedMesh& projected, EdgeId id, const EdgePart& part, const CoincidentFaces& around,
+                                 TouchingRegions& regions, const InsideBodies& inside) {
+  using Verdict = TouchingRegions::Verdict;
+  const Verdict by_faces = regions.verdict(around);
+  if (by_faces != Verdict::touch) return by_faces;
+  const Edge& edge = projected.mesh().edges[id];
+  const auto point = [&](const Cut& cut) {
+    const auto p = exact_point(projected.mesh(), inside.view(), SupportingLine{edge.a, edge.b, {}}, cut);
+    return Point3{p[0].to_double(), p[1].to_double(), p[2].to_double()};
+  };
+  const std::size_t faces = around.sets.front().size();
+  const bool is_inside = faces % 2 == 0 && inside.contain_middle(point(part.from), point(part.to), faces / 2);
+  return is_inside ? Verdict::touch : Verdict::in_doubt;
+}
+
 /// Parts whose classes wait for the log, now that it is complete; neighbours that are alike become one.
-void decide_parts(const Edge& edge, std::vector<EdgePart>& parts, const std::vector<CoincidentFaces>& log,
-                  TouchingRegions& regions) {
+void decide_parts(const ProjectedMesh& projected, EdgeId id, std::vector<EdgePart>& parts,
+                  const std::vector<CoincidentFaces>& log, TouchingRegions& regions, const InsideBodies& inside) {
+  using Verdict = TouchingRegions::Verdict;
   for (EdgePart& p : parts) {
+    const std::optional<EdgeClass> in_doubt = std::exchange(p.found.in_doubt, std::nullopt);
     if (!p.found.is_undecided()) continue;
-    const bool touch = regions.touch(log[p.found.alike - 1]);
+    const Verdict around = verdict(projected, id, p, log[p.found.alike - 1], regions, inside);
     p.found.alike = PartClass::decided;
-    if (!touch) continue;
+    if (around == Verdict::apart) continue;
     p.found.behind.reset();
-    if (p.found.seen) p.found.hidden = EdgeClass::smooth;
-    p.found = with_wire(edge, p.found);
+    if (around == Verdict::in_doubt) p.found.seen = in_doubt;
+    if (around == Verdict::touch && p.found.seen) p.found.hidden = EdgeClass::smooth;
+    p.found = with_wire(projected.mesh().edges[id], p.found);
   }
   std::vector<EdgePart> all;
   for (const EdgePart& p : parts) {
@@ -78,8 +99,9 @@ struct ClassifiedEdges::Finder {
     block.undecided.emplace_back(id, std::move(parts));
     return std::nullopt;
   }
-  std::optional<EdgeClass> decide(EdgeId id, std::vector<EdgePart>& parts, TouchingRegions& regions) {
-    decide_parts(classifier.projected().mesh().edges[id], parts, block.log, regions);
+  std::optional<EdgeClass> decide(EdgeId id, std::vector<EdgePart>& parts, TouchingRegions& regions,
+                                  const InsideBodies& inside) {
+    decide_parts(classifier.projected(), id, parts, block.log, regions, inside);
     return take(id, parts);
   }
   /// Logs what coincides along an edge, and no more.
@@ -159,7 +181,7 @@ void go_on(const Mesh& mesh, const std::vector<FoundInBlock>& blocks, std::vecto
 
 ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOptions& options, const ViewFrustum* outside,
                                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind,
-                                 const NearParts* near) {
+                                 const NearParts* near, const InsideBodies* inside) {
   using Range = tbb::blocked_range<std::size_t>;
   const Mesh& mesh = classifier.projected().mesh();
   constexpr std::uint8_t none = 0xff;
@@ -189,7 +211,7 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
     for (FoundInBlock& b : blocks) {
       Finder finder{classifier, options, occluders, with_behind, near, b};
       for (auto& [id, parts] : b.undecided)
-        if (const auto c = finder.decide(id, parts, regions)) edge_classes[id.value] = static_cast<std::uint8_t>(*c);
+        if (const auto c = finder.decide(id, parts, regions, *inside)) edge_classes[id.value] = static_cast<std::uint8_t>(*c);
       std::stable_sort(b.parts.begin(), b.parts.end(),
                        [](const RequestedPart& x, const RequestedPart& y) { return x.edge < y.edge; });
     }
@@ -262,7 +284,7 @@ void ClassifiedEdges::add_ghosts(const ProjectedMesh& projected, const EdgeClass
   first_ghost_ = edges.size();
   LineOptions without_diagonals = options;
   without_diagonals.diagonals = false;
-  const ClassifiedEdges ghosts(among_ghosts, without_diagonals, outside, nullptr, {}, false, nullptr);
+  const ClassifiedEdges ghosts(among_ghosts, without_diagonals, outside, nullptr, {}, false, nullptr, nullptr);
   for (std::size_t i = 0; i < ghosts.edges.size(); ++i) {
     const Edge& e = of_ghosts.edges[ghosts.edges[i]];
     edges.push_back(mesh.find_edge(e.a, e.b));

@@ -14,6 +14,7 @@
 
 namespace hsr::internal {
 
+class InsideBodies;
 class NearParts;
 class ViewFrustum;
 
@@ -47,9 +48,10 @@ struct ClassifiedEdges {
   /// @param has_contact by edge: whether it may lie in one of these triangles or along its border; empty if none does
   /// @param with_behind whether what touches the seen surface from behind is wanted: it is hidden all along
   /// @param near finds the classes of all edges, within a tolerance; nullptr: they are exact
+  /// @param inside tells where bodies touch, if what is behind is wanted
   ClassifiedEdges(const EdgeClassifier& classifier, const LineOptions& options, const ViewFrustum* outside,
                   const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind,
-                  const NearParts* near);
+                  const NearParts* near, const InsideBodies* inside);
   /// The given edges from end to end, without finding their classes.
   ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending);
 

@@ -1,5 +1,6 @@
 #include "hsr/lines/edge_classifier.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/vector3.h"
@@ -59,25 +60,35 @@ EdgeClass EdgeClassifier::flat(FaceId left, FaceId right) const {
   return differ(labels_.object) ? EdgeClass::joint : EdgeClass::smooth;
 }
 
-/// @param without_contacts leaves out the half-planes in which bodies touch
-PartClass EdgeClassifier::class_of(const HalfPlanes& half_planes, bool only_diagonal, bool without_contacts) const {
+/// @param contacts how the half-planes in which bodies touch count, or may touch: those in which more faces coincide than
+///   `surface` count only where they are the nearest on their side, if they count only on top
+PartClass EdgeClassifier::class_of(const HalfPlanes& half_planes, bool only_diagonal, Contacts contacts,
+                                   std::size_t surface) const {
+  const auto side_of = [](auto& pair, const HalfPlane& h) -> auto& { return pair[h.side == Sign::positive ? 0 : 1]; };
   const HalfPlane *nearest[2] = {nullptr, nullptr}, *farthest[2] = {nullptr, nullptr}, *front = nullptr, *back = nullptr;
   std::size_t count = 0;
   for (const HalfPlane& h : half_planes.all()) {
-    if (without_contacts && h.is_contact) continue;
+    if (contacts == Contacts::left_out && h.is_contact) continue;
     ++count;
-    if (h.side == Sign::zero) {
-      (h.is_front ? front : back) = &h;
-      continue;
-    }
-    auto &first = nearest[h.side == Sign::positive ? 0 : 1], &last = farthest[h.side == Sign::positive ? 0 : 1];
+    if (h.side == Sign::zero) continue;
+    auto& first = side_of(nearest, h);
     if (first == nullptr || half_planes.is_nearer(h, *first)) first = &h;
-    if (last == nullptr || half_planes.is_nearer(*last, h)) last = &h;
   }
   if ((nearest[0] == nullptr) != (nearest[1] == nullptr) && (only_diagonal || count > 1)) return {EdgeClass::outline};
   if (only_diagonal || count == 0) return {};
   if (count == 1) return {EdgeClass::boundary};
   if (nearest[0] == nullptr) return {EdgeClass::smooth};
+  for (const HalfPlane& h : half_planes.all()) {
+    if (contacts == Contacts::left_out && h.is_contact) continue;
+    const bool is_on_top = h.side != Sign::zero && &h == side_of(nearest, h);
+    if (contacts == Contacts::only_on_top && h.faces() > surface && !is_on_top) continue;
+    if (h.side == Sign::zero) {
+      (h.is_front ? front : back) = &h;
+      continue;
+    }
+    auto& last = side_of(farthest, h);
+    if (last == nullptr || half_planes.is_nearer(*last, h)) last = &h;
+  }
   const auto seen = more_than_flat(half_planes, {nearest[0], nearest[1], front});
   if (seen) return {seen};
   const bool may_go_on = crease_.goes_on_degrees < crease_.degrees &&
@@ -87,16 +98,24 @@ PartClass EdgeClassifier::class_of(const HalfPlanes& half_planes, bool only_diag
 
 PartClass EdgeClassifier::operator()(HalfPlanes& half_planes, bool only_diagonal, std::vector<CoincidentFaces>* log) const {
   const Touching touching = mark_contacts(half_planes);
-  PartClass found = class_of(half_planes, only_diagonal, false);
+  std::size_t least = half_planes.all().empty() ? 1 : half_planes.all().front().faces();
+  for (const HalfPlane& h : half_planes.all()) least = std::min(least, h.faces());
+  PartClass found =
+      class_of(half_planes, only_diagonal, touching == Touching::open ? Contacts::only_on_top : Contacts::count, least);
   if (touching == Touching::nothing) return found;
   if (log != nullptr) {
     log->push_back({touching, {}});
-    for (const HalfPlane& h : half_planes.all())
-      if (h.faces() > 1 && (h.is_contact || touching != Touching::bodies)) log->back().sets.push_back(h.coincident);
+    for (const HalfPlane& h : half_planes.all()) {
+      const bool tells = touching == Touching::bodies ? h.is_contact : touching == Touching::alike || !goes_on(half_planes, h);
+      if (h.faces() > 1 && tells) log->back().sets.push_back(h.coincident);
+    }
   }
-  if (touching == Touching::alike) found.alike = log != nullptr ? static_cast<std::uint32_t>(log->size()) : PartClass::decided;
+  if (touching == Touching::alike) {
+    found.alike = log != nullptr ? static_cast<std::uint32_t>(log->size()) : PartClass::decided;
+    found.in_doubt = class_of(half_planes, only_diagonal, Contacts::only_on_top, least / 2).seen;
+  }
   if (touching != Touching::bodies) return found;
-  const PartClass hidden = class_of(half_planes, only_diagonal, true);
+  const PartClass hidden = class_of(half_planes, only_diagonal, Contacts::left_out);
   found.behind = hidden.behind;
   if (hidden.seen != found.seen) found.hidden = hidden.seen.value_or(EdgeClass::smooth);
   return found;

@@ -26,6 +26,8 @@ struct PartClass {
   /// Not 0: equally many faces coincide all around, and bodies touch there if the entry of this number of a log, from 1, says so; or
   /// that is decided, or not wanted.
   std::uint32_t alike = 0;
+  /// Undecided: the class if it is in doubt whether bodies touch there.
+  std::optional<EdgeClass> in_doubt = {};
   static constexpr std::uint32_t decided = 0xffffffffU;
 
   bool is_undecided() const { return alike != 0 && alike != decided; }
@@ -58,7 +60,8 @@ class EdgeClassifier {
 
  private:
   struct Around;
-  PartClass class_of(const HalfPlanes& half_planes, bool only_diagonal, bool without_contacts) const;
+  enum class Contacts : std::uint8_t { count, only_on_top, left_out };
+  PartClass class_of(const HalfPlanes& half_planes, bool only_diagonal, Contacts contacts, std::size_t surface = 1) const;
   std::optional<PartClass> at_a_glance(EdgeId id) const;
   std::optional<EdgeClass> more_than_flat(const HalfPlanes& half_planes, const Around& around) const;
   EdgeClass flat(FaceId left, FaceId right) const;

@@ -45,6 +45,13 @@ Touching mark_contacts(HalfPlanes& half_planes) {
   return Touching::bodies;
 }
 
+bool goes_on(const HalfPlanes& half_planes, const HalfPlane& h) {
+  const auto& all = half_planes.all();
+  return std::any_of(all.begin(), all.end(), [&](const HalfPlane& other) {
+    return &other != &h && other.faces() >= h.faces() && half_planes.side(h, other) == Sign::zero;
+  });
+}
+
 TouchingRegions::TouchingRegions(std::span<const std::span<const CoincidentFaces>> logs) {
   for (const auto& log : logs)
     for (const CoincidentFaces& part : log)
@@ -64,9 +71,10 @@ TouchingRegions::TouchingRegions(std::span<const std::span<const CoincidentFaces
       }
 }
 
-bool TouchingRegions::touch(const CoincidentFaces& part) {
+TouchingRegions::Verdict TouchingRegions::verdict(const CoincidentFaces& part) {
   const std::uint32_t region = find(part.sets.front());
-  return touches_[region] != 0 && is_open_[region] == 0;
+  if (touches_[region] == 0) return Verdict::apart;
+  return is_open_[region] == 0 ? Verdict::touch : Verdict::in_doubt;
 }
 
 }  // namespace hsr::internal

@@ -26,10 +26,13 @@ enum class Touching : std::uint8_t {
 /// Cost: O(m log m) comparisons for m half-planes.
 Touching mark_contacts(HalfPlanes& half_planes);
 
+/// Whether the surface of a half-plane goes on flat through the edge, in as many faces or more: it does not end there.
+bool goes_on(const HalfPlanes& half_planes, const HalfPlane& h);
+
 /// The sets of faces that coincide around a part of an edge, where that tells more than the part itself needs.
 struct CoincidentFaces {
   Touching touching;
-  std::vector<std::vector<FaceId>> sets;
+  std::vector<std::vector<FaceId>> sets;  ///< where it is open: those that end there
 };
 
 /// Where bodies touch in all half-planes around a part of an edge: in a corner among four boxes, say.
@@ -40,8 +43,9 @@ struct CoincidentFaces {
 class TouchingRegions {
  public:
   explicit TouchingRegions(std::span<const std::span<const CoincidentFaces>> logs);
-  /// @pre touching == Touching::alike
-  bool touch(const CoincidentFaces& part);
+  enum class Verdict : std::uint8_t { apart, in_doubt, touch };
+  /// In doubt where parts lead both to where bodies touch and to where one ends. @pre touching == Touching::alike
+  Verdict verdict(const CoincidentFaces& part);
 
  private:
   std::uint32_t find(const std::vector<FaceId>& set) { return regions_.find(numbers_.at(set)); }

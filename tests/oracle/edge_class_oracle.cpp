@@ -59,12 +59,14 @@ class ClassAt {
     half_planes_.push_back(std::move(p));
   }
 
-  ClassPart verdicts(double crease) const { return verdicts(crease, pointers()); }
+  ClassPart verdicts(double crease) const { return verdicts(crease, pointers(), touching() == 'o' ? least() : any); }
+  // Of those that are alike, if it is in doubt whether bodies touch.
+  ClassPart verdicts_in_doubt(double crease) const { return verdicts(crease, pointers(), least() / 2); }
   // What the numbers of faces tell: 'n' nothing coincides, 'b' bodies touch, 'o' they do not, 'a' all are alike.
   char touching() const;
   // Without the half-planes in which bodies touch.
-  ClassPart verdicts_of_surfaces(double crease) const { return verdicts(crease, surfaces()); }
-  // The faces that coincide in half-planes that are no surfaces of bodies that touch.
+  ClassPart verdicts_of_surfaces(double crease) const { return verdicts(crease, surfaces(), any); }
+  // The faces that coincide in half-planes that are no surfaces of bodies that touch; where it is open, those that end there.
   std::vector<std::vector<FaceId>> sets() const;
 
  private:
@@ -76,7 +78,11 @@ class ClassAt {
   }
   Pointers surfaces() const;
   bool is_before(const HalfPlane& x, const HalfPlane& y) const;
-  ClassPart verdicts(double crease, const Pointers& all) const;
+  static constexpr std::size_t any = static_cast<std::size_t>(-1);
+  std::size_t least() const;
+  bool goes_on(const HalfPlane& p) const;
+  // Half-planes with more faces than `surface` count only on top.
+  ClassPart verdicts(double crease, const Pointers& all, std::size_t surface) const;
 
   Vec square_to_edge(const Vec& h) const { return h - Q(dot(h, along_) / dot(along_, along_)) * along_; }
   // How far a half-plane is turned from the eye to its side, for comparison: whether x is turned less than y.
@@ -97,13 +103,24 @@ class ClassAt {
   std::vector<HalfPlane> half_planes_;  // each once
 };
 
-ClassAt::Pointers ClassAt::surfaces() const {
-  std::size_t least = half_planes_.front().faces.size();
+std::size_t ClassAt::least() const {
+  std::size_t least = any;
   for (const HalfPlane& p : half_planes_) least = std::min(least, p.faces.size());
+  return least;
+}
+
+ClassAt::Pointers ClassAt::surfaces() const {
   Pointers all;
   for (const HalfPlane& p : half_planes_)
-    if (p.faces.size() == least) all.push_back(&p);
+    if (p.faces.size() == least()) all.push_back(&p);
   return all;
+}
+
+// Whether as many faces or more are opposite.
+bool ClassAt::goes_on(const HalfPlane& p) const {
+  return std::any_of(half_planes_.begin(), half_planes_.end(), [&](const HalfPlane& q) {
+    return q.faces.size() >= p.faces.size() && is_zero(cross(p.into, q.into)) && sgn(dot(p.into, q.into)) < 0;
+  });
 }
 
 // Counter-clockwise around the edge from the first half-plane.
@@ -140,7 +157,7 @@ std::vector<std::vector<FaceId>> ClassAt::sets() const {
   std::vector<std::vector<FaceId>> all;
   for (const HalfPlane& p : half_planes_) {
     const bool is_surface = std::find(of_bodies.begin(), of_bodies.end(), &p) != of_bodies.end();
-    if (p.faces.size() < 2 || (touching() == 'b' && is_surface)) continue;
+    if (p.faces.size() < 2 || (touching() == 'b' && is_surface) || (touching() == 'o' && goes_on(p))) continue;
     all.push_back(p.faces);
     std::sort(all.back().begin(), all.back().end());
   }
@@ -170,14 +187,14 @@ std::optional<ClassVerdict> ClassAt::bent(const Pointers& all, const HalfPlane& 
   return verdict;
 }
 
-ClassPart ClassAt::verdicts(double crease, const Pointers& all) const {
+ClassPart ClassAt::verdicts(double crease, const Pointers& all, std::size_t surface) const {
   std::array<std::vector<const HalfPlane*>, 2> sides;  // left and right, those that count
   const HalfPlane *front = nullptr, *back = nullptr;
   bool has_side[2] = {false, false};
   for (const HalfPlane* p : all) {
     if (p->side != 0) has_side[p->side > 0 ? 0 : 1] = true;
     if (p->side != 0) sides[p->side > 0 ? 0 : 1].push_back(p);
-    if (p->side == 0) (p->front ? front : back) = p;
+    if (p->side == 0 && p->faces.size() <= surface) (p->front ? front : back) = p;
   }
   const auto as = [](EdgeClass c) { return ClassPart{{}, ClassVerdict{c}}; };
   const bool only_diagonal = edge_.diagonal && !edge_.of_face, one_side = has_side[0] != has_side[1];
@@ -194,6 +211,8 @@ ClassPart ClassAt::verdicts(double crease, const Pointers& all) const {
   } else {
     for (auto& side : sides)
       std::sort(side.begin(), side.end(), [&](const HalfPlane* x, const HalfPlane* y) { return is_nearer(*x, *y); });
+    for (auto& side : sides)
+      while (side.size() > 1 && side.back()->faces.size() > surface) side.pop_back();
     part.verdict = bent(all, *sides[0].front(), *sides[1].front(), front, crease);
     const EdgeClass else_class = flat(sides[0].front()->top, sides[1].front()->top);
     const bool is_flat = !part.verdict || part.verdict->edge_class == EdgeClass::smooth;
@@ -254,6 +273,7 @@ namespace {
 struct RawPart : ClassPart {
   char touching = 'n';
   std::vector<std::vector<FaceId>> sets;
+  std::optional<ClassVerdict> in_doubt = {};
 };
 
 std::vector<RawPart> raw_parts(const Mesh& mesh, EdgeId id, const ClassAt& empty, double crease,
@@ -261,13 +281,13 @@ std::vector<RawPart> raw_parts(const Mesh& mesh, EdgeId id, const ClassAt& empty
   if (!beyond) {
     ClassAt own = empty;
     for (const TriangleId t : mesh.triangles_at(id)) own.add(Vec(mesh.points[mesh.apex(t, mesh.edges[id])]), mesh.face_of[t]);
-    RawPart part{own.verdicts(crease), 'n', {}};
+    RawPart part{own.verdicts(crease), 'n', {}, {}};
     part.part = {0, 1};
     part.behind.reset();
     return {part};
   }
   // A wire stays one in any face.
-  if (mesh.triangles_at(id).empty()) return {{{*beyond, ClassVerdict{EdgeClass::wire}}, 'n', {}}};
+  if (mesh.triangles_at(id).empty()) return {{{*beyond, ClassVerdict{EdgeClass::wire}}, 'n', {}, {}}};
   const std::vector<Around> around = triangles_around(mesh, id);
   std::vector<Q> cuts = {beyond->from, beyond->to};
   for (const Around& x : around)
@@ -302,9 +322,10 @@ std::vector<RawPart> raw_parts(const Mesh& mesh, EdgeId id, const ClassAt& empty
         here.add(x.corners[k], mesh.face_of[x.triangle]);
       }
     }
-    RawPart found{here.verdicts(crease), here.touching(), here.sets()};
+    RawPart found{here.verdicts(crease), here.touching(), here.sets(), {}};
     found.part = {cuts[i], cuts[i + 1]};
     found.is_alike = found.touching == 'a';
+    if (found.is_alike) found.in_doubt = here.verdicts_in_doubt(crease).verdict;
     if (found.touching == 'b') {
       const ClassPart of_surfaces = here.verdicts_of_surfaces(crease);
       found.behind = of_surfaces.behind;
@@ -315,8 +336,55 @@ std::vector<RawPart> raw_parts(const Mesh& mesh, EdgeId id, const ClassAt& empty
   return parts;
 }
 
+// How many triangles a ray crosses; nothing: it touches the border of one.
+std::optional<std::size_t> crossed(const Mesh& mesh, const Vec& from, const Vec& along) {
+  std::size_t count = 0;
+  for (const auto& t : mesh.triangles) {
+    const Vec a(mesh.points[t[0]]), b(mesh.points[t[1]]), c(mesh.points[t[2]]);
+    const Vec normal = cross(b - a, c - a);
+    const Q rise = dot(normal, along), height = dot(normal, a - from);
+    if (sgn(height) == 0 && sgn(rise) != 0) continue;
+    if (sgn(rise) == 0) {
+      if (sgn(height) == 0) return std::nullopt;
+      continue;
+    }
+    const Q at = height / rise;
+    if (sgn(at) < 0) continue;
+    const Vec p = from + at * along;
+    int least = 1;
+    for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      least = std::min(least, sgn(dot(normal, cross(v - u, p - u))));
+    if (least == 0) return std::nullopt;
+    if (least > 0) ++count;
+  }
+  return count;
+}
+
+std::optional<std::size_t> crossed(const Mesh& mesh, const Vec& from, int axis, int step) {
+  for (const double slant : {0x1p-7, 0x1.8p-6, 0x1.4p-5, 0x1.cp-8}) {
+    std::array<Q, 3> along;
+    along[static_cast<std::size_t>(axis)] = step;
+    along[static_cast<std::size_t>((axis + 1) % 3)] = slant;
+    along[static_cast<std::size_t>((axis + 2) % 3)] = slant * 0.64;
+    if (const auto count = crossed(mesh, from, Vec(along[0], along[1], along[2]))) return count;
+  }
+  return std::nullopt;
+}
+
+// Whether by each of six rays an odd number of faces, each stored so many times, is between a point and the eye.
+bool is_inside(const Mesh& mesh, const View& view, const Vec& p, std::size_t copies) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int step : {-1, 1}) {
+      const auto here = crossed(mesh, p, axis, step);
+      const auto at_eye =
+          view.is_perspective() ? crossed(mesh, Vec(view.viewpoint.at), axis, step) : std::optional<std::size_t>(0);
+      if (!here || !at_eye || (*here + *at_eye) % copies != 0 || (*here + *at_eye) / copies % 2 == 0) return false;
+    }
+  return true;
+}
+
 // Bodies touch all around these parts: by painting what leads to one another, from where they do and where one ends in the open.
-void decide_alike(std::vector<std::vector<RawPart>>& of_edges) {
+void decide_alike(const Mesh& mesh, const View& view, std::vector<std::vector<RawPart>>& of_edges) {
   using Set = std::vector<FaceId>;
   std::set<Set> touch, open;
   for (const auto& parts : of_edges)
@@ -337,11 +405,17 @@ void decide_alike(std::vector<std::vector<RawPart>>& of_edges) {
           for (const Set& s : p.sets) is_more = painted->insert(s).second || is_more;
         }
     }
-  for (auto& parts : of_edges)
-    for (RawPart& p : parts) {
-      if (p.touching != 'a' || touch.count(p.sets.front()) == 0 || open.count(p.sets.front()) > 0) continue;
+  for (std::size_t e = 0; e < of_edges.size(); ++e)
+    for (RawPart& p : of_edges[e]) {
+      if (p.touching != 'a' || touch.count(p.sets.front()) == 0) continue;
+      const Vec a(mesh.points[mesh.edges[EdgeId(e)].a]), b(mesh.points[mesh.edges[EdgeId(e)].b]);
+      const Vec middle = a + Q((p.part.from + p.part.to) / 2) * (b - a);
+      const std::size_t faces = p.sets.front().size();
       p.behind.reset();
-      p.hidden = ClassVerdict{EdgeClass::smooth};
+      if (open.count(p.sets.front()) == 0 && faces % 2 == 0 && is_inside(mesh, view, middle, faces / 2))
+        p.hidden = ClassVerdict{EdgeClass::smooth};
+      else
+        p.verdict = p.in_doubt;
     }
 }
 
@@ -356,7 +430,7 @@ std::vector<std::vector<ClassPart>> class_parts(const Mesh& mesh, const View& vi
   std::vector<std::vector<RawPart>> raw;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e)
     raw.push_back(raw_parts(mesh, EdgeId(e), ClassAt(mesh, view, labels, coplanar, EdgeId(e)), crease, beyond[e]));
-  decide_alike(raw);
+  decide_alike(mesh, view, raw);
   std::vector<std::vector<ClassPart>> all;
   for (std::size_t e = 0; e < raw.size(); ++e) {
     std::vector<ClassPart>& parts = all.emplace_back();
