@@ -11,7 +11,6 @@
 #include "hsr/io/write/image_png.h"
 #include "hsr/io/write/json.h"
 #include "hsr/io/write/order_json.h"
-#include "hsr/io/write/painting_svg.h"
 #include "hsr/io/write/pdf.h"
 #include "hsr/io/write/png.h"
 #include "hsr/io/write/svg.h"

@@ -11,12 +11,14 @@
 
 #include "geometry/bit_range.h"
 #include "geometry/error.h"
+#include "hsr/drawing/filled_drawing.h"
 #include "hsr/drawing/fills.h"
 #include "hsr/drawing/image_lines.h"
 #include "hsr/drawing/join.h"
 #include "hsr/drawing/near_lines.h"
 #include "hsr/drawing/overlay.h"
 #include "hsr/drawing/placement.h"
+#include "hsr/drawing/reach.h"
 #include "hsr/drawing/short_chains.h"
 #include "hsr/view/frustum.h"
 
@@ -63,14 +65,12 @@ std::vector<std::uint32_t> objects_of_lines(const Mesh& mesh, const VisibleLines
   return of_line;
 }
 
-/// Those of one object together, as nothing of them overlaps.
 void tell_apart(Fills& fills, const FaceObjects& objects) {
   for (Fill& fill : fills.fills) {
     std::vector<FaceId> faces;
     for (std::uint32_t k = fill.first_face; k < fill.end_face; ++k) faces.emplace_back(fills.faces[k]);
     fill.object = objects.object_of(faces);
   }
-  std::stable_sort(fills.fills.begin(), fills.fills.end(), [](const Fill& a, const Fill& b) { return a.object < b.object; });
 }
 
 Overlay lay_over(const ImageLines& groups, const Projection& projection, const VisibleLines& lines,
@@ -255,6 +255,22 @@ class Collector {
 
 Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, const DrawingOptions& options,
              const Regions* regions) {
+  std::function<Fills(const Placement&)> fills;
+  if (regions != nullptr)
+    fills = [&](const Placement& place) {
+      Fills placed = placed_fills(place, *regions);
+      if (options.objects != nullptr && options.objects->are_told_apart()) tell_apart(placed, *options.objects);
+      sort_by_corners(placed);
+      reach_beneath(placed);
+      return placed;
+    };
+  return draw_with_fills(mesh, view, lines, nullptr, options, fills);
+}
+
+namespace internal {
+
+Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& lines, const VisibleLines* bounds,
+                        const DrawingOptions& options, const std::function<Fills(const Placement&)>& fills) {
   std::vector<std::uint32_t> seen;  // lines whose image is not a point, and that the near plane does not cut away
   for (std::uint32_t i = 0; i < lines.lines.size(); ++i)
     if (lines.lines[i].intervals() > 0) seen.push_back(i);
@@ -266,7 +282,10 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
     });
   }
 
-  const Placement place = placement(mesh, view, lines, seen, options);
+  std::vector<std::uint32_t> bounding(bounds == nullptr ? 0 : bounds->lines.size());
+  std::iota(bounding.begin(), bounding.end(), 0U);
+  const Placement place =
+      bounds == nullptr ? placement(mesh, view, lines, seen, options) : placement(mesh, view, *bounds, bounding, options);
   Drawing drawing;
   drawing.width = place.width;
   drawing.height = place.height;
@@ -277,8 +296,7 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   const std::vector<std::uint32_t> object_of_line = objects_of_lines(mesh, lines, options.objects);
   const bool tells_objects = options.objects != nullptr && options.objects->are_told_apart();
   if (tells_objects) drawing.objects = options.objects->names;
-  if (regions != nullptr) drawing.fills = placed_fills(place, *regions);
-  if (tells_objects) tell_apart(drawing.fills, *options.objects);
+  if (fills) drawing.fills = fills(place);
 
   const bool with_hidden = options.hidden != HiddenLines::none;
   if (!with_hidden)
@@ -349,5 +367,7 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   }
   return drawing;
 }
+
+}  // namespace internal
 
 }  // namespace hsr

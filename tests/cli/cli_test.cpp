@@ -573,7 +573,7 @@ TEST_CASE("a csv has error against time up to the size asked for", "[cli][K2]") 
   CHECK(json::parse(contents(at / "r.json"))["seconds"].contains("error against time"));
   REQUIRE(run("draw " + model + " -q -o " + (at / "small.csv") + " --size 100x90").status == 0);
   CHECK(count(contents(at / "small.csv"), "\nz-buffer,float,1,100,100,") == 1);
-  check_refused(run("order " + model + " -o " + (at / "w.csv")), {".csv", ".json, .svg or .png"});
+  check_refused(run("order " + model + " -o " + (at / "w.csv")), {".csv", ".svg, .pdf, .eps, .tex, .png or .json"});
 }
 
 TEST_CASE("a picture that has no exact samples is refused", "[cli]") {

@@ -11,7 +11,6 @@
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/painting.h"
 #include "hsr/image.h"
-#include "hsr/io/write/painting_svg.h"
 #include "hsr/io/write/png.h"
 #include "hsr/io/write/svg.h"
 #include "hsr/painter/bsp/bsp.h"
@@ -137,9 +136,8 @@ TEST_CASE("PNG fills what SVG fills: the holes stay open, and nothing joins ring
 std::string painted(const scenes::TestScene& scene, const PaintersOrder& order) {
   LineOptions lines;
   lines.classes = {};
-  return painting_svg(paint_on_page(scene.mesh(), scene.view, order,
-                                    std::vector<Colour>(scene.polygons.size(), Colour{0, 0, 0, 255}), lines, {}),
-                      1);
+  return svg(paint_on_page(scene.mesh(), scene.view, order, std::vector<Colour>(scene.polygons.size(), Colour{0, 0, 0, 255}),
+                           lines, {}));
 }
 
 TEST_CASE("no seam shows between the pieces of a painting", "[drawing][fills]") {
@@ -154,6 +152,76 @@ TEST_CASE("no seam shows between the pieces of a painting", "[drawing][fills]") 
       CHECK(inside > static_cast<std::size_t>(width) * static_cast<std::size_t>(width) / 4);
       CHECK(shines == 0);
     }
+}
+
+/// No lines.
+LineOptions no_lines() {
+  LineOptions lines;
+  lines.classes = {};
+  return lines;
+}
+
+TEST_CASE("no pixel within a surface is lighter or darker than its colours", "[drawing][fills][D10]") {
+  const scenes::TestScene scene = fans();
+  std::vector<Colour> colours;
+  for (std::size_t k = 0; k < scene.polygons.size(); ++k) {
+    const auto grey = static_cast<std::uint8_t>(60 + 40 * (k * 7 % 3));
+    colours.push_back({grey, grey, grey, 255});
+  }
+  const Drawing whole = filled(scene, std::vector<Colour>(scene.polygons.size(), Colour{0, 0, 0, 255}), Merge::colour);
+  const Mesh mesh = scene.mesh();
+  const Drawing painted = paint_on_page(mesh, scene.view, depth_sort(mesh, scene.view).order, colours, no_lines(), {});
+  for (const Drawing& drawing : {filled(scene, colours, Merge::none), filled(scene, colours, Merge::colour), painted})
+    for (const int width : {97, 500, 1301}) {
+      const Image<std::uint8_t> inside = rendered(svg(whole), width), image = rendered(svg(drawing), width);
+      std::size_t looked_at = 0, wrong = 0;
+      for (int j = 1; j + 1 < inside.height; ++j)
+        for (int i = 1; i + 1 < inside.width; ++i) {
+          if (inside.at(i, j) + inside.at(i - 1, j) + inside.at(i + 1, j) + inside.at(i, j - 1) + inside.at(i, j + 1) > 0)
+            continue;
+          ++looked_at;
+          if (image.at(i, j) < 59 || image.at(i, j) > 141) ++wrong;
+        }
+      CHECK(looked_at > static_cast<std::size_t>(width) * static_cast<std::size_t>(width) / 4);
+      CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("see-through neighbours of one colour show no seam", "[drawing][fills][layers]") {
+  const scenes::TestScene scene = fans();
+  const Mesh mesh = scene.mesh();
+  const std::vector<Colour> black(scene.polygons.size(), Colour{0, 0, 0, 255});
+  for (const double opacity : {0.5, 0.999}) {
+    const Drawing drawing =
+        paint_on_page(mesh, scene.view, depth_sort(mesh, scene.view).order, black, no_lines(), {}, {.opacity = opacity});
+    REQUIRE(drawing.fills.fills.size() == 2);  // two sheets, one over the other
+    CHECK(drawing.fills.faces.size() == scene.polygons.size());
+    const Image<std::uint8_t> image = rendered(svg(drawing), 500);
+    std::array<std::size_t, 256> count = {};
+    for (const std::uint8_t grey : image.pixels) ++count[grey];
+    const auto once = static_cast<std::size_t>(std::lround(255 * (1 - opacity))),
+               twice = static_cast<std::size_t>(std::lround(255 * (1 - opacity) * (1 - opacity)));
+    CHECK(count[255] + count[once] + count[twice] > image.pixels.size() * 98 / 100);
+    // And no fine lines in another grey: only the rims of the two, which are some pixels long.
+    std::size_t other = 0;
+    for (std::size_t grey = 0; grey < 256; ++grey)
+      if (grey != 255 && grey != once && grey != twice && grey + 1 != once && grey + 1 != twice && once + 1 != grey)
+        other += count[grey];
+    CHECK(other < 6000);
+  }
+}
+
+TEST_CASE("lines between see-through pieces are covered by what is painted later", "[drawing][fills][layers]") {
+  const scenes::TestScene scene = fans();
+  const Mesh mesh = scene.mesh();
+  const std::vector<Colour> black(scene.polygons.size(), Colour{0, 0, 0, 255});
+  const Drawing drawing = paint_on_page(mesh, scene.view, depth_sort(mesh, scene.view).order, black, {}, {}, {.opacity = 0.5});
+  CHECK(drawing.polylines.empty());
+  REQUIRE(drawing.fills.lines.size() == 2);  // around each of the two sheets
+  CHECK(drawing.fills.lines[0].after == 0);
+  CHECK(drawing.fills.lines[1].after == 1);
+  CHECK(drawing.fills.lines[0].closed);
+  CHECK(drawing.fills.points_of(drawing.fills.lines[0]).size() == 37);
 }
 
 TEST_CASE("merging unites what is of one colour, and in one plane", "[drawing][fills][D9]") {
@@ -176,7 +244,6 @@ TEST_CASE("merging unites what is of one colour, and in one plane", "[drawing][f
   CHECK(two.fills.fills[0].end_face - two.fills.fills[0].first_face == 37);
   const std::string text = svg(two);
   CHECK(text.find("fill=\"#c80909\"") != std::string::npos);
-  CHECK(text.find("clip-path=\"url(#outline)\"") != std::string::npos);
 }
 
 }  // namespace

@@ -24,4 +24,17 @@ struct Layer {
 /// and decides nothing itself; fills lie under all of them.
 std::vector<Layer> layers_of(const Drawing& drawing);
 
+/// What a line between fills is drawn with.
+inline LineStyle style_of(const FillLine& line) { return line_style(false, line.edge_class, HiddenLines::none); }
+
+/// Walks over fills and the lines between them as they are painted.
+template <class OnFill, class OnLine>
+void for_each_painted(const Fills& fills, const OnFill& on_fill, const OnLine& on_line) {
+  auto line = fills.lines.begin();
+  for (std::uint32_t i = 0; i < fills.fills.size(); ++i) {
+    on_fill(fills.fills[i]);
+    for (; line != fills.lines.end() && line->after == i; ++line) on_line(*line);
+  }
+}
+
 }  // namespace hsr::internal

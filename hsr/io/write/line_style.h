@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "hsr/drawing/drawing.h"
 
 namespace hsr::internal {
@@ -22,10 +20,5 @@ inline LineStyle line_style(bool hidden, EdgeClass edge_class, HiddenLines hidde
   const bool is_thin = edge_class == EdgeClass::smooth || edge_class == EdgeClass::joint;
   return {is_thin ? 0.25 : 0.5, 0, 0};
 }
-
-/// The pens, mm, with which fills are underlaid in their own colours before they are painted: where two of them meet, a viewer
-/// that smooths edges covers a pixel by neither wholly, and the paper would shine through. The broad one serves where a pixel
-/// is large, the fine one, last, shows no colour but those of the two.
-constexpr std::array<double, 3> underlay_widths = {4, 1, 0.25};
 
 }  // namespace hsr::internal

@@ -20,12 +20,11 @@ void append_path(std::string& out, std::span<const PaperPoint> points) {
   }
 }
 
-void append_rings(std::string& out, const Fills& fills, std::uint32_t first, std::uint32_t end) {
-  for (std::uint32_t r = first; r < end; ++r) {
-    if (fills.ring(r).empty()) continue;
-    append_path(out, fills.ring(r));
-    out += "h\n";
-  }
+void append_stroke(std::string& out, std::span<const PaperPoint> points, bool closed, const LineStyle& style) {
+  out += "0 0 0 RG\n";
+  append_pen(out, style);
+  append_path(out, points);
+  out += closed ? "h S\n" : "S\n";
 }
 
 }  // namespace
@@ -41,23 +40,39 @@ void append_page_space(std::string& out, double height) {
   out += " cm\n1 j\n";
 }
 
-void append_fill_paths(std::string& out, const Fills& fills, const char* paint) {
-  for (const Fill& fill : fills.fills) {
-    std::string colour;
-    for (std::size_t k = 0; k < 3; ++k) {
-      append_length(colour, std::round(fill.colour[k] / 255.0 * 1e5) / 1e5);
-      colour += ' ';
-    }
-    out += colour + "rg " + colour + "RG\n";
-    append_rings(out, fills, fill.first_ring, fill.end_ring);
-    out += paint;
-    out += '\n';
-  }
-}
+std::string name_of_opacity(double opacity) { return "/O" + std::to_string(std::lround(opacity * 1000)); }
 
-void append_fill_clip(std::string& out, const Fills& fills) {
-  append_rings(out, fills, fills.first_outline_ring, fills.rings());
-  out += "W* n\n";
+void append_fills(std::string& out, const Fills& fills) {
+  std::string colour, opacity = name_of_opacity(1);
+  const auto set_opacity = [&](double to) {
+    if (name_of_opacity(to) == opacity) return;
+    opacity = name_of_opacity(to);
+    out += opacity + " gs\n";
+  };
+  for_each_painted(
+      fills,
+      [&](const Fill& fill) {
+        set_opacity(fill.opacity);
+        std::string own;
+        for (std::size_t k = 0; k < 3; ++k) {
+          append_length(own, std::round(fill.colour[k] / 255.0 * 1e5) / 1e5);
+          own += ' ';
+        }
+        if (own != colour) out += own + "rg\n";
+        colour = own;
+        for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
+          if (fills.ring(r).empty()) continue;
+          append_path(out, fills.ring(r));
+          out += "h\n";
+        }
+        out += "f\n";
+      },
+      [&](const FillLine& line) {
+        set_opacity(1);
+        append_stroke(out, fills.points_of(line), line.closed, style_of(line));
+        colour.clear();
+      });
+  set_opacity(1);
 }
 
 void append_pen(std::string& out, const LineStyle& style) {

@@ -12,10 +12,9 @@ namespace hsr::internal {
 
 /// Coordinates become millimetres of the page, y down, and joins round, from here on.
 void append_page_space(std::string& out, double height);
-/// The fills with their own colours, each with `paint` at its end: "f*", or "B*" to draw their borders, too.
-void append_fill_paths(std::string& out, const Fills& fills, const char* paint);
-/// From here on only what the fills cover together is painted.
-void append_fill_clip(std::string& out, const Fills& fills);
+/// The fills and the lines between them as they are painted. Where the opacity changes, the graphics state of that name follows.
+void append_fills(std::string& out, const Fills& fills);
+std::string name_of_opacity(double opacity);  ///< in thousandths: /O500
 void append_pen(std::string& out, const LineStyle& style);
 void append_lines(std::string& out, const Drawing& drawing, const Layer& layer);  ///< with their pen, in black
 

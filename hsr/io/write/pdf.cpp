@@ -2,6 +2,8 @@
 
 #include <zlib.h>
 
+#include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -94,7 +96,12 @@ class PdfPage {
  public:
   PdfPage(PdfFile& file, const Drawing& drawing) : file_(file) {
     append_page_space(contents_, drawing.height);
-    if (!drawing.fills.fills.empty()) paint_fills(drawing);
+    if (!drawing.fills.fills.empty()) {
+      begin_layer("fill");
+      append_fills(contents_, drawing.fills);
+      contents_ += "EMC\n";
+      for (const Fill& fill : drawing.fills.fills) opacities_[name_of_opacity(fill.opacity)] = fill.opacity;
+    }
     for (const Layer& layer : layers_of(drawing)) {
       begin_layer(layer.name());
       append_lines(contents_, drawing, layer);
@@ -113,8 +120,14 @@ class PdfPage {
     std::string out = "<< /Properties << ";
     for (std::size_t k = 0; k < groups_.size(); ++k) out += "/L" + std::to_string(k) + " " + reference(groups_[k]);
     out += ">> ";
-    if (underlay_ != 0) out += "/XObject << /Underlay " + reference(underlay_) + ">> ";
-    return out + ">>";
+    if (opacities_.empty()) return out + ">>";
+    out += "/ExtGState << ";
+    for (const auto& [name, opacity] : opacities_) {
+      out += name + " << /ca ";
+      append_length(out, std::round(opacity * 1000) / 1000);
+      out += " >> ";
+    }
+    return out + ">> >>";
   }
 
  private:
@@ -123,32 +136,10 @@ class PdfPage {
     groups_.push_back(file_.reserve());
     file_.write(groups_.back(), "<< /Type /OCG /Name (" + name + ") >>");
   }
-  /// As the SVG has them: under the fills, and cut to the outline of all, the same with pens of their own colours.
-  void paint_fills(const Drawing& drawing) {
-    std::string bordered;
-    append_fill_paths(bordered, drawing.fills, "B*");
-    underlay_ = file_.reserve();
-    std::string box = "[0 0 ";
-    append_length(box, drawing.width);
-    box += ' ';
-    append_length(box, drawing.height);
-    file_.write_stream(underlay_, "/Type /XObject /Subtype /Form /BBox " + box + "] ", bordered);
-    begin_layer("fill");
-    contents_ += "q\n";
-    append_fill_clip(contents_, drawing.fills);
-    for (const double width : underlay_widths) {
-      append_length(contents_, width);
-      contents_ += " w /Underlay Do\n";
-    }
-    contents_ += "Q\n";
-    append_fill_paths(contents_, drawing.fills, "f*");
-    contents_ += "EMC\n";
-  }
-
   PdfFile& file_;
   std::string contents_;
   std::vector<std::size_t> groups_;
-  std::size_t underlay_ = 0;
+  std::map<std::string, double> opacities_;
 };
 
 }  // namespace

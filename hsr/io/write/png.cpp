@@ -50,26 +50,26 @@ void add_ring(cairo_t* c, std::span<const PaperPoint> ring) {
   cairo_close_path(c);
 }
 
-/// As the SVG has them: with a pen of their own colours within the outline of all, then as they are.
+void draw_line(cairo_t* c, std::span<const PaperPoint> points, bool closed) {
+  for (const PaperPoint& p : points) cairo_line_to(c, static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000);
+  if (closed) cairo_close_path(c);
+  cairo_stroke(c);
+}
+
 void paint_fills(cairo_t* c, const Fills& fills) {
-  if (fills.fills.empty()) return;
-  cairo_set_fill_rule(c, CAIRO_FILL_RULE_EVEN_ODD);
-  for (const double width : {underlay_widths[0], underlay_widths[1], underlay_widths[2], 0.0}) {
-    const bool is_underlay = width > 0;
-    cairo_save(c);
-    cairo_set_line_width(c, width);
-    if (is_underlay) {
-      for (std::uint32_t r = fills.first_outline_ring; r < fills.rings(); ++r) add_ring(c, fills.ring(r));
-      cairo_clip(c);
-    }
-    for (const Fill& fill : fills.fills) {
-      cairo_set_source_rgb(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0);
-      for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
-      if (is_underlay) cairo_stroke_preserve(c);
-      cairo_fill(c);
-    }
-    cairo_restore(c);
-  }
+  cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
+  for_each_painted(
+      fills,
+      [&](const Fill& fill) {
+        cairo_set_source_rgba(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0, fill.opacity);
+        for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
+        cairo_fill(c);
+      },
+      [&](const FillLine& line) {
+        cairo_set_source_rgb(c, 0, 0, 0);
+        cairo_set_line_width(c, style_of(line).width);
+        draw_line(c, fills.points_of(line), line.closed);
+      });
 }
 
 void draw_layer(cairo_t* c, const Drawing& drawing, const Layer& layer) {
@@ -78,12 +78,7 @@ void draw_layer(cairo_t* c, const Drawing& drawing, const Layer& layer) {
   cairo_set_line_cap(c, style.is_dashed() ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
   const double dashes[] = {style.dash, style.gap};
   cairo_set_dash(c, dashes, style.is_dashed() ? 2 : 0, 0);
-  for (const Polyline& p : layer.polylines) {
-    for (const PaperPoint& point : drawing.points_of(p))
-      cairo_line_to(c, static_cast<double>(point.x) / 1000, static_cast<double>(point.y) / 1000);
-    if (p.closed) cairo_close_path(c);
-    cairo_stroke(c);
-  }
+  for (const Polyline& p : layer.polylines) draw_line(c, drawing.points_of(p), p.closed);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "hsr/io/write/svg.h"
 
+#include <cmath>
 #include <set>
 #include <span>
 #include <string>
@@ -72,42 +73,45 @@ void append_faces(std::string& out, std::span<const std::uint32_t> faces) {
   }
 }
 
-/// The fills, and under them again, with pens of their own colours, cut to the outline of all: what the pens add lies under the
-/// fills, but where two meet within a pixel.
-void append_fills(std::string& out, const Fills& fills, ObjectGroups& objects) {
-  if (fills.fills.empty()) return;
-  out += "<clipPath id=\"outline\"><path clip-rule=\"evenodd\" d=\"";
-  for (std::uint32_t r = fills.first_outline_ring; r < fills.rings(); ++r) {
+void append_rings(std::string& out, const Fills& fills, const Fill& fill) {
+  for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
     if (fills.ring(r).empty()) continue;
     append_points(out, fills.ring(r));
     out += 'Z';
   }
-  out += "\"/></clipPath>\n<g class=\"underlay\" clip-path=\"url(#outline)\">\n";
-  for (const double width : underlay_widths) {
-    out += "<use href=\"#fills\" xlink:href=\"#fills\" stroke-width=\"";
-    append_length(out, width);
-    out += "\"/>\n";
-  }
+}
+
+void append_fill_line(std::string& out, const Fills& fills, const FillLine& line) {
+  out += "<path d=\"";
+  append_points(out, fills.points_of(line));
+  out += line.closed ? "Z\" fill=\"none\" stroke=\"#000\" stroke-width=\"" : "\" fill=\"none\" stroke=\"#000\" stroke-width=\"";
+  append_length(out, style_of(line).width);
+  out += "\"/>\n";
+}
+
+void append_fills(std::string& out, const Fills& fills, ObjectGroups& objects) {
+  if (fills.fills.empty()) return;
   out +=
-      "</g>\n<g class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-width=\"0\">"
-      "<g id=\"fills\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
-  for (const Fill& fill : fills.fills) {
-    objects.begin(out, "fill", fill.object);
-    out += "<path d=\"";
-    for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
-      if (fills.ring(r).empty()) continue;
-      append_points(out, fills.ring(r));
-      out += 'Z';
-    }
-    out += "\" fill=\"";
-    append_colour(out, fill.colour);
-    out += "\" stroke=\"";
-    append_colour(out, fill.colour);
-    append_faces(out, {fills.faces.data() + fill.first_face, fills.faces.data() + fill.end_face});
-    out += "\"/>\n";
-  }
+      "<g id=\"fills\" class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-linejoin=\"round\" "
+      "stroke-linecap=\"round\">\n";
+  for_each_painted(
+      fills,
+      [&](const Fill& fill) {
+        objects.begin(out, "fill", fill.object);
+        out += "<path d=\"";
+        append_rings(out, fills, fill);
+        out += "\" fill=\"";
+        append_colour(out, fill.colour);
+        if (fill.opacity < 1) {
+          out += "\" fill-opacity=\"";
+          append_length(out, std::round(fill.opacity * 1000) / 1000);
+        }
+        append_faces(out, {fills.faces.data() + fill.first_face, fills.faces.data() + fill.end_face});
+        out += "\"/>\n";
+      },
+      [&](const FillLine& line) { append_fill_line(out, fills, line); });
   objects.end(out);
-  out += "</g></g>\n";
+  out += "</g>\n";
 }
 
 void append_path(std::string& out, const Drawing& drawing, const Polyline& p) {
@@ -147,7 +151,7 @@ void append_layer_start(std::string& out, const Layer& layer) {
 
 std::string svg(const Drawing& drawing, const SvgOptions& options) {
   std::string out;
-  append_svg_start(out, drawing.width, drawing.height, options, !drawing.fills.fills.empty());
+  append_svg_start(out, drawing.width, drawing.height, options);
   ObjectGroups objects(drawing.objects);
   append_fills(out, drawing.fills, objects);
   for (const Layer& layer : layers_of(drawing)) {

@@ -1,0 +1,190 @@
+#include "hsr/drawing/reach.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "hsr/drawing/paint_layers.h"
+#include "hsr/drawing/paper_sides.h"
+
+namespace hsr {
+namespace {
+
+using namespace internal;
+
+void add(Fills& fills, const std::vector<std::vector<PaperPoint>>& rings, double opacity = 1) {
+  Fill fill;
+  fill.opacity = opacity;
+  fill.first_ring = fills.rings();
+  for (const auto& ring : rings) {
+    fills.points.insert(fills.points.end(), ring.begin(), ring.end());
+    fills.first_point.push_back(static_cast<std::uint32_t>(fills.points.size()));
+  }
+  fill.end_ring = fills.rings();
+  fills.fills.push_back(fill);
+}
+
+/// By the nonzero rule.
+bool covers(const Fills& fills, const Fill& fill, double x, double y) {
+  int winding = 0;
+  for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
+    const auto ring = fills.ring(r);
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const PaperPoint &p = ring[k], &q = ring[(k + 1) % ring.size()];
+      const double px = static_cast<double>(p.x), py = static_cast<double>(p.y), qx = static_cast<double>(q.x),
+                   qy = static_cast<double>(q.y);
+      if ((py > y) == (qy > y)) continue;
+      if (px + (y - py) / (qy - py) * (qx - px) > x) winding += qy > py ? 1 : -1;
+    }
+  }
+  return winding != 0;
+}
+
+constexpr int none = -1;
+
+int shown_at(const Fills& fills, double x, double y) {
+  for (std::size_t i = fills.fills.size(); i-- > 0;)
+    if (covers(fills, fills.fills[i], x, y)) return static_cast<int>(i);
+  return none;
+}
+
+constexpr std::int64_t cell = 5000;
+constexpr int cells = 6;
+
+/// A sheet of triangles, beside one of squares whose corners lie between theirs, and within it a frame around a hole that another
+/// fill closes. In an order by chance.
+Fills sheet(unsigned seed, double opacity = 1) {
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<std::int64_t> some(-cell / 5, cell / 5);
+  std::vector<std::vector<std::vector<PaperPoint>>> polygons;
+  std::vector<std::vector<PaperPoint>> at(cells + 1, std::vector<PaperPoint>(cells + 1));
+  for (int i = 0; i <= cells; ++i)
+    for (int j = 0; j <= cells; ++j) {
+      const bool is_inner = i > 0 && i < cells && j > 0 && j < cells;
+      at[i][j] = {i * cell + (is_inner ? some(random) : 0), j * cell + (is_inner ? some(random) : 0)};
+    }
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) {
+      polygons.push_back({{at[i][j], at[i + 1][j], at[i + 1][j + 1]}});
+      polygons.push_back({{at[i][j], at[i + 1][j + 1], at[i][j + 1]}});
+    }
+  for (int j = 0; j < cells / 2; ++j) {
+    const std::int64_t x = cells * cell, y = 2 * j * cell + cell / 2;
+    const std::int64_t low = j == 0 ? 0 : y, high = j + 1 == cells / 2 ? cells * cell : y + 2 * cell;
+    const std::vector<PaperPoint> outer = {{x, low}, {x + 2 * cell, low}, {x + 2 * cell, high}, {x, high}};
+    const std::vector<PaperPoint> hole = {{x + 900, y + 900}, {x + 900, y + 1900}, {x + 1900, y + 1900}, {x + 1900, y + 900}};
+    polygons.push_back({outer, hole});
+    polygons.push_back({{hole.rbegin(), hole.rend()}});
+  }
+  std::shuffle(polygons.begin(), polygons.end(), random);
+  Fills fills;
+  for (const auto& polygon : polygons) add(fills, polygon, opacity);
+  return fills;
+}
+
+struct Samples {
+  std::size_t all = 0, open = 0;
+};
+
+/// Small discs all over the sheet, each as a pixel is: how many the fill that comes first there does not cover wholly.
+Samples discs(const Fills& plain, const Fills& reaching, double radius) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> x(radius, (cells + 2) * cell - radius), y(radius, cells * cell - radius);
+  Samples samples;
+  const auto look_at = [&](double u, double v) {
+    int first = static_cast<int>(plain.fills.size());
+    std::vector<std::array<double, 2>> around = {{u, v}};
+    for (int k = 0; k < 16; ++k)
+      around.push_back({u + radius * std::cos(k * 0.3927 + 0.1), v + radius * std::sin(k * 0.3927 + 0.1)});
+    for (const auto& p : around) {
+      for (int i = 0; i < first; ++i)
+        if (covers(plain, plain.fills[static_cast<std::size_t>(i)], p[0], p[1])) first = i;
+    }
+    REQUIRE(first < static_cast<int>(plain.fills.size()));
+    ++samples.all;
+    for (const auto& p : around)
+      if (!covers(reaching, reaching.fills[static_cast<std::size_t>(first)], p[0], p[1])) {
+        ++samples.open;
+        return;
+      }
+  };
+  for (int k = 0; k < 500; ++k) look_at(x(random), y(random));
+  // And at each corner within the sheet, where pixels are hardest.
+  for (const PaperPoint& p : plain.points)
+    if (p.x > 100 && p.y > 100 && p.x < (cells + 2) * cell - 100 && p.y < cells * cell - 100)
+      look_at(static_cast<double>(p.x) + 3.3, static_cast<double>(p.y) - 1.7);
+  return samples;
+}
+
+TEST_CASE("fills reach beneath what is painted later beside them, and the picture stays", "[drawing][fills][reach][D10]") {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const Fills plain = sheet(seed);
+    Fills reaching = plain;
+    reach_beneath(reaching);
+    REQUIRE(reaching.fills.size() == plain.fills.size());
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> x(-cell, (cells + 3) * cell), y(-cell, (cells + 1) * cell);
+    std::size_t differing = 0;
+    for (int k = 0; k < 3000; ++k) {
+      const double u = x(random), v = y(random);
+      if (shown_at(plain, u, v) != shown_at(reaching, u, v)) ++differing;
+    }
+    CHECK(differing == 0);
+    CHECK(discs(plain, plain, 40).open > 100);
+    const Samples samples = discs(plain, reaching, 40);
+    CHECK(samples.all > 800);
+    CHECK(samples.open == 0);
+  }
+}
+
+TEST_CASE("nothing reaches beneath what is seen through", "[drawing][fills][reach]") {
+  const Fills plain = sheet(1, 0.5);
+  Fills reaching = plain;
+  reach_beneath(reaching);
+  CHECK(reaching.points == plain.points);
+}
+
+TEST_CASE("fills with many corners come first", "[drawing][fills][reach]") {
+  // A comb with a thousand teeth, each in a slot of its own.
+  std::vector<PaperPoint> comb = {{0, 100000}};
+  Fills fills;
+  for (std::int64_t k = 0; k < 1000; ++k) {
+    const std::int64_t x = 100 * k;
+    comb.insert(comb.end(), {{x, 0}, {x + 50, 0}, {x + 50, 5000}, {x + 100, 5000}});
+    add(fills, {{{x + 50, 0}, {x + 100, 0}, {x + 100, 5000}, {x + 50, 5000}}});
+  }
+  comb.push_back({100000, 100000});
+  add(fills, {comb});
+  const std::size_t corners = fills.points.size();
+  Fills by_chance = fills;
+  sort_by_corners(fills);
+  CHECK(fills.fills.front().end_ring == fills.rings());
+  reach_beneath(fills);
+  CHECK(fills.points.size() < 3 * corners);
+  reach_beneath(by_chance);
+  CHECK(by_chance.points.size() > 100 * corners);
+}
+
+TEST_CASE("rings that are united wind as their polygons do", "[drawing][fills][reach]") {
+  const std::vector<PaperPoint> a = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, b = {{10, 0}, {20, 0}, {20, 10}, {10, 10}};
+  std::vector<PaperSide> sides;
+  for (const auto& ring : {a, b})
+    for (std::size_t k = 0; k < 4; ++k) sides.push_back({ring[k], ring[(k + 1) % 4], 0});
+  const auto rings = united_rings(sides);
+  REQUIRE(rings.size() == 1);
+  CHECK(rings[0] == std::vector<PaperPoint>{{0, 0}, {10, 0}, {20, 0}, {20, 10}, {10, 10}, {0, 10}});
+}
+
+TEST_CASE("see-through pieces lie in as few layers as overlap", "[drawing][fills][layers]") {
+  const auto square = [](std::int64_t x, std::int64_t y) {
+    return std::vector<PaperPoint>{{x, y}, {x + 10000, y}, {x + 10000, y + 10000}, {x, y + 10000}};
+  };
+  // A row of neighbours, one of them a thousandth too long; one on top of two of them; one apart.
+  CHECK(paint_layers({square(0, 0), square(10000, 0), square(19999, 0), square(5000, 5000), square(50000, 0),
+                      square(5000, 5000)}) == std::vector<std::uint32_t>{0, 0, 0, 1, 0, 2});
+  CHECK(paint_layers({square(0, 0), square(9990, 0)}) == std::vector<std::uint32_t>{0, 1});
+}
+
+}  // namespace
+}  // namespace hsr
