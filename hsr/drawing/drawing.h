@@ -47,8 +47,9 @@ struct Polyline {
 
 /// A part of the page in one colour.
 struct Fill {
-  Colour colour = {};  ///< its own opacity is part of the next
-  double opacity = 1;  ///< more than 0, at most 1
+  Colour colour = {};       ///< its own opacity is part of the next
+  double opacity = 1;       ///< more than 0, at most 1
+  std::uint32_t layer = 0;  ///< of what is seen through: fills of one layer do not overlap, and one opacity makes them a sheet
   std::uint32_t first_ring = 0, end_ring = 0, first_face = 0, end_face = 0;
   std::uint32_t object = FaceObjects::none;  ///< of Drawing::objects; none: of several
 };

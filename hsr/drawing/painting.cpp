@@ -145,6 +145,7 @@ class Placer {
 /// The pieces that are painted together, as one fill.
 struct PaintedGroup {
   std::uint32_t layer = 0;
+  double opacity = 1;
   std::vector<std::uint32_t> pieces;  // ascending
 };
 
@@ -160,11 +161,13 @@ class PaintedGroups {
       const std::uint32_t first = same.find(i);
       if (first == i) {
         group_of[i] = static_cast<std::uint32_t>(groups.size());
-        groups.push_back({layers[i], {}});
+        groups.push_back({layers[i], fills[i].opacity, {}});
       }
       groups[group_of[first]].pieces.push_back(i);
     }
-    std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.layer < b.layer; });
+    std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.layer, a.opacity) < std::pair(b.layer, b.opacity);
+    });
   }
 
   std::vector<PaintedGroup> groups;
@@ -280,6 +283,7 @@ class FillPainter {
  private:
   void append(Fills& fills, const PaintedGroup& group, const std::vector<PlacedPiece>& pieces, const Fill& look) const {
     Fill fill = look;
+    fill.layer = group.layer;
     fill.first_ring = fills.rings();
     fill.first_face = static_cast<std::uint32_t>(fills.faces.size());
     std::vector<PaperSide> sides;

@@ -49,7 +49,13 @@ class Neighbours {
   const std::vector<Pair>& pairs() const { return pairs_; }
 
  private:
-  bool is_opaque(std::uint32_t fill) const { return !(fills_.fills[fill].opacity < 1); }
+  /// Or so nearly that what lies beneath adds less than can be seen.
+  bool is_opaque(std::uint32_t fill) const { return fills_.fills[fill].opacity >= 0.99; }
+  /// The later one covers it: it is opaque, or part of the same sheet, which is painted opaque.
+  bool may_reach(std::uint32_t earlier, std::uint32_t later) const {
+    const Fill &a = fills_.fills[earlier], &b = fills_.fills[later];
+    return is_opaque(later) || (a.layer == b.layer && a.opacity == b.opacity);
+  }
 
   void find_along_sides(const std::vector<PaperSide>& sides) {
     struct Key {
@@ -75,16 +81,26 @@ class Neighbours {
         if (is_opaque(keys[k].owner)) on.clear();
         on.push_back(keys[k].owner);
       }
-      for (const std::uint32_t a : beside[0])
-        for (const std::uint32_t b : beside[1])
-          if (a != b && (a == beside[0].front() || b == beside[1].front())) {
-            meetings_.push_back({keys[i].low, std::min(a, b), std::max(a, b)});
-            meetings_.push_back({keys[i].high, std::min(a, b), std::max(a, b)});
-          }
+      // Layers ascend, as they are painted one after the other; two sheets meet where they have one.
+      const auto meet = [&](std::uint32_t p, std::uint32_t q) {
+        if (p == q) return;
+        meetings_.push_back({keys[i].low, std::min(p, q), std::max(p, q)});
+        meetings_.push_back({keys[i].high, std::min(p, q), std::max(p, q)});
+      };
+      const auto layer = [&](std::uint32_t fill) { return fills_.fills[fill].layer; };
+      for (const std::uint32_t p : beside[0]) {
+        for (auto q = std::lower_bound(beside[1].begin(), beside[1].end(), layer(p),
+                                       [&](std::uint32_t fill, std::uint32_t value) { return layer(fill) < value; });
+             q != beside[1].end() && layer(*q) == layer(p); ++q)
+          meet(p, *q);
+        if (!beside[1].empty()) meet(p, beside[1].front());
+      }
+      for (const std::uint32_t q : beside[1])
+        if (!beside[0].empty()) meet(beside[0].front(), q);
       i = end;
     }
     for (const Meeting& m : meetings_)
-      if (is_opaque(m.later)) pairs_.push_back({m.earlier, m.later});
+      if (may_reach(m.earlier, m.later)) pairs_.push_back({m.earlier, m.later});
   }
 
   /// Of the fills around a corner, one side after the other, the earliest; not of those that are only seen there by chance.
@@ -105,7 +121,7 @@ class Neighbours {
       together.reset(around.size());
       for (std::size_t k = i; k < end; ++k) together.join(place(meetings_[k].earlier), place(meetings_[k].later));
       for (std::uint32_t k = 0; k < around.size(); ++k)
-        if (const std::uint32_t first = together.find(k); first != k && is_opaque(around[k]))
+        if (const std::uint32_t first = together.find(k); first != k && may_reach(around[first], around[k]))
           pairs_.push_back({around[first], around[k]});
     }
   }

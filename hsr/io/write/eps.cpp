@@ -51,7 +51,7 @@ std::string eps(const Drawing& drawing, const std::string& title) {
   append_page_space(out, drawing.height);
   if (!drawing.fills.fills.empty()) {
     out += "% layer: fill\n";
-    append_fills(out, drawing.fills);
+    append_fills(out, drawing.fills, {});
   }
   for (const Layer& layer : layers_of(drawing)) {
     out += "% layer: " + layer.name() + "\n";

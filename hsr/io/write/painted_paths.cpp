@@ -1,5 +1,6 @@
 #include "hsr/io/write/painted_paths.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hsr/io/write/json_text.h"
@@ -27,6 +28,31 @@ void append_stroke(std::string& out, std::span<const PaperPoint> points, bool cl
   out += closed ? "h S\n" : "S\n";
 }
 
+PaperFrame frame_around(const Fills& fills, std::span<const Fill> some) {
+  PaperFrame frame = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (const Fill& fill : some)
+    for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r)
+      for (const PaperPoint& p : fills.ring(r)) {
+        const double x = static_cast<double>(p.x) / 1000, y = static_cast<double>(p.y) / 1000;
+        frame = {std::min(frame.left, x), std::min(frame.top, y), std::max(frame.right, x), std::max(frame.bottom, y)};
+      }
+  return frame;
+}
+
+void append_fill(std::string& out, const Fills& fills, const Fill& fill) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    append_length(out, std::round(fill.colour[k] / 255.0 * 1e5) / 1e5);
+    out += ' ';
+  }
+  out += "rg\n";
+  for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
+    if (fills.ring(r).empty()) continue;
+    append_path(out, fills.ring(r));
+    out += "h\n";
+  }
+  out += "f\n";
+}
+
 }  // namespace
 
 double points_of(double mm) { return std::round(mm * 360e9 / 127) / 1e9; }
@@ -42,8 +68,9 @@ void append_page_space(std::string& out, double height) {
 
 std::string name_of_opacity(double opacity) { return "/O" + std::to_string(std::lround(opacity * 1000)); }
 
-void append_fills(std::string& out, const Fills& fills) {
-  std::string colour, opacity = name_of_opacity(1);
+void append_fills(std::string& out, const Fills& fills,
+                  const std::function<std::string(const std::string&, const PaperFrame&)>& sheet) {
+  std::string opacity = name_of_opacity(1);
   const auto set_opacity = [&](double to) {
     if (name_of_opacity(to) == opacity) return;
     opacity = name_of_opacity(to);
@@ -51,26 +78,19 @@ void append_fills(std::string& out, const Fills& fills) {
   };
   for_each_painted(
       fills,
-      [&](const Fill& fill) {
-        set_opacity(fill.opacity);
-        std::string own;
-        for (std::size_t k = 0; k < 3; ++k) {
-          append_length(own, std::round(fill.colour[k] / 255.0 * 1e5) / 1e5);
-          own += ' ';
+      [&](std::span<const Fill> together) {
+        set_opacity(together[0].opacity);
+        if (together.size() == 1) {
+          append_fill(out, fills, together[0]);
+          return;
         }
-        if (own != colour) out += own + "rg\n";
-        colour = own;
-        for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
-          if (fills.ring(r).empty()) continue;
-          append_path(out, fills.ring(r));
-          out += "h\n";
-        }
-        out += "f\n";
+        std::string contents;
+        for (const Fill& fill : together) append_fill(contents, fills, fill);
+        out += sheet(contents, frame_around(fills, together));
       },
       [&](const FillLine& line) {
         set_opacity(1);
         append_stroke(out, fills.points_of(line), line.closed, style_of(line));
-        colour.clear();
       });
   set_opacity(1);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "hsr/drawing/drawing.h"
@@ -13,7 +14,9 @@ namespace hsr::internal {
 /// Coordinates become millimetres of the page, y down, and joins round, from here on.
 void append_page_space(std::string& out, double height);
 /// The fills and the lines between them as they are painted. Where the opacity changes, the graphics state of that name follows.
-void append_fills(std::string& out, const Fills& fills);
+/// @param sheet keeps operators that are painted together, within a frame, and says what paints them
+void append_fills(std::string& out, const Fills& fills,
+                  const std::function<std::string(const std::string&, const PaperFrame&)>& sheet);
 std::string name_of_opacity(double opacity);  ///< in thousandths: /O500
 void append_pen(std::string& out, const LineStyle& style);
 void append_lines(std::string& out, const Drawing& drawing, const Layer& layer);  ///< with their pen, in black

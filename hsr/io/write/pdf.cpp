@@ -98,7 +98,9 @@ class PdfPage {
     append_page_space(contents_, drawing.height);
     if (!drawing.fills.fills.empty()) {
       begin_layer("fill");
-      append_fills(contents_, drawing.fills);
+      append_fills(contents_, drawing.fills,
+                   [&](const std::string& contents, const PaperFrame& box) { return sheet(contents, box); });
+      opacities_[name_of_opacity(1)] = 1;
       contents_ += "EMC\n";
       for (const Fill& fill : drawing.fills.fills) opacities_[name_of_opacity(fill.opacity)] = fill.opacity;
     }
@@ -120,6 +122,9 @@ class PdfPage {
     std::string out = "<< /Properties << ";
     for (std::size_t k = 0; k < groups_.size(); ++k) out += "/L" + std::to_string(k) + " " + reference(groups_[k]);
     out += ">> ";
+    if (!sheets_.empty()) out += "/XObject << ";
+    for (std::size_t k = 0; k < sheets_.size(); ++k) out += "/S" + std::to_string(k) + " " + reference(sheets_[k]);
+    if (!sheets_.empty()) out += ">> ";
     if (opacities_.empty()) return out + ">>";
     out += "/ExtGState << ";
     for (const auto& [name, opacity] : opacities_) {
@@ -136,9 +141,24 @@ class PdfPage {
     groups_.push_back(file_.reserve());
     file_.write(groups_.back(), "<< /Type /OCG /Name (" + name + ") >>");
   }
+  /// A transparency group, which the page takes as one object.
+  std::string sheet(const std::string& contents, const PaperFrame& bounds) {
+    std::string box = "[";
+    for (const double x : {bounds.left, bounds.top, bounds.right, bounds.bottom}) {
+      append_length(box, x);
+      box += ' ';
+    }
+    sheets_.push_back(file_.reserve());
+    file_.write_stream(sheets_.back(),
+                       "/Type /XObject /Subtype /Form /Group << /S /Transparency /CS /DeviceRGB >> /BBox " + box + "] ",
+                       contents);
+    return "/S" + std::to_string(sheets_.size() - 1) + " Do\n";
+  }
+
   PdfFile& file_;
   std::string contents_;
   std::vector<std::size_t> groups_;
+  std::vector<std::size_t> sheets_;
   std::map<std::string, double> opacities_;
 };
 

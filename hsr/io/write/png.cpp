@@ -58,12 +58,22 @@ void draw_line(cairo_t* c, std::span<const PaperPoint> points, bool closed) {
 
 void paint_fills(cairo_t* c, const Fills& fills) {
   cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
+  const auto paint = [&](const Fill& fill, double opacity) {
+    cairo_set_source_rgba(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0, opacity);
+    for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
+    cairo_fill(c);
+  };
   for_each_painted(
       fills,
-      [&](const Fill& fill) {
-        cairo_set_source_rgba(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0, fill.opacity);
-        for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
-        cairo_fill(c);
+      [&](std::span<const Fill> sheet) {
+        if (sheet.size() == 1) {
+          paint(sheet[0], sheet[0].opacity);
+          return;
+        }
+        cairo_push_group(c);
+        for (const Fill& fill : sheet) paint(fill, 1);
+        cairo_pop_group_to_source(c);
+        cairo_paint_with_alpha(c, sheet[0].opacity);
       },
       [&](const FillLine& line) {
         cairo_set_source_rgb(c, 0, 0, 0);
