@@ -65,12 +65,14 @@ std::vector<std::uint32_t> objects_of_lines(const Mesh& mesh, const VisibleLines
   return of_line;
 }
 
+/// Those of one object together, as nothing of them overlaps.
 void tell_apart(Fills& fills, const FaceObjects& objects) {
   for (Fill& fill : fills.fills) {
     std::vector<FaceId> faces;
     for (std::uint32_t k = fill.first_face; k < fill.end_face; ++k) faces.emplace_back(fills.faces[k]);
     fill.object = objects.object_of(faces);
   }
+  std::stable_sort(fills.fills.begin(), fills.fills.end(), [](const Fill& a, const Fill& b) { return a.object < b.object; });
 }
 
 Overlay lay_over(const ImageLines& groups, const Projection& projection, const VisibleLines& lines,
@@ -260,7 +262,6 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
     fills = [&](const Placement& place) {
       Fills placed = placed_fills(place, *regions);
       if (options.objects != nullptr && options.objects->are_told_apart()) tell_apart(placed, *options.objects);
-      sort_by_corners(placed);
       reach_beneath(placed);
       return placed;
     };

@@ -35,6 +35,10 @@ bool has_side_between(const std::vector<PaperPoint>& p, const std::vector<PaperP
 
 }  // namespace
 
+bool overlap(const std::vector<PaperPoint>& p, const std::vector<PaperPoint>& q) {
+  return !p.empty() && !q.empty() && !has_side_between(p, q) && !has_side_between(q, p);
+}
+
 std::vector<std::uint32_t> paint_layers(const std::vector<std::vector<PaperPoint>>& polygons) {
   std::vector<ImageBox> boxes;
   for (const auto& polygon : polygons) {
@@ -46,9 +50,7 @@ std::vector<std::uint32_t> paint_layers(const std::vector<std::vector<PaperPoint
   BoxTree::PairSearch search;
   for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
     tree.visit_pairs(leaf, search, [&](std::uint32_t i, std::uint32_t k) {
-      if (polygons[i].empty() || polygons[k].empty() || has_side_between(polygons[i], polygons[k]) ||
-          has_side_between(polygons[k], polygons[i]))
-        return;
+      if (!overlap(polygons[i], polygons[k])) return;
       over.push_back({std::max(i, k), std::min(i, k)});
     });
   std::sort(over.begin(), over.end());

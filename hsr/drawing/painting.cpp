@@ -7,6 +7,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/parallel.h"
+#include "hsr/drawing/cut_seams.h"
 #include "hsr/drawing/filled_drawing.h"
 #include "hsr/drawing/join.h"
 #include "hsr/drawing/paint_layers.h"
@@ -261,6 +262,7 @@ class FillPainter {
     std::vector<std::uint32_t> layers(pieces.size());
     if (is_opaque()) {
       std::iota(layers.begin(), layers.end(), 0U);
+      close_cuts_of(pieces);
     } else {
       std::vector<std::vector<PaperPoint>> rings;
       for (const PlacedPiece& p : pieces) rings.push_back(p.ring);
@@ -307,6 +309,17 @@ class FillPainter {
     fill.end_ring = fills.rings();
     fill.end_face = static_cast<std::uint32_t>(fills.faces.size());
     fills.fills.push_back(fill);
+  }
+
+  void close_cuts_of(std::vector<PlacedPiece>& pieces) const {
+    std::vector<std::vector<PaperPoint>> rings;
+    std::vector<std::uint32_t> facets;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      rings.push_back(std::move(pieces[i].ring));
+      facets.push_back(order_.pieces[i].facet.value);
+    }
+    close_cuts(rings, facets);
+    for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].ring = std::move(rings[i]);
   }
 
   const SceneView& scene_;

@@ -124,10 +124,10 @@ std::vector<PaperSide> conforming(const std::vector<PaperSide>& sides) {
     PaperPoint from = sides[k].from;
     if (next < single.size() && single[next] == k)
       for (const PaperPoint& p : inner[next++]) {
-        cut.push_back({from, p, sides[k].owner});
+        cut.push_back({from, p, sides[k].owner, sides[k].ring});
         from = p;
       }
-    cut.push_back({from, sides[k].to, sides[k].owner});
+    cut.push_back({from, sides[k].to, sides[k].owner, sides[k].ring});
   }
   return cut;
 }
@@ -140,7 +140,7 @@ std::vector<std::vector<PaperPoint>> united_rings(std::vector<PaperSide> sides) 
     const auto at = key(sides[i]);
     int forward = 0;
     for (; i < sides.size() && key(sides[i]) == at; ++i) forward += sides[i].from == at.first ? 1 : -1;
-    const PaperSide side = forward > 0 ? PaperSide{at.first, at.second, 0} : PaperSide{at.second, at.first, 0};
+    const PaperSide side = forward > 0 ? PaperSide{at.first, at.second} : PaperSide{at.second, at.first};
     left.insert(left.end(), static_cast<std::size_t>(std::abs(forward)), side);
   }
   std::sort(left.begin(), left.end());

@@ -11,7 +11,7 @@ namespace hsr::internal {
 /// A side of a polygon on the paper, and whose it is.
 struct PaperSide {
   PaperPoint from, to;
-  std::uint32_t owner = 0;
+  std::uint32_t owner = 0, ring = 0;
   friend constexpr auto operator<=>(const PaperSide&, const PaperSide&) = default;
 };
 
