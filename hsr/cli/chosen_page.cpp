@@ -1,10 +1,25 @@
 #include <fmt/core.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 #include "geometry/error.h"
 #include "hsr/cli/model_defaults.h"
 #include "hsr/cli/page_arguments.h"
 
 namespace hsr::cli {
+
+namespace {
+
+std::string contents_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path))
+    throw InputError("--pens: " + path + ": cannot be read, expected a file of pens");
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
 
 DrawingOptions PageArguments::options() const {
   if (!(margin >= 0)) throw InputError(fmt::format("--margin: found {}, expected millimetres, 0 or more", margin));
@@ -14,13 +29,20 @@ DrawingOptions PageArguments::options() const {
   if (!(min_length >= 0)) throw InputError(fmt::format("--min-length: found {}, expected millimetres, 0 or more", min_length));
   options.min_length = min_length;
   options.scale = parse_scale(scale);
+  options.sort_for_pen = sort == "pen";
+  options.standard_scale = scale == "standard";
   if (!unit.empty()) options.unit = parse_unit(unit);
+  if (!pens_file.empty()) options.pens = parse_pens_file(contents_of(pens_file), pens_file);
+  for (const std::string& text : pens) {
+    const auto more = parse_pens(text);
+    options.pens.insert(options.pens.end(), more.begin(), more.end());
+  }
   return options;
 }
 
 std::string PageArguments::adopt_unit(const Model& model, DrawingOptions& options) const {
   options.unit = unit_of(unit, model);
-  return unit.empty() && options.scale ? unit_note(model) : std::string();
+  return unit.empty() && (options.scale || options.standard_scale) ? unit_note(model) : std::string();
 }
 
 SampleGrid samples_for(const View& view, const Mesh& mesh, const DrawingOptions& options, int width, int height) {

@@ -16,11 +16,14 @@
 #include "hsr/cli/drawing_check.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/messages.h"
+#include "hsr/cli/outline_only.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
 #include "hsr/cli/paper_note.h"
+#include "hsr/cli/scale_text.h"
 #include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/drawing.h"
+#include "hsr/drawing/pen_order.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/dxf.h"
 #include "hsr/io/write/eps.h"
@@ -49,12 +52,12 @@ struct DrawArguments {
   ViewOptions view;
   SceneArguments scene;
   LineArguments lines;
-  bool fill = false;
+  bool fill = false, outline_only = false;
   std::string merge = "none", shade = "slope";
   bool check = false;
   std::string hidden = "none";
   PageArguments page;
-  std::string dxf_release = "r12";
+  std::string dxf_release = "r12", id_prefix;
   bool exact = false, why = false;
   std::string arithmetic = "staged";
   CommonArguments common;
@@ -72,6 +75,9 @@ const char* const examples = R"(Examples:
   hsr draw part.ply -o lines.json --hidden dashed --why    and which faces hide what
   hsr draw house.obj trees.stl -o x.svg --ghost trees.stl  one scene; the trees are drawn and hide nothing
   hsr draw part.stl -o part.svg --oblique 45,0.5           cabinet projection: the front stays true
+  hsr draw part.stl -o part.svg --pen visible=0.35,hidden-sharp=0.18:#555 --hidden dashed --scale standard
+  hsr draw part.stl -o part.hpgl --sort pen                for a plotter: short ways with the pen up
+  hsr draw part.stl -o part.dxf --outline-only --view top  closed rings for a laser cutter
   zcat part.obj.gz | hsr draw - -o svg:- > part.svg        from standard input to standard output
 
 Writes each FILE, all of them or none: .svg, .pdf, .eps, .tex (TikZ), .hpgl (or .plt) and .png show the lines on a page, .dxf has
@@ -198,9 +204,13 @@ DrawRequest parse(const DrawArguments& a) {
                                                   : HiddenLines::solid;
   request.drawing.arithmetic = request.scene.arithmetic;
   request.drawing.leave_out_near = true;
+  if (a.outline_only && request.wants(Format::json))
+    throw InputError("--outline-only: json has lines and no outline, expected svg, pdf, eps, dxf, tex, hpgl or png");
+  if (a.outline_only) ask_for_outline_only(request.lines, request.drawing);
   request.scene.hidden_lines = a.why || request.drawing.hidden != HiddenLines::none || request.wants(Format::json);
   request.merge = a.merge == "none" ? Merge::none : a.merge == "coplanar" ? Merge::coplanar : Merge::colour;
   if (!a.page.size.empty()) request.size = parse_size(a.page.size);
+  check_id_prefix(a.id_prefix);
   return request;
 }
 
@@ -236,7 +246,8 @@ class DrawCommand {
   void note_idle_options();
   std::string note_on_size() const;
   void note_noise();
-  bool wants_fragments() const { return a_.fill || a_.check || request_.wants(Format::csv); }
+  bool wants_fragments() const { return a_.fill || a_.outline_only || a_.check || request_.wants(Format::csv); }
+  SvgOptions captions() const;
   std::string bytes_of(Format format) const;
   std::string summary_of(Format format, const std::string& bytes) const;
   std::string summary_of_page(bool has_fills) const;
@@ -291,7 +302,11 @@ void DrawCommand::note_idle_options() {
   };
   if (a_.why && !request_.wants(Format::json)) note("--why", "json");
   if (a_.exact && !request_.wants(Format::json)) note("--exact", "json");
+  if (!request_.drawing.pens.empty() && request_.wants(Format::hpgl))
+    context_.note("hpgl has a pen for each layer and the dashes asked for, but no widths and colours");
+  if (!a_.id_prefix.empty() && !request_.wants(Format::svg)) note("--id-prefix", "svg");
   if (a_.dxf_release != "r12" && !request_.wants(Format::dxf)) note("--dxf", "dxf");
+  if (a_.fill && a_.outline_only) context_.note("--fill has no effect with --outline-only");
   if (a_.fill)
     for (const auto& [format, name] : {std::pair{Format::dxf, "dxf"}, std::pair{Format::hpgl, "hpgl"}})
       if (request_.wants(format)) context_.note(fmt::format("{} has the lines only, no filled areas", name));
@@ -396,6 +411,10 @@ void DrawCommand::measure_errors() {
 }
 
 Drawing DrawCommand::drawn(const DrawingOptions& options) const {
+  if (a_.outline_only) {
+    const Regions all = union_of_all(*exact_, *fragments_);
+    return draw(scene_.mesh, scene_.view(), lines_, options, &all);
+  }
   if (!a_.fill || options.in_frame_units) return draw(scene_.mesh, scene_.view(), lines_, options);
   const Shading shading = a_.shade == "none" ? Shading::none : Shading::slope;
   const Regions regions =
@@ -410,6 +429,7 @@ void DrawCommand::draw_in_model_units() {
   options.in_frame_units = true;
   options.min_length /= drawing_->scale;
   model_drawing_ = context_.report.timed("drawing in units of the model", [&] { return drawn(options); });
+  model_drawing_->pens = drawing_->pens;
   decisions_ += model_drawing_->decisions;
 }
 
@@ -460,14 +480,21 @@ void DrawCommand::write() {
   context_.finish();
 }
 
+SvgOptions DrawCommand::captions() const {
+  SvgOptions captions = scene_.captions();
+  captions.description += scale_in_title(*drawing_, request_.drawing, a_.page);
+  captions.id_prefix = a_.id_prefix;
+  return captions;
+}
+
 std::string DrawCommand::bytes_of(Format format) const {
   switch (format) {
     case Format::svg:
-      return svg(*drawing_, scene_.captions());
+      return svg(*drawing_, captions());
     case Format::pdf:
-      return pdf(*drawing_, scene_.captions().title);
+      return pdf(*drawing_, scene_.captions().title + scale_in_title(*drawing_, request_.drawing, a_.page));
     case Format::eps:
-      return eps(*drawing_, scene_.captions().title);
+      return eps(*drawing_, scene_.captions().title + scale_in_title(*drawing_, request_.drawing, a_.page));
     case Format::dxf:
       return dxf(*model_drawing_,
                  {a_.dxf_release == "2000" ? DxfVersion::r2000 : DxfVersion::r12, request_.drawing.unit, drawing_->scale});
@@ -498,7 +525,11 @@ std::string DrawCommand::summary_of_page(bool has_fills) const {
   const bool is_empty = drawing_->polylines.empty() && drawing_->fills.fills.empty();
   if (!is_empty) text += ", " + scale_text(drawing_->scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
   text += ", " + counted(straight_lines(*drawing_), "line");
-  return a_.fill && has_fills ? text + ", " + counted(drawing_->fills.fills.size(), "filled area") : text;
+  if (a_.page.sort == "pen") {
+    const PenTravel travel = pen_travel(*drawing_);
+    text += fmt::format(", pen down {:.2f} m, up {:.2f} m", travel.down / 1000, travel.up / 1000);
+  }
+  return a_.fill && !a_.outline_only && has_fills ? text + ", " + counted(drawing_->fills.fills.size(), "filled area") : text;
 }
 
 /// What is in a file of that format.
@@ -549,6 +580,9 @@ void add_surface_options(DrawArguments& a, Options& options) {
   options.add("--shade", a.shade, "HOW", "Fills are darker by the slope of their faces, or not: slope or none")
       .with_default_shown()
       .one_of({"slope", "none"});
+  options.add_flag(
+      "--outline-only", a.outline_only,
+      "Instead of lines and fills: the outline of everything, with holes, as closed rings, such as for laser cutting");
   options
       .add("--merge", a.merge, "WHICH",
            "With --fill: unite neighbours of one colour: none, coplanar (only in one plane) or colour")
@@ -582,9 +616,11 @@ void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
   add_line_options(*a, options);
   add_surface_options(*a, options);
   a->page.add_to(options, "PNG: pixels [150 to the inch]; --check and csv: samples");
+  a->page.add_pens_to(options);
   options.add("--dxf", a->dxf_release, "RELEASE", "DXF: r12, which everything reads, or 2000, with line weights")
       .with_default_shown()
       .one_of({"r12", "2000"});
+  options.add("--id-prefix", a->id_prefix, "TEXT", "SVG: what each id begins with, for several files in one document");
   options.begin_group("Numbers");
   options.add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
   a->common.add_threads_to(options);

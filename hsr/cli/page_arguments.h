@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "geometry/error.h"
 #include "geometry/mesh.h"
@@ -15,9 +16,13 @@ namespace hsr::cli {
 struct PageArguments {
   std::string page = "A4", scale = "fit", unit, size;  ///< an empty unit: the model's
   double margin = 10, min_length = 0;
+  std::vector<std::string> pens;  ///< settings, as parse_pens() has them
+  std::string sort = "none";      ///< or pen
+  std::string pens_file;          ///< a file of settings, before those; empty: none
 
   /// @param size_help what --size is the size of
   void add_to(Options& options, const std::string& size_help);
+  void add_pens_to(Options& options);
   /// @throws InputError naming the option
   DrawingOptions options() const;
   /// Puts the unit of the model into the options, where none was given. @returns a note if that made a difference, or nothing

@@ -17,6 +17,7 @@
 #include "hsr/drawing/join.h"
 #include "hsr/drawing/near_lines.h"
 #include "hsr/drawing/overlay.h"
+#include "hsr/drawing/pen_order.h"
 #include "hsr/drawing/placement.h"
 #include "hsr/drawing/reach.h"
 #include "hsr/drawing/short_chains.h"
@@ -179,6 +180,24 @@ double length_of(std::span<const PaperPoint> points, bool closed) {
   return length;
 }
 
+/// Each ring as a closed outline of no edge and no face.
+void add_outlines(Drawing& drawing, const Fills& fills) {
+  for (const Fill& fill : fills.fills)
+    for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
+      const auto ring = fills.ring(r);
+      if (ring.empty() || length_of(ring, true) < least_on_paper) {
+        ++drawing.short_dropped;
+        continue;
+      }
+      Polyline p;
+      p.closed = true;
+      p.first_point = static_cast<std::uint32_t>(drawing.points.size());
+      drawing.points.insert(drawing.points.end(), ring.begin(), ring.end());
+      p.end_point = static_cast<std::uint32_t>(drawing.points.size());
+      drawing.polylines.push_back(p);
+    }
+}
+
 /// Fills in the polylines from the chains of strokes.
 class Collector {
  public:
@@ -261,6 +280,7 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   if (regions != nullptr)
     fills = [&](const Placement& place) {
       Fills placed = placed_fills(place, *regions);
+      if (options.outline_only) return placed;
       if (options.objects != nullptr && options.objects->are_told_apart()) tell_apart(placed, *options.objects);
       reach_beneath(placed);
       return placed;
@@ -292,8 +312,14 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
   drawing.height = place.height;
   drawing.scale = place.scale;
   drawing.fits = place.fits;
-  drawing.hidden = options.hidden;
+  drawing.pens = Pens(line_group(options.page), options.hidden);
+  drawing.pens.set(options.pens);
 
+  if (options.outline_only) {
+    if (fills) add_outlines(drawing, fills(place));
+    if (options.sort_for_pen) sort_for_pen(drawing);
+    return drawing;
+  }
   const std::vector<std::uint32_t> object_of_line = objects_of_lines(mesh, lines, options.objects);
   const bool tells_objects = options.objects != nullptr && options.objects->are_told_apart();
   if (tells_objects) drawing.objects = options.objects->names;
@@ -366,6 +392,7 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
     }
     collector.add(chains[c], chains.closed[c] != 0, distinct, of_line);
   }
+  if (options.sort_for_pen) sort_for_pen(drawing);
   return drawing;
 }
 

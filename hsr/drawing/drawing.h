@@ -8,29 +8,34 @@
 #include <vector>
 
 #include "hsr/drawing/page.h"
+#include "hsr/drawing/pens.h"
 #include "hsr/face_objects.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/regions.h"
 
 namespace hsr {
 
-/// What becomes of hidden parts.
-enum class HiddenLines : std::uint8_t { none, dashed, solid };
-
 struct DrawingOptions {
   Page page = {};
   std::optional<double> scale = {};  ///< paper length over model length; nothing: fit
+  /// Without `scale`: the largest of ISO 5455 that fits: 1:1, 1:2, 1:5, 1:10, ..., 2:1, 5:1, 10:1, ...
+  bool standard_scale = false;
   /// No page and no fitting: points are those of the view's frame, its origin at (0, 0), y down. `scale` and `unit` are passed over:
   /// Drawing::scale is the power of ten that makes the drawing 1000 to 10 000 "mm" large, and min_length is in units of the frame.
   bool in_frame_units = false;
   double unit = 1;  ///< millimetres in a model unit
   HiddenLines hidden = HiddenLines::none;
+  std::vector<PenSetting> pens = {};  ///< other than ISO 128's for that page: see line_group()
   /// Degrees across the shorter side of the picture, perspective only: the picture is cut to a frame around the target with the
   /// proportions of the page less its margins. Nothing: all that is beyond the near plane.
   std::optional<double> field_of_view = {};
   Arithmetic arithmetic = Arithmetic::staged;  ///< double_only is taken as staged
   /// Last, on the written coordinates: also leave out what runs within 0.01 mm of a stronger line; see near_lines.h.
   bool leave_out_near = false;
+  /// Last of all: lines in an order for pen plotters; see pen_order.h.
+  bool sort_for_pen = false;
+  /// With regions: instead of lines and fills their rings, as closed outlines.
+  bool outline_only = false;
   /// Millimetres: lines that are joined to one another and together shorter than this are left out, such as freckles on scans.
   double min_length = 0;
   /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
@@ -86,7 +91,7 @@ struct Drawing {
   double width = 210, height = 297;  ///< of the page, mm
   double scale = 1;                  ///< millimetres of paper to a unit of the view's frame; 0 or infinite beyond a double
   bool fits = true;                  ///< nothing is outside the page
-  HiddenLines hidden = HiddenLines::none;
+  Pens pens = Pens();
 
   std::vector<std::string> objects;                 ///< names; empty: fewer than two are told apart
   std::vector<Polyline> polylines;                  ///< hidden before visible, then by class, object and their first edge

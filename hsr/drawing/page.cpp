@@ -56,14 +56,14 @@ Page parse_page(const std::string& text) {
 }
 
 std::optional<double> parse_scale(const std::string& text) {
-  if (text == "fit") return {};
+  if (text == "fit" || text == "standard") return {};
   const auto colon = text.find(':');
   if (colon != std::string::npos) {
     const std::string_view all = text;
     const auto paper = positive(all.substr(0, colon)), model = positive(all.substr(colon + 1));
     if (paper && model && std::isfinite(*paper / *model) && *paper / *model > 0) return *paper / *model;
   }
-  throw InputError("scale: found \"" + text + "\", expected fit or a ratio like 1:5 (twice the size is 2:1)");
+  throw InputError("scale: found \"" + text + "\", expected fit, standard or a ratio like 1:5 (twice the size is 2:1)");
 }
 
 double parse_unit(const std::string& text) {

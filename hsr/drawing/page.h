@@ -29,7 +29,7 @@ struct PaperFrame {
 /// A0 ... A6, letter, WIDTHxHEIGHTmm, or fit. @throws InputError for anything else
 Page parse_page(const std::string& text);
 
-/// Paper length over model length, "1:5" or "2:1"; nothing: "fit". @throws InputError for anything else
+/// Paper length over model length, "1:5" or "2:1"; nothing: "fit" or "standard". @throws InputError for anything else
 std::optional<double> parse_scale(const std::string& text);
 
 /// Millimetres in a model unit: mm, cm, m or in. @throws InputError for anything else

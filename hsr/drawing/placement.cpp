@@ -157,6 +157,18 @@ Wide fitting(Wide width, Wide height, Wide area_width, Wide area_height) {
   return std::isfinite(scale) ? scale : 1;
 }
 
+/// The largest scale of ISO 5455 up to `most`, as parse_scale() gives it.
+double standard_scale(Wide most) {
+  most *= 1 + 1e-12L;  // what is exactly as large as the page fits, whatever the last bit says
+  const int exponent = std::clamp(static_cast<int>(std::floor(std::log10(most))) + 1, -300, 300);
+  for (int e = exponent;; --e)
+    for (const double first : {5.0, 2.0, 1.0}) {
+      const double power = std::pow(10.0, std::abs(e));
+      const double scale = e >= 0 ? first * power : 1 / (first == 1 ? power : power / first);  // 2 of 10: 1:5
+      if (scale <= most || e <= -300) return scale;
+    }
+}
+
 /// 10^k that makes the larger side 1000 or more, and less than 10 000; 1 where there is no side.
 Rational decimal_scale(Wide size) {
   Rational scale = 1.0;
@@ -215,8 +227,12 @@ Placement internal::placement(const Mesh& mesh, const View& view, const VisibleL
   if (options.in_frame_units) return in_frame_units(std::move(result), view, width, height, framed);
 
   const Wide area_width = page.width - 2 * page.margin, area_height = page.height - 2 * page.margin;
-  const Rational scale = options.scale ? Rational(*options.scale) * Rational(options.unit)
-                                       : round_down(fitting(width, height, area_width, area_height));
+  const auto chosen = options.scale ? options.scale
+                      : options.standard_scale
+                          ? std::optional(standard_scale(fitting(width, height, area_width, area_height) / options.unit))
+                          : std::nullopt;
+  const Rational scale =
+      chosen ? Rational(*chosen) * Rational(options.unit) : round_down(fitting(width, height, area_width, area_height));
   const Wide drawn_width = width * wide(scale), drawn_height = height * wide(scale);
   if (!(drawn_width <= widest_drawing) || !(drawn_height <= widest_drawing))
     throw InputError("scale: the drawing would be more than 1e9 mm wide; expected a smaller scale, or fit");

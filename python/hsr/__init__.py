@@ -72,6 +72,11 @@ def draw(
     margin=None,
     min_length=None,
     size=None,
+    pen=None,
+    pens=None,
+    sort=None,
+    outline_only=False,
+    id_prefix=None,
     exact=False,
     why=False,
     method=None,
@@ -84,7 +89,9 @@ def draw(
     hidden: "none", "dashed" or "solid"; fill: fill the visible parts of faces; merge: with fill, unite neighbours of one colour:
     "none", "coplanar" or "colour"
     page: "A0" ... "A6", "letter", "WIDTHxHEIGHTmm", (width, height) in mm, or "fit" ["A4"]; margin: mm [10]; scale: "1:5", a
-    number, or "fit"; unit: of the scene, "mm", "cm", "m" or "in" [glTF: "m", else "mm"]; min_length: mm on paper, of what is left out
+    number, "standard", or "fit"; unit: of the scene, "mm", "cm", "m" or "in" [glTF: "m", else "mm"]; min_length: mm on paper, of what is left out
+    pen: "visible=0.35,hidden-sharp=0.18:#555", a list of such, or a dict of widths; pens: a file of them; sort: "pen" for a plotter
+    outline_only: the outline of everything alone, as closed rings; id_prefix: SVG, what each id begins with
     size: PNG, (width, height) in pixels; exact: JSON, numbers as "p/q"; why: JSON, which faces hide each part
     method: "auto", "appel" or "roberts"; the result is the same. All others are said at the module.
 
@@ -116,6 +123,11 @@ def draw(
         margin=margin,
         min_length=min_length,
         size=size,
+        pen=pen,
+        pens=pens,
+        sort=sort,
+        outline_only=outline_only,
+        id_prefix=id_prefix,
         exact=exact,
         why=why,
         method=method,

@@ -1,5 +1,5 @@
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Literal
 
@@ -201,6 +201,11 @@ def draw(
     margin: float | None = None,
     min_length: float | None = None,
     size: str | tuple[int, int] | None = None,
+    pen: str | Sequence[str] | Mapping[str, float | str] | None = None,
+    pens: _Path | None = None,
+    sort: Literal["none", "pen"] | None = None,
+    outline_only: bool = False,
+    id_prefix: str | None = None,
     exact: bool = False,
     why: bool = False,
     method: Literal["auto", "appel", "roberts"] | None = None,

@@ -74,6 +74,19 @@ def _strings(name, value):
     return value
 
 
+def _pen(name, value):
+    if isinstance(value, dict):
+        return [f"{pen}={setting if isinstance(setting, str) else number_text(finite(name, setting))}" for pen, setting in value.items()]
+    return [_word(name, part) for part in ([value] if isinstance(value, str) else value)]
+
+
+def _path(name, value):
+    try:
+        return os.fspath(value)
+    except TypeError:
+        raise _core.InputError(f"{name}: found {value!r}, expected a path") from None
+
+
 _SPELLED = {
     "edges": _edges,
     "crease": _crease,
@@ -82,6 +95,9 @@ _SPELLED = {
     "page": _page,
     "fill": _flag,
     "why": _flag,
+    "outline_only": _flag,
+    "pen": _pen,
+    "pens": _path,
     "exact": _flag,
     "margin": finite,
     "min_length": finite,

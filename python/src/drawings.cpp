@@ -11,7 +11,9 @@
 
 #include "geometry/error.h"
 #include "hsr/cli/coincident_note.h"
+#include "hsr/cli/outline_only.h"
 #include "hsr/cli/page_arguments.h"
+#include "hsr/cli/scale_text.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
@@ -43,7 +45,8 @@ struct DrawRequest {
   LineOptions lines;
   DrawingOptions drawing;
   Merge merge = Merge::none;
-  bool fill = false, exact = false;
+  bool fill = false, exact = false, outline_only = false;
+  std::string id_prefix;
   std::optional<PixelSize> size;
 
   explicit DrawRequest(const Arguments& a);
@@ -58,6 +61,9 @@ cli::PageArguments page_of(const Arguments& a) {
   page.margin = a.get<double>("margin", page.margin);
   page.min_length = a.get<double>("min_length", page.min_length);
   page.size = a.get<std::string>("size", "");
+  page.pens = a.get<std::vector<std::string>>("pen", {});
+  page.pens_file = a.get<std::string>("pens", "");
+  page.sort = a.word("sort", page.sort, {"none", "pen"});
   return page;
 }
 
@@ -67,7 +73,9 @@ DrawRequest::DrawRequest(const Arguments& a)
       scene_words(a.scene()),
       page(page_of(a)),
       fill(a.get<bool>("fill", false)),
-      exact(a.get<bool>("exact", false)) {
+      exact(a.get<bool>("exact", false)),
+      outline_only(a.get<bool>("outline_only", false)),
+      id_prefix(a.get<std::string>("id_prefix", "")) {
   for (const std::string& path : outputs)
     formats.push_back(format_of(path, std::array{Format::svg, Format::png, Format::json}));
   lines = a.lines().options();
@@ -83,6 +91,10 @@ DrawRequest::DrawRequest(const Arguments& a)
   const std::string united = a.word("merge", "none", {"none", "coplanar", "colour"});
   merge = united == "none" ? Merge::none : united == "coplanar" ? Merge::coplanar : Merge::colour;
   if (!page.size.empty()) size = parse_size(page.size);
+  check_id_prefix(id_prefix);
+  if (!outline_only) return;
+  if (wants(Format::json)) throw InputError("outline_only: json has lines and no outline, expected svg or png");
+  cli::ask_for_outline_only(lines, drawing);
 }
 
 /// What was drawn.
@@ -143,8 +155,8 @@ void Drawer::choose_view() {
 }
 
 void Drawer::find_lines() {
-  const bool finds_all =
-      request_.fill && !request_.lines.why && request_.lines.method != LineMethod::roberts && fragments_use_lines(*prepared_);
+  const bool finds_all = (request_.fill || request_.outline_only) && !request_.lines.why &&
+                         request_.lines.method != LineMethod::roberts && fragments_use_lines(*prepared_);
   if (!finds_all) {
     lines_ = visible_lines(*prepared_, request_.lines);
     return;
@@ -158,7 +170,7 @@ void Drawer::find_lines() {
 }
 
 void Drawer::find_fragments() {
-  if (!request_.fill) return;
+  if (!request_.fill && !request_.outline_only) return;
   FragmentOptions options;
   if (every_line_) options.lines = &*every_line_;
   options.progress = ticket_.progress;
@@ -173,14 +185,19 @@ void Drawer::find_fragments() {
 
 void Drawer::place() {
   const Mesh& mesh = scene_.mesh();
-  if (request_.fill) {
+  if (request_.outline_only) {
+    const Regions all = cli::union_of_all(*prepared_, *fragments_);
+    page_.drawing = hsr::draw(mesh, chosen_.view, lines_, request_.drawing, &all);
+  } else if (request_.fill) {
     const Regions regions =
         regions_of(*prepared_, *fragments_, face_colours(data_.model(), mesh, chosen_.view), request_.merge);
     page_.drawing = hsr::draw(mesh, chosen_.view, lines_, request_.drawing, &regions);
   } else {
     page_.drawing = hsr::draw(mesh, chosen_.view, lines_, request_.drawing);
   }
-  page_.captions = {std::filesystem::path(data_.model().name).filename().string(), "view: " + chosen_.title};
+  page_.captions = {std::filesystem::path(data_.model().name).filename().string(),
+                    "view: " + chosen_.title + cli::scale_in_title(page_.drawing, request_.drawing, request_.page),
+                    request_.id_prefix};
   page_.size = request_.size;
   if (request_.wants(Format::json))
     page_.json = lines_json(mesh, chosen_.view, lines_,

@@ -34,6 +34,9 @@ REQUESTS = (
     ({"page": "fit", "size": (300, 200)}, ["--page", "fit", "--size", "300x200"]),
     ({"why": True, "method": "roberts"}, ["--why", "--method", "roberts"]),
     ({"fill": True, "method": "roberts", "coplanar": "last"}, ["--fill", "--method", "roberts", "--coplanar", "last"]),
+    ({"hidden": "dashed", "pen": "visible=0.35,hidden-sharp=0.18:#555"}, ["--hidden", "dashed", "--pen", "visible=0.35,hidden-sharp=0.18:#555"]),
+    ({"pen": {"visible": 0.7, "sharp": ":red"}, "scale": "standard"}, ["--pen", "visible=0.7", "--pen", "sharp=:red", "--scale", "standard"]),
+    ({"sort": "pen", "fill": True, "id_prefix": "a-"}, ["--sort", "pen", "--fill", "--id-prefix", "a-"]),
     ({"tolerance": 0.01, "threads": 1}, ["--tolerance", "0.01", "--threads", "1"]),
 )
 
@@ -69,6 +72,23 @@ class SameBytes(unittest.TestCase):
 
 
 class Drawings(unittest.TestCase):
+    def test_only_the_outline(self):
+        with tempfile.TemporaryDirectory() as directory:
+            mine, other = os.path.join(directory, "mine.svg"), os.path.join(directory, "other.svg")
+            hsr.draw(PIERCED, mine, outline_only=True)
+            subprocess.run([COMMAND, "draw", PIERCED, "-o", other, "-q", "--outline-only"], check=True)
+            self.assertEqual(pathlib.Path(mine).read_bytes(), pathlib.Path(other).read_bytes())
+            with self.assertRaisesRegex(hsr.InputError, "json"):
+                hsr.draw(PIERCED, os.path.join(directory, "a.json"), outline_only=True)
+
+    def test_pens_of_a_file(self):
+        with tempfile.TemporaryDirectory() as directory:
+            pens = pathlib.Path(directory, "my.pens")
+            pens.write_text("visible = 0.7\nsharp = 0.35:#888\n")
+            self.assertEqual(hsr.draw(WOVEN, pens=pens).svg(), hsr.draw(WOVEN, pen=["visible=0.7", "sharp=0.35:#888"]).svg())
+        with self.assertRaisesRegex(hsr.InputError, "expected visible, hidden, outline"):
+            hsr.draw(WOVEN, pen="edges=1")
+
     def test_without_a_file(self):
         drawing = hsr.draw(WOVEN, hidden="dashed")
         self.assertTrue(drawing._repr_svg_().startswith("<?xml"))

@@ -3,13 +3,36 @@
 #include <span>
 #include <vector>
 
-#include "hsr/drawing/page.h"
-#include "hsr/io/write/line_style.h"
+#include "hsr/drawing/pens.h"
 
 namespace hsr::internal {
 
-/// The dashes of a polyline, for formats that have none of their own: they begin with it and run on over its corners, as in SVG.
-/// @param points of a closed line, the first again at the end @param style dashed
-std::vector<std::vector<PaperPoint>> dashes_of(std::span<const PaperPoint> points, const LineStyle& style);
+/// A polyline with the lengths of its dashes and gaps along it.
+///
+/// Between its ends and corners, where it turns by more than 35 degrees, a line has stretches; each begins and ends with a dash (ISO
+/// 128), so that a corner has dashes on both sides. With the pen's dash d, gap g, and period p = d + g a stretch of length l has
+///
+///   (1) n gaps as they are, n the nearest to (l - d) / p and at least 1, and n + 1 dashes that fill the rest alike (ISO 128-21);
+///       where dashes are less than half of the pattern, all of it stretches alike
+///   (2) if its dashes were shorter than the gap (than d, if that is less): a dash, a gap and a dash of a third each
+///   (3) if these were shorter than the line is wide: one dash
+///
+/// A stretch that has less than (2) asks for is not told apart from the one that follows. A closed line without corners has a whole
+/// number of periods, at least two.
+struct DashedPath {
+  std::vector<PaperPoint> points;  ///< as given, but closed lines with corners begin at one; closed: the first again at the end
+  bool closed = false;
+  /// mm, dash and gap in turn, from the first point on. An even number: again and again; an odd one: as long as the line.
+  std::vector<double> lengths;
+};
+
+/// @param pen dashed
+DashedPath dashed_path(std::span<const PaperPoint> points, bool closed, const Pen& pen);
+
+/// Whether each point between two others is a corner, as above.
+bool has_corners_only(std::span<const PaperPoint> points, bool closed);
+
+/// Each dash as a line, for formats that have no dashes of their own.
+std::vector<std::vector<PaperPoint>> dashes_of(const DashedPath& path);
 
 }  // namespace hsr::internal

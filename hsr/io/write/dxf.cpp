@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <vector>
 
+#include "hsr/io/write/dashes.h"
 #include "hsr/io/write/dxf_tables.h"
 
 namespace hsr {
@@ -53,15 +55,20 @@ void append_provenance(DxfText& out, const Drawing& drawing, const Polyline& p) 
   append_numbers(out, "edges", numbers);
   numbers.assign(drawing.faces_of(p).begin(), drawing.faces_of(p).end());
   append_numbers(out, "faces", numbers);
+  if (p.object >= drawing.objects.size() || drawing.objects[p.object].empty()) return;
+  out.add(1000, "object");
+  out.add(1000, dxf_string(drawing.objects[p.object]));
 }
 
 class EntityWriter {
  public:
-  EntityWriter(DxfText& out, const Drawing& drawing, const ModelUnits& units, std::uint64_t owner)
-      : out_(out), drawing_(drawing), units_(units), owner_(owner) {}
+  EntityWriter(DxfText& out, const Drawing& drawing, const ModelUnits& units, std::uint64_t owner, double page_scale)
+      : out_(out), drawing_(drawing), units_(units), owner_(owner), page_scale_(page_scale) {}
 
-  void append(const Polyline& p, const std::string& layer) {
+  void append(const Polyline& p, const Layer& of) {
     const auto points = drawing_.points_of(p);
+    const std::string layer = dxf_layer_name(of);
+    pen_ = &of.pen;
     if (points.size() == 2 && !p.closed)
       append_line(p, points, layer);
     else if (out_.is_2000())
@@ -78,11 +85,25 @@ class EntityWriter {
     out_.add_class(subclass);
   }
   void add_point(const PaperPoint& p, int code = 10) { out_.add_point(units_(p.x), -units_(p.y), code); }
-  /// Dashes run on over the corners.
-  static std::int64_t flags(const Polyline& p) { return (p.closed ? 1 : 0) + 128; }
+  /// Dashes run on over the points of a curve, and begin anew at corners; DXF has no line that does both.
+  std::int64_t flags(const Polyline& p, std::span<const PaperPoint> points) const {
+    const bool begins_anew = pen_->is_dashed() && has_corners_only(points, p.closed);
+    return (p.closed ? 1 : 0) + (begins_anew ? 0 : 128);
+  }
+  /// A line that is too short for two whole dashes and a gap has shorter ones, where the release can say so.
+  void add_dash_scale(std::span<const PaperPoint> points) {
+    if (!out_.is_2000() || !pen_->is_dashed()) return;
+    const double length = std::hypot(units_(points[1].x) - units_(points[0].x), units_(points[1].y) - units_(points[0].y));
+    const double wanted = std::accumulate(pen_->dashes.begin(), pen_->dashes.end(), pen_->dashes[0]) / page_scale_;
+    if (length > 0 && length < wanted) out_.add_number(48, std::round(length / wanted * 1e4) / 1e4);
+  }
 
   void append_line(const Polyline& p, std::span<const PaperPoint> points, const std::string& layer) {
-    begin("LINE", layer, "AcDbLine");
+    out_.begin("LINE", owner_);
+    out_.add_class("AcDbEntity");
+    out_.add(8, layer);
+    add_dash_scale(points);
+    out_.add_class("AcDbLine");
     add_point(points[0]);
     add_point(points[1], 11);
     append_provenance(out_, drawing_, p);
@@ -90,7 +111,7 @@ class EntityWriter {
   void append_light_polyline(const Polyline& p, std::span<const PaperPoint> points, const std::string& layer) {
     begin("LWPOLYLINE", layer, "AcDbPolyline");
     out_.add(90, static_cast<std::int64_t>(points.size()));
-    out_.add(70, flags(p));
+    out_.add(70, flags(p, points));
     for (const PaperPoint& at : points) {
       out_.add_number(10, units_(at.x));
       out_.add_number(20, -units_(at.y));
@@ -101,7 +122,7 @@ class EntityWriter {
     begin("POLYLINE", layer, "");
     out_.add(66, std::int64_t{1});
     out_.add_point(0, 0);
-    out_.add(70, flags(p));
+    out_.add(70, flags(p, points));
     append_provenance(out_, drawing_, p);
     for (const PaperPoint& at : points) {
       begin("VERTEX", layer, "");
@@ -114,6 +135,8 @@ class EntityWriter {
   const Drawing& drawing_;
   const ModelUnits& units_;
   std::uint64_t owner_;
+  double page_scale_;
+  const Pen* pen_ = nullptr;
 };
 
 }  // namespace
@@ -123,17 +146,18 @@ std::string dxf(const Drawing& drawing, const DxfOptions& options) {
   const ModelUnits units(drawing.scale);
   const DxfExtent extent = extent_of(drawing, units);
   DxfText body(options.version);
-  const std::uint64_t model = append_dxf_tables(body, layers, extent);
+  const double dash_unit = drawing.pens.wide() / 2;  // narrow lines' width, so that ISO 128's dashes are 12 long
+  const std::uint64_t model = append_dxf_tables(body, layers, dash_unit, extent);
   body.add(0, "SECTION");
   body.add(2, "ENTITIES");
-  EntityWriter writer(body, drawing, units, model);
+  EntityWriter writer(body, drawing, units, model, options.page_scale);
   for (const Layer& layer : layers)
-    for (const Polyline& p : layer.polylines) writer.append(p, dxf_layer_name(layer));
+    for (const Polyline& p : layer.polylines) writer.append(p, layer);
   body.add(0, "ENDSEC");
   append_dxf_objects(body);
   body.add(0, "EOF");
   DxfText out(options.version);
-  append_dxf_header(out, extent, options, body.next_handle());
+  append_dxf_header(out, extent, options, dash_unit, body.next_handle());
   return out.text + body.text;
 }
 

@@ -17,10 +17,11 @@ struct DxfOptions {
 
 /// The lines of a drawing as DXF, in units of the model: 1:1, whatever the page. No fills.
 ///
-///   (1) a layer for each visibility and class that occurs, VISIBLE_OUTLINE; hidden ones in the line type ACAD_ISO02W100
+///   (1) a layer for each visibility and class that occurs, VISIBLE_OUTLINE; dashed ones in the line type ACAD_ISO02W100, or one of
+///       their own for other dashes; colours are the nearest of the 255 numbered ones
 ///   (2) release 12 (AC1009): LINE and POLYLINE. Release 2000 (AC1015): LINE and LWPOLYLINE, and layers have line weights
 ///   (3) extended data of the application HSR: "edges", then two numbers for each edge; "faces", then a number for each face; of
-///       long lines the first 1000 numbers of each, and "and N more"
+///       long lines the first 1000 numbers of each, and "and N more"; "object", then the object's name, where objects are told apart
 ///
 /// @param drawing made with DrawingOptions::in_frame_units; y is up in the file
 std::string dxf(const Drawing& drawing, const DxfOptions& options = {});

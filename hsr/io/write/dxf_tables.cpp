@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <numeric>
 
+#include "hsr/io/write/dxf_pens.h"
 #include "hsr/io/write/svg_text.h"
+#include "hsr/io/write/utf8.h"
 
 namespace hsr::internal {
 
@@ -49,6 +53,39 @@ void DxfText::add_class(std::string_view name) {
   if (is_2000()) add(100, name);
 }
 
+namespace {
+
+/// As AutoCAD writes what is beyond its code page: four digits, beyond 16 bits as two surrogates.
+std::string escaped(std::uint32_t code) {
+  const auto unit = [](std::uint32_t u) {
+    std::string digits = "\\U+";
+    for (int shift = 12; shift >= 0; shift -= 4) digits += "0123456789ABCDEF"[u >> shift & 15U];
+    return digits;
+  };
+  if (code < 0x10000) return unit(code);
+  return unit(0xD800 + ((code - 0x10000) >> 10)) + unit(0xDC00 + ((code - 0x10000) & 0x3FFU));
+}
+
+}  // namespace
+
+std::string dxf_string(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const Utf8Character c = utf8_character(text, i);
+    i += c.bytes > 0 ? c.bytes : 1;
+    std::string part;
+    if (c.bytes == 0)
+      part = "?";
+    else if (c.code < 0x80)
+      part = c.code < 0x20 || c.code == 0x7F ? ' ' : static_cast<char>(c.code);
+    else
+      part = escaped(c.code);
+    if (out.size() + part.size() > 255) break;
+    out += part;
+  }
+  return out;
+}
+
 std::string dxf_layer_name(const Layer& layer) {
   std::string name = layer.name('_');
   std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
@@ -57,7 +94,6 @@ std::string dxf_layer_name(const Layer& layer) {
 
 namespace {
 
-constexpr const char* dashed = "ACAD_ISO02W100";
 constexpr int white = 7, grey = 8;  // white is black on white paper
 
 /// A table and its entries, each begun by `entry`.
@@ -115,8 +151,15 @@ void append_viewport(DxfText& out, const DxfExtent& e) {
   table.end();
 }
 
-void append_line_types(DxfText& out) {
-  DxfTable table(out, "LTYPE", out.is_2000() ? 4 : 2);
+void append_line_types(DxfText& out, std::span<const Layer> layers, double dash_unit) {
+  std::map<std::string, DxfLineType> dashed;
+  dashed["ACAD_ISO02W100"] = {"ACAD_ISO02W100", {12, 3}};
+  for (const Layer& layer : layers)
+    if (layer.pen.is_dashed()) {
+      const DxfLineType type = dxf_line_type(layer, dash_unit);
+      dashed[type.name] = type;
+    }
+  DxfTable table(out, "LTYPE", (out.is_2000() ? 3 : 1) + dashed.size());
   const auto plain = [&](const char* name, const char* words) {
     table.entry("AcDbLinetypeTableRecord", name);
     out.add(3, words);
@@ -129,32 +172,34 @@ void append_line_types(DxfText& out) {
     plain("ByLayer", "");
   }
   plain("CONTINUOUS", "Solid line");
-  table.entry("AcDbLinetypeTableRecord", dashed);
-  out.add(3, "ISO dash __ __ __ __ __ __ __ __ __ __ __ __ __");
-  out.add(72, std::int64_t{65});
-  out.add(73, std::int64_t{2});
-  out.add_number(40, 15);
-  for (const double length : {12.0, -3.0}) {
-    out.add_number(49, length);
-    if (out.is_2000()) out.add(74, std::int64_t{0});
+  for (const auto& [name, type] : dashed) {
+    table.entry("AcDbLinetypeTableRecord", name);
+    out.add(3, name == "ACAD_ISO02W100" ? "ISO dash __ __ __ __ __ __ __ __ __ __ __ __ __" : name);
+    out.add(72, std::int64_t{65});
+    out.add(73, static_cast<std::int64_t>(type.dashes.size()));
+    out.add_number(40, std::accumulate(type.dashes.begin(), type.dashes.end(), 0.0));
+    for (std::size_t k = 0; k < type.dashes.size(); ++k) {
+      out.add_number(49, k % 2 == 0 ? type.dashes[k] : -type.dashes[k]);
+      if (out.is_2000()) out.add(74, std::int64_t{0});
+    }
   }
   table.end();
 }
 
-void append_layer(DxfText& out, DxfTable& table, const std::string& name, bool is_hidden, bool is_dashed, double width) {
+void append_layer(DxfText& out, DxfTable& table, const std::string& name, int colour, const std::string& type, double width) {
   table.entry("AcDbLayerTableRecord", name);
-  out.add(62, std::int64_t{is_hidden ? grey : white});
-  out.add(6, is_dashed ? dashed : "CONTINUOUS");
-  if (out.is_2000()) {
-    out.add(370, static_cast<std::int64_t>(std::lround(width * 100)));  // hundredths of a millimetre
-  }
+  out.add(62, std::int64_t{colour});
+  out.add(6, type);
+  if (out.is_2000()) out.add(370, std::int64_t{dxf_line_weight(width)});
 }
 
-void append_layers(DxfText& out, std::span<const Layer> layers) {
+void append_layers(DxfText& out, std::span<const Layer> layers, double dash_unit) {
   DxfTable table(out, "LAYER", layers.size() + 1);
-  append_layer(out, table, "0", false, false, 0.25);
-  for (const Layer& layer : layers)
-    append_layer(out, table, dxf_layer_name(layer), layer.hidden, layer.style.is_dashed(), layer.style.width);
+  append_layer(out, table, "0", white, "CONTINUOUS", 0.25);
+  for (const Layer& layer : layers) {
+    const int colour = layer.pen.has_colour ? dxf_colour(layer.pen.colour) : layer.hidden ? grey : white;
+    append_layer(out, table, dxf_layer_name(layer), colour, dxf_line_type(layer, dash_unit).name, layer.pen.width);
+  }
   table.end();
 }
 
@@ -216,7 +261,7 @@ std::uint64_t append_blocks(DxfText& out) {
 
 }  // namespace
 
-void append_dxf_header(DxfText& out, const DxfExtent& e, const DxfOptions& options, std::uint64_t handles) {
+void append_dxf_header(DxfText& out, const DxfExtent& e, const DxfOptions& options, double dash_unit, std::uint64_t handles) {
   const auto variable = [&](const char* name) { out.add(9, name); };
   out.add(999, "hsr");
   out.add(0, "SECTION");
@@ -234,7 +279,7 @@ void append_dxf_header(DxfText& out, const DxfExtent& e, const DxfOptions& optio
   variable("$EXTMAX");
   out.add_point(e.right, e.top);
   variable("$LTSCALE");
-  const double dashes = 3 / (12 * options.page_scale);
+  const double dashes = dash_unit / options.page_scale;
   out.add_number(40, dashes > 0 && std::isfinite(dashes) ? dashes : 1);
   const double unit = options.unit;
   const int code = unit == 1 ? 4 : unit == 10 ? 5 : unit == 1000 ? 6 : unit == 25.4 ? 1 : 0;
@@ -251,7 +296,7 @@ void append_dxf_header(DxfText& out, const DxfExtent& e, const DxfOptions& optio
   out.add(0, "ENDSEC");
 }
 
-std::uint64_t append_dxf_tables(DxfText& out, std::span<const Layer> layers, const DxfExtent& extent) {
+std::uint64_t append_dxf_tables(DxfText& out, std::span<const Layer> layers, double dash_unit, const DxfExtent& extent) {
   if (out.is_2000()) {
     out.add(0, "SECTION");
     out.add(2, "CLASSES");
@@ -260,8 +305,8 @@ std::uint64_t append_dxf_tables(DxfText& out, std::span<const Layer> layers, con
   out.add(0, "SECTION");
   out.add(2, "TABLES");
   append_viewport(out, extent);
-  append_line_types(out);
-  append_layers(out, layers);
+  append_line_types(out, layers, dash_unit);
+  append_layers(out, layers, dash_unit);
   append_styles(out);
   for (const char* empty : {"VIEW", "UCS"}) DxfTable(out, empty, 0).end();
   append_applications(out);

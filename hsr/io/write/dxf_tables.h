@@ -39,12 +39,16 @@ struct DxfExtent {
   double left = 0, bottom = 0, right = 0, top = 0;
 };
 
-/// @param handles the first handle that no entry has
-void append_dxf_header(DxfText& out, const DxfExtent& extent, const DxfOptions& options, std::uint64_t handles);
-/// Tables and, in release 2000, blocks. @return the handle of the model's block, which owns the entities
-std::uint64_t append_dxf_tables(DxfText& out, std::span<const Layer> layers, const DxfExtent& extent);
+/// @param dash_unit mm on paper of a unit of dashes @param handles the first handle that no entry has
+void append_dxf_header(DxfText& out, const DxfExtent& extent, const DxfOptions& options, double dash_unit,
+                       std::uint64_t handles);
+/// Tables and, in release 2000, blocks. @param dash_unit mm on paper of a unit of dashes @return the handle of the model's block, which owns the entities
+std::uint64_t append_dxf_tables(DxfText& out, std::span<const Layer> layers, double dash_unit, const DxfExtent& extent);
 /// The dictionary that release 2000 wants.
 void append_dxf_objects(DxfText& out);
+
+/// Any text as a string of extended data: ASCII, other characters as \U+XXXX, at most 255 bytes.
+std::string dxf_string(const std::string& text);
 
 /// "VISIBLE_OUTLINE"
 std::string dxf_layer_name(const Layer& layer);

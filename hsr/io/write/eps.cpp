@@ -3,8 +3,11 @@
 #include <cmath>
 
 #include "geometry/error.h"
+#include "hsr/io/write/layers.h"
+#include "hsr/io/write/line_paths.h"
 #include "hsr/io/write/painted_paths.h"
 #include "hsr/io/write/svg_text.h"
+#include "hsr/io/write/utf8.h"
 
 namespace hsr {
 
@@ -23,12 +26,6 @@ const char* const prologue = R"(%%BeginProlog
 end
 %%EndProlog
 )";
-
-std::string printable(const std::string& text) {
-  std::string out;
-  for (const char c : text.substr(0, 200)) out += c >= ' ' && c <= '~' ? c : '?';
-  return out;
-}
 
 }  // namespace
 
@@ -51,11 +48,16 @@ std::string eps(const Drawing& drawing, const std::string& title) {
   append_page_space(out, drawing.height);
   if (!drawing.fills.fills.empty()) {
     out += "% layer: fill\n";
-    append_fills(out, drawing.fills, {});
+    append_fills(out, drawing.fills, drawing.pens, {});
   }
   for (const Layer& layer : layers_of(drawing)) {
     out += "% layer: " + layer.name() + "\n";
-    append_lines(out, drawing, layer);
+    append_pen(out, layer.pen);
+    ObjectComments objects(drawing.objects);
+    for (const Polyline& p : layer.polylines) {
+      objects.append(out, p.object);
+      append_line(out, drawing, p, layer.pen);
+    }
   }
   out += "Q\nend\n%%Trailer\n%%EOF\n";
   return out;

@@ -36,12 +36,14 @@ std::string hpgl(const Drawing& drawing) {
   for (const Layer& layer : layers_of(drawing)) {
     out += "SP" + std::to_string(++pen) + ";\n";
     for (const Polyline& p : layer.polylines) {
+      if (layer.pen.is_dashed()) {
+        for (const auto& dash : dashes_of(dashed_path(drawing.points_of(p), p.closed, layer.pen)))
+          append_stroke(out, dash, drawing.height);
+        continue;
+      }
       std::vector<PaperPoint> points(drawing.points_of(p).begin(), drawing.points_of(p).end());
       if (p.closed) points.push_back(points.front());
-      if (!layer.style.is_dashed())
-        append_stroke(out, points, drawing.height);
-      else
-        for (const auto& dash : dashes_of(points, layer.style)) append_stroke(out, dash, drawing.height);
+      append_stroke(out, points, drawing.height);
     }
   }
   return out + "PU;SP0;\n";

@@ -1,6 +1,7 @@
 #include "hsr/io/write/layers.h"
 
 #include "hsr/io/write/json.h"
+#include "hsr/io/write/utf8.h"
 
 namespace hsr::internal {
 
@@ -15,9 +16,17 @@ std::vector<Layer> layers_of(const Drawing& drawing) {
     const bool hidden = all[first].hidden;
     const EdgeClass edge_class = all[first].edge_class;
     while (end < all.size() && all[end].hidden == hidden && all[end].edge_class == edge_class) ++end;
-    layers.push_back({hidden, edge_class, line_style(hidden, edge_class, drawing.hidden), all.subspan(first, end - first)});
+    layers.push_back({hidden, edge_class, drawing.pens.of(hidden, edge_class), all.subspan(first, end - first)});
   }
   return layers;
+}
+
+void ObjectComments::append(std::string& out, std::uint32_t object) {
+  if (object < names_.size() && names_[object].empty()) object = FaceObjects::none;
+  if (object == object_) return;
+  object_ = object;
+  out += object == FaceObjects::none ? "% of several objects" : "% object: " + printable(names_[object]);
+  out += '\n';
 }
 
 }  // namespace hsr::internal

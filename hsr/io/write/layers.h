@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "hsr/drawing/drawing.h"
-#include "hsr/io/write/line_style.h"
 
 namespace hsr::internal {
 
@@ -13,7 +12,7 @@ namespace hsr::internal {
 struct Layer {
   bool hidden = false;
   EdgeClass edge_class = EdgeClass::outline;
-  LineStyle style = {};
+  Pen pen = {};
   std::span<const Polyline> polylines = {};
 
   /// "visible outline", with another character between the words where a format wants one.
@@ -23,9 +22,6 @@ struct Layer {
 /// The layers that occur, in the order in which they are drawn: hidden ones first, then by class. Every writer walks over these
 /// and decides nothing itself; fills lie under all of them.
 std::vector<Layer> layers_of(const Drawing& drawing);
-
-/// What a line between fills is drawn with.
-inline LineStyle style_of(const FillLine& line) { return line_style(false, line.edge_class, HiddenLines::none); }
 
 /// The see-through fills of one layer and one opacity from this one on: they are painted opaque as one sheet, and then the sheet is
 /// laid over what is there, so that no seam shows between them. Otherwise just this one.
@@ -49,5 +45,16 @@ void for_each_painted(const Fills& fills, const OnSheet& on_sheet, const OnLine&
     for (; line != fills.lines.end() && line->after < i; ++line) on_line(*line);
   }
 }
+/// Comments that name the objects of a layer's lines, for formats that have no groups: "% object: gear" before those of one, and
+/// "% of several objects" before those that are of none alone.
+class ObjectComments {
+ public:
+  explicit ObjectComments(const std::vector<std::string>& names) : names_(names) {}
+  void append(std::string& out, std::uint32_t object);
+
+ private:
+  const std::vector<std::string>& names_;
+  std::uint32_t object_ = FaceObjects::none;
+};
 
 }  // namespace hsr::internal

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "hsr/io/write/json_text.h"
+#include "hsr/io/write/layers.h"
+#include "hsr/io/write/line_paths.h"
 #include "hsr/io/write/svg_text.h"
 
 namespace hsr::internal {
@@ -21,9 +23,10 @@ void append_path(std::string& out, std::span<const PaperPoint> points) {
   }
 }
 
-void append_stroke(std::string& out, std::span<const PaperPoint> points, bool closed, const LineStyle& style) {
-  out += "0 0 0 RG\n";
-  append_pen(out, style);
+/// Continuous, whatever the pen: what is painted over is not dashed as well.
+void append_stroke(std::string& out, std::span<const PaperPoint> points, bool closed, Pen pen) {
+  pen.dashes.clear();
+  append_pen(out, pen);
   append_path(out, points);
   out += closed ? "h S\n" : "S\n";
 }
@@ -68,7 +71,7 @@ void append_page_space(std::string& out, double height) {
 
 std::string name_of_opacity(double opacity) { return "/O" + std::to_string(std::lround(opacity * 1000)); }
 
-void append_fills(std::string& out, const Fills& fills,
+void append_fills(std::string& out, const Fills& fills, const Pens& pens,
                   const std::function<std::string(const std::string&, const PaperFrame&)>& sheet) {
   std::string opacity = name_of_opacity(1);
   const auto set_opacity = [&](double to) {
@@ -90,29 +93,9 @@ void append_fills(std::string& out, const Fills& fills,
       },
       [&](const FillLine& line) {
         set_opacity(1);
-        append_stroke(out, fills.points_of(line), line.closed, style_of(line));
+        append_stroke(out, fills.points_of(line), line.closed, pens.of(false, line.edge_class));
       });
   set_opacity(1);
-}
-
-void append_pen(std::string& out, const LineStyle& style) {
-  append_length(out, style.width);
-  out += style.is_dashed() ? " w 0 J [" : " w 1 J [";
-  if (style.is_dashed()) {
-    append_length(out, style.dash);
-    out += ' ';
-    append_length(out, style.gap);
-  }
-  out += "] 0 d\n";
-}
-
-void append_lines(std::string& out, const Drawing& drawing, const Layer& layer) {
-  out += "0 0 0 RG\n";
-  append_pen(out, layer.style);
-  for (const Polyline& p : layer.polylines) {
-    append_path(out, drawing.points_of(p));
-    out += p.closed ? "h S\n" : "S\n";
-  }
 }
 
 }  // namespace hsr::internal

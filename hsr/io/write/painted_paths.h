@@ -4,7 +4,6 @@
 #include <string>
 
 #include "hsr/drawing/drawing.h"
-#include "hsr/io/write/layers.h"
 
 namespace hsr::internal {
 
@@ -15,11 +14,9 @@ namespace hsr::internal {
 void append_page_space(std::string& out, double height);
 /// The fills and the lines between them as they are painted. Where the opacity changes, the graphics state of that name follows.
 /// @param sheet keeps operators that are painted together, within a frame, and says what paints them
-void append_fills(std::string& out, const Fills& fills,
+void append_fills(std::string& out, const Fills& fills, const Pens& pens,
                   const std::function<std::string(const std::string&, const PaperFrame&)>& sheet);
 std::string name_of_opacity(double opacity);  ///< in thousandths: /O500
-void append_pen(std::string& out, const LineStyle& style);
-void append_lines(std::string& out, const Drawing& drawing, const Layer& layer);  ///< with their pen, in black
 
 /// A length of the page in points, 1/72 inch: whole ones to the last bit, so that no reader rounds up to a pixel more.
 double points_of(double mm);

@@ -9,6 +9,8 @@
 
 #include "geometry/error.h"
 #include "hsr/io/write/json_text.h"
+#include "hsr/io/write/layers.h"
+#include "hsr/io/write/line_paths.h"
 #include "hsr/io/write/painted_paths.h"
 #include "hsr/io/write/svg_text.h"
 #include "hsr/io/write/utf8.h"
@@ -91,37 +93,103 @@ std::string text_string(const std::string& text) {
   return out + ">";
 }
 
-/// The contents of the page, with the names of its layers' resources: /L0, /L1, ...
+/// Layers of the page, and within them those of objects: optional content groups.
+class PdfLayers {
+ public:
+  PdfLayers(PdfFile& file, const std::vector<std::string>& objects) : file_(file), objects_(objects) {}
+
+  /// What follows in `contents` is of this layer, until its end; layers have the names of the SVG's.
+  void begin(std::string& contents, const std::string& name) { layers_.push_back({group(contents, "(" + name + ")"), {}}); }
+  /// What follows is of this object of the layer that was begun last. Objects without a name have no group.
+  void begin_object(std::string& contents, std::uint32_t object) {
+    if (object < objects_.size() && objects_[object].empty()) object = FaceObjects::none;
+    if (object == open_) return;
+    end_object(contents);
+    open_ = object;
+    if (object != FaceObjects::none) layers_.back().objects.push_back(group(contents, text_string(objects_[object])));
+  }
+  void end(std::string& contents) {
+    end_object(contents);
+    contents += "EMC\n";
+  }
+
+  bool are_there() const { return !layers_.empty(); }
+  std::string all() const {
+    std::string out;
+    for (const std::size_t g : groups_) out += reference(g);
+    return out;
+  }
+  /// As a reader lists them, what is drawn last first, objects under their layers.
+  std::string order() const {
+    std::string out;
+    for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {
+      out += reference(layer->group);
+      if (layer->objects.empty()) continue;
+      out += "[ ";
+      for (const std::size_t g : layer->objects) out += reference(g);
+      out += "] ";
+    }
+    return out;
+  }
+  /// The names by which the contents call them: /L0, /L1, ...
+  std::string properties() const {
+    std::string out;
+    for (std::size_t k = 0; k < groups_.size(); ++k) out += "/L" + std::to_string(k) + " " + reference(groups_[k]);
+    return out;
+  }
+
+ private:
+  struct NestedLayer {
+    std::size_t group;
+    std::vector<std::size_t> objects;
+  };
+
+  std::size_t group(std::string& contents, const std::string& name) {
+    contents += "/OC /L" + std::to_string(groups_.size()) + " BDC\n";
+    groups_.push_back(file_.reserve());
+    file_.write(groups_.back(), "<< /Type /OCG /Name " + name + " >>");
+    return groups_.back();
+  }
+  void end_object(std::string& contents) {
+    if (open_ != FaceObjects::none) contents += "EMC\n";
+    open_ = FaceObjects::none;
+  }
+
+  PdfFile& file_;
+  const std::vector<std::string>& objects_;
+  std::vector<std::size_t> groups_;
+  std::vector<NestedLayer> layers_;
+  std::uint32_t open_ = FaceObjects::none;
+};
+
+/// The contents of the page, and what they refer to.
 class PdfPage {
  public:
-  PdfPage(PdfFile& file, const Drawing& drawing) : file_(file) {
+  PdfPage(PdfFile& file, const Drawing& drawing) : file_(file), layers_(file, drawing.objects) {
     append_page_space(contents_, drawing.height);
     if (!drawing.fills.fills.empty()) {
-      begin_layer("fill");
-      append_fills(contents_, drawing.fills,
+      layers_.begin(contents_, "fill");
+      append_fills(contents_, drawing.fills, drawing.pens,
                    [&](const std::string& contents, const PaperFrame& box) { return sheet(contents, box); });
       opacities_[name_of_opacity(1)] = 1;
-      contents_ += "EMC\n";
+      layers_.end(contents_);
       for (const Fill& fill : drawing.fills.fills) opacities_[name_of_opacity(fill.opacity)] = fill.opacity;
     }
     for (const Layer& layer : layers_of(drawing)) {
-      begin_layer(layer.name());
-      append_lines(contents_, drawing, layer);
-      contents_ += "EMC\n";
+      layers_.begin(contents_, layer.name());
+      append_pen(contents_, layer.pen);
+      for (const Polyline& p : layer.polylines) {
+        layers_.begin_object(contents_, p.object);
+        append_line(contents_, drawing, p, layer.pen);
+      }
+      layers_.end(contents_);
     }
   }
 
   const std::string& contents() const { return contents_; }
-  /// Groups by number, those drawn last first, as layers are listed.
-  std::string groups() const {
-    std::string out;
-    for (auto g = groups_.rbegin(); g != groups_.rend(); ++g) out += reference(*g);
-    return out;
-  }
+  const PdfLayers& layers() const { return layers_; }
   std::string resources() const {
-    std::string out = "<< /Properties << ";
-    for (std::size_t k = 0; k < groups_.size(); ++k) out += "/L" + std::to_string(k) + " " + reference(groups_[k]);
-    out += ">> ";
+    std::string out = "<< /Properties << " + layers_.properties() + ">> ";
     if (!sheets_.empty()) out += "/XObject << ";
     for (std::size_t k = 0; k < sheets_.size(); ++k) out += "/S" + std::to_string(k) + " " + reference(sheets_[k]);
     if (!sheets_.empty()) out += ">> ";
@@ -136,11 +204,6 @@ class PdfPage {
   }
 
  private:
-  void begin_layer(const std::string& name) {
-    contents_ += "/OC /L" + std::to_string(groups_.size()) + " BDC\n";
-    groups_.push_back(file_.reserve());
-    file_.write(groups_.back(), "<< /Type /OCG /Name (" + name + ") >>");
-  }
   /// A transparency group, which the page takes as one object.
   std::string sheet(const std::string& contents, const PaperFrame& bounds) {
     std::string box = "[";
@@ -157,7 +220,7 @@ class PdfPage {
 
   PdfFile& file_;
   std::string contents_;
-  std::vector<std::size_t> groups_;
+  PdfLayers layers_;
   std::vector<std::size_t> sheets_;
   std::map<std::string, double> opacities_;
 };
@@ -176,9 +239,9 @@ std::string pdf(const Drawing& drawing, const std::string& title) {
   const std::size_t root = file.reserve(), info = file.reserve(), pages = file.reserve(), page = file.reserve(),
                     contents = file.reserve();
   const PdfPage drawn(file, drawing);
-  const std::string groups = drawn.groups();
   std::string layers;
-  if (!groups.empty()) layers = " /OCProperties << /OCGs [ " + groups + "] /D << /Order [ " + groups + "] >> >>";
+  if (drawn.layers().are_there())
+    layers = " /OCProperties << /OCGs [ " + drawn.layers().all() + "] /D << /Order [ " + drawn.layers().order() + "] >> >>";
   file.write(root, "<< /Type /Catalog /Pages " + reference(pages) + layers + " >>");
   file.write(info, "<< /Title " + text_string(title) + " /Producer (hsr) >>");
   file.write(pages, "<< /Type /Pages /Count 1 /Kids [ " + reference(page) + "] >>");

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "geometry/error.h"
+#include "hsr/io/write/dashes.h"
 #include "hsr/io/write/layers.h"
 
 namespace hsr {
@@ -56,7 +57,7 @@ void draw_line(cairo_t* c, std::span<const PaperPoint> points, bool closed) {
   cairo_stroke(c);
 }
 
-void paint_fills(cairo_t* c, const Fills& fills) {
+void paint_fills(cairo_t* c, const Fills& fills, const Pens& pens) {
   cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
   const auto paint = [&](const Fill& fill, double opacity) {
     cairo_set_source_rgba(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0, opacity);
@@ -76,19 +77,31 @@ void paint_fills(cairo_t* c, const Fills& fills) {
         cairo_paint_with_alpha(c, sheet[0].opacity);
       },
       [&](const FillLine& line) {
-        cairo_set_source_rgb(c, 0, 0, 0);
-        cairo_set_line_width(c, style_of(line).width);
+        const Pen& pen = pens.of(false, line.edge_class);
+        cairo_set_source_rgb(c, pen.colour[0] / 255.0, pen.colour[1] / 255.0, pen.colour[2] / 255.0);
+        cairo_set_line_width(c, pen.width);
         draw_line(c, fills.points_of(line), line.closed);
       });
 }
 
 void draw_layer(cairo_t* c, const Drawing& drawing, const Layer& layer) {
-  const LineStyle& style = layer.style;
-  cairo_set_line_width(c, style.width);
-  cairo_set_line_cap(c, style.is_dashed() ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
-  const double dashes[] = {style.dash, style.gap};
-  cairo_set_dash(c, dashes, style.is_dashed() ? 2 : 0, 0);
-  for (const Polyline& p : layer.polylines) draw_line(c, drawing.points_of(p), p.closed);
+  const Pen& pen = layer.pen;
+  cairo_set_source_rgb(c, pen.colour[0] / 255.0, pen.colour[1] / 255.0, pen.colour[2] / 255.0);
+  cairo_set_line_width(c, pen.width);
+  cairo_set_line_cap(c, pen.is_dashed() ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+  const auto add = [&](std::span<const PaperPoint> points) {
+    cairo_new_sub_path(c);
+    for (const PaperPoint& p : points) cairo_line_to(c, static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000);
+  };
+  for (const Polyline& p : layer.polylines) {
+    if (pen.is_dashed()) {
+      for (const auto& dash : dashes_of(dashed_path(drawing.points_of(p), p.closed, pen))) add(dash);
+    } else {
+      add(drawing.points_of(p));
+      if (p.closed) cairo_close_path(c);
+    }
+    cairo_stroke(c);
+  }
 }
 
 }  // namespace
@@ -119,7 +132,7 @@ std::string png(const Drawing& drawing, std::optional<PixelSize> size) {
   cairo_translate(c.get(), (pixels.width - scale * drawing.width) / 2, (pixels.height - scale * drawing.height) / 2);
   cairo_scale(c.get(), scale, scale);
   cairo_set_line_join(c.get(), CAIRO_LINE_JOIN_ROUND);
-  paint_fills(c.get(), drawing.fills);
+  paint_fills(c.get(), drawing.fills, drawing.pens);
   cairo_set_source_rgb(c.get(), 0, 0, 0);
   for (const Layer& layer : layers_of(drawing)) draw_layer(c.get(), drawing, layer);
   expect_success(cairo_status(c.get()));

@@ -1,11 +1,14 @@
 #include "hsr/io/write/svg.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "geometry/error.h"
+#include "hsr/io/write/dashes.h"
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/layers.h"
 #include "hsr/io/write/svg_text.h"
@@ -16,6 +19,9 @@ using namespace internal;
 
 namespace {
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_of_id(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '-'; }
+
 /// What identifies each object within a layer: its name, with _ for what is no letter, digit, point or dash of ASCII, and a number
 /// where two names come to the same.
 std::vector<std::string> ids_of(const std::vector<std::string>& names) {
@@ -24,8 +30,7 @@ std::vector<std::string> ids_of(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     std::string id;
     for (const char c : name) {
-      const bool is_kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
-      id += is_kept ? c : '_';
+      id += is_of_id(c) ? c : '_';
     }
     const std::string wanted = id;
     for (int k = 2; !taken.insert(id).second; ++k) id = wanted + "__" + std::to_string(k);
@@ -37,7 +42,8 @@ std::vector<std::string> ids_of(const std::vector<std::string>& names) {
 /// Opens and closes the groups of objects within the layers.
 class ObjectGroups {
  public:
-  explicit ObjectGroups(const std::vector<std::string>& names) : names_(names), ids_(ids_of(names)) {}
+  ObjectGroups(const std::vector<std::string>& names, const std::string& id_prefix)
+      : names_(names), ids_(ids_of(names)), prefix_(id_prefix) {}
 
   /// What follows is of this object of that layer. Objects without a name have no group.
   void begin(std::string& out, const std::string& layer, std::uint32_t object) {
@@ -46,7 +52,7 @@ class ObjectGroups {
     end(out);
     open_ = object;
     if (object == FaceObjects::none) return;
-    out += "<g id=\"" + layer + '-' + ids_[object] + "\" class=\"object\" data-object=\"";
+    out += "<g id=\"" + prefix_ + layer + '-' + ids_[object] + "\" class=\"object\" data-object=\"";
     append_text(out, names_[object]);
     out += "\" inkscape:label=\"";
     append_text(out, names_[object]);
@@ -60,6 +66,7 @@ class ObjectGroups {
  private:
   const std::vector<std::string>& names_;
   std::vector<std::string> ids_;
+  const std::string& prefix_;
   std::uint32_t open_ = FaceObjects::none;
 };
 
@@ -81,19 +88,21 @@ void append_rings(std::string& out, const Fills& fills, const Fill& fill) {
   }
 }
 
-void append_fill_line(std::string& out, const Fills& fills, const FillLine& line) {
+void append_fill_line(std::string& out, const Fills& fills, const FillLine& line, const Pen& pen) {
   out += "<path d=\"";
   append_points(out, fills.points_of(line));
-  out += line.closed ? "Z\" fill=\"none\" stroke=\"#000\" stroke-width=\"" : "\" fill=\"none\" stroke=\"#000\" stroke-width=\"";
-  append_length(out, style_of(line).width);
+  out += line.closed ? "Z\" fill=\"none\" stroke=\"" : "\" fill=\"none\" stroke=\"";
+  append_colour(out, pen.colour);
+  out += "\" stroke-width=\"";
+  append_length(out, pen.width);
   out += "\"/>\n";
 }
 
-void append_fills(std::string& out, const Fills& fills, ObjectGroups& objects) {
+void append_fills(std::string& out, const Fills& fills, const Pens& pens, const std::string& prefix, ObjectGroups& objects) {
   if (fills.fills.empty()) return;
-  out +=
-      "<g id=\"fills\" class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-linejoin=\"round\" "
-      "stroke-linecap=\"round\">\n";
+  out += "<g id=\"" + prefix +
+         "fills\" class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-linejoin=\"round\" "
+         "stroke-linecap=\"round\">\n";
   const auto append_fill = [&](const Fill& fill, double opacity) {
     objects.begin(out, "fill", fill.object);
     out += "<path d=\"";
@@ -122,15 +131,34 @@ void append_fills(std::string& out, const Fills& fills, ObjectGroups& objects) {
         objects.end(out);
         out += "</g>\n";
       },
-      [&](const FillLine& line) { append_fill_line(out, fills, line); });
+      [&](const FillLine& line) { append_fill_line(out, fills, line, pens.of(false, line.edge_class)); });
   objects.end(out);
   out += "</g>\n";
 }
 
-void append_path(std::string& out, const Drawing& drawing, const Polyline& p) {
+/// What a line has instead of its layer's dashes.
+void append_dashes(std::string& out, std::span<const double> lengths) {
+  out += lengths.size() == 1 ? "\" stroke-dasharray=\"none" : "\" stroke-dasharray=\"";
+  if (lengths.size() == 1) return;
+  const char* blank = "";
+  for (const double length : lengths) {
+    out += blank;
+    blank = " ";
+    append_rounded_length(out, length);
+  }
+}
+
+void append_path(std::string& out, const Drawing& drawing, const Polyline& p, const Pen& pen) {
   out += "<path d=\"";
-  append_points(out, drawing.points_of(p));
-  if (p.closed) out += 'Z';
+  if (pen.is_dashed()) {
+    const DashedPath dashed = dashed_path(drawing.points_of(p), p.closed, pen);
+    append_points(out, {dashed.points.data(), dashed.points.size() - (p.closed ? 1 : 0)});
+    if (p.closed) out += 'Z';
+    append_dashes(out, dashed.lengths);
+  } else {
+    append_points(out, drawing.points_of(p));
+    if (p.closed) out += 'Z';
+  }
   const char* comma = "\" data-edge=\"";  // where faces pierce each other there is no edge
   for (const auto& [i, j] : drawing.edges_of(p)) {
     out += comma;
@@ -139,39 +167,47 @@ void append_path(std::string& out, const Drawing& drawing, const Polyline& p) {
     out += '-';
     append_integer(out, j);
   }
-  append_faces(out, drawing.faces_of(p));
+  if (!drawing.edges_of(p).empty() || !drawing.faces_of(p).empty()) append_faces(out, drawing.faces_of(p));
   out += "\"/>\n";
 }
 
-void append_layer_start(std::string& out, const Layer& layer) {
-  const LineStyle& style = layer.style;
-  out += "<g id=\"" + layer.name('-') + "\" class=\"" + layer.name();
+void append_layer_start(std::string& out, const std::string& prefix, const Layer& layer) {
+  const Pen& pen = layer.pen;
+  out += "<g id=\"" + prefix + layer.name('-') + "\" class=\"" + layer.name();
   out += "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + layer.name();
-  out += "\" fill=\"none\" stroke=\"#000\" stroke-linejoin=\"round\" stroke-linecap=\"";
-  out += style.is_dashed() ? "butt" : "round";
+  out += "\" fill=\"none\" stroke=\"";
+  if (pen.has_colour)
+    append_colour(out, pen.colour);
+  else
+    out += "#000";
+  out += "\" stroke-linejoin=\"round\" stroke-linecap=\"";
+  out += pen.is_dashed() ? "butt" : "round";
   out += "\" stroke-width=\"";
-  append_length(out, style.width);
-  if (style.is_dashed()) {
-    out += "\" stroke-dasharray=\"";
-    append_length(out, style.dash);
-    out += ' ';
-    append_length(out, style.gap);
-  }
+  append_length(out, pen.width);
+  if (pen.is_dashed()) append_dashes(out, pen.dashes);
   out += "\">\n";
 }
 
 }  // namespace
 
+void check_id_prefix(const std::string& prefix) {
+  const bool is_right = std::ranges::all_of(prefix, [](char c) { return is_of_id(c) || c == '_'; });
+  if (!prefix.empty() && (!is_right || !(is_letter(prefix[0]) || prefix[0] == '_')))
+    throw InputError("--id-prefix: found \"" + prefix +
+                     "\", expected a letter or _, then letters, digits, points, - and _ of ASCII");
+}
+
 std::string svg(const Drawing& drawing, const SvgOptions& options) {
   std::string out;
   append_svg_start(out, drawing.width, drawing.height, options);
-  ObjectGroups objects(drawing.objects);
-  append_fills(out, drawing.fills, objects);
+  const std::string& prefix = options.id_prefix;
+  ObjectGroups objects(drawing.objects, prefix);
+  append_fills(out, drawing.fills, drawing.pens, prefix, objects);
   for (const Layer& layer : layers_of(drawing)) {
-    append_layer_start(out, layer);
+    append_layer_start(out, prefix, layer);
     for (const Polyline& p : layer.polylines) {
       objects.begin(out, layer.name('-'), p.object);
-      append_path(out, drawing, p);
+      append_path(out, drawing, p, layer.pen);
     }
     objects.end(out);
     out += "</g>\n";

@@ -9,7 +9,12 @@ namespace hsr {
 struct SvgOptions {
   std::string title = {};        ///< any text; escaped
   std::string description = {};  ///< of the view, say
+  /// What each id begins with, so that several files can be parts of one document; letters, digits, "-", "_" and ".", first a letter.
+  std::string id_prefix = {};
 };
+
+/// @throws InputError if ids cannot begin so
+void check_id_prefix(const std::string& prefix);
 
 /// A drawing as SVG: millimetres; for each visibility and class that occurs one Inkscape layer, with the CSS classes "visible"
 /// or "hidden" and the name of the class; hidden layers first. A path carries its edges and faces in data-edge ("i-j,k-l") and

@@ -1,6 +1,7 @@
 #include "hsr/io/write/svg_text.h"
 
 #include <charconv>
+#include <cmath>
 
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/utf8.h"
@@ -26,6 +27,8 @@ void append_length(std::string& out, double mm) {
   const auto [end, error] = std::to_chars(text, text + sizeof text, mm, std::chars_format::fixed);
   out.append(text, end);
 }
+
+void append_rounded_length(std::string& out, double mm) { append_length(out, std::round(mm * 1e4) / 1e4); }
 
 void append_text(std::string& out, const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hsr/io/write/dashes.h"
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/layers.h"
 #include "hsr/io/write/svg_text.h"
@@ -41,11 +42,27 @@ std::string document_start(const Drawing& drawing) {
 )";
 }
 
+void append_dashes(std::string& out, std::span<const double> lengths) {
+  out += "dash pattern=";
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    out += k == 0 ? "on " : k % 2 == 0 ? " on " : " off ";
+    append_rounded_length(out, lengths[k]);
+    out += "mm";
+  }
+}
+
 void append_style(std::string& out, const Layer& layer) {
-  out += "\\hsrstyle{" + layer.name() + "}{line width=" + length(layer.style.width) + "mm, line join=round, line cap=";
-  out += layer.style.is_dashed() ? "butt" : "round";
-  if (layer.style.is_dashed())
-    out += ", dash pattern=on " + length(layer.style.dash) + "mm off " + length(layer.style.gap) + "mm";
+  const Pen& pen = layer.pen;
+  out += "\\hsrstyle{" + layer.name() + "}{line width=" + length(pen.width) + "mm, line join=round, line cap=";
+  out += pen.is_dashed() ? "butt" : "round";
+  if (pen.has_colour) {
+    out += ", draw={rgb,255:red," + std::to_string(pen.colour[0]) + ";green," + std::to_string(pen.colour[1]) + ";blue," +
+           std::to_string(pen.colour[2]) + "}";
+  }
+  if (pen.is_dashed()) {
+    out += ", ";
+    append_dashes(out, pen.dashes);
+  }
   out += "}\n";
 }
 
@@ -61,6 +78,24 @@ void append_path(std::string& out, std::span<const PaperPoint> points, bool clos
     out += ')';
   }
   if (closed) out += "\n--cycle";
+}
+
+void append_line(std::string& out, const Drawing& drawing, const Polyline& p, const Pen& pen) {
+  out += "\\draw";
+  if (!pen.is_dashed()) {
+    out += ' ';
+    append_path(out, drawing.points_of(p), p.closed);
+  } else {
+    const DashedPath dashed = dashed_path(drawing.points_of(p), p.closed, pen);
+    out += '[';
+    if (dashed.lengths.size() == 1)
+      out += "solid";
+    else
+      append_dashes(out, dashed.lengths);
+    out += "] ";
+    append_path(out, {dashed.points.data(), dashed.points.size() - (p.closed ? 1 : 0)}, p.closed);
+  }
+  out += ";\n";
 }
 
 void append_fills(std::string& out, const Fills& fills) {
@@ -100,7 +135,7 @@ std::vector<Layer> styled_layers(const Drawing& drawing, const std::vector<Layer
   std::vector<Layer> all = layers;
   for (const FillLine& line : drawing.fills.lines)
     if (std::none_of(all.begin(), all.end(), [&](const Layer& l) { return l.name() == name_of(line); }))
-      all.push_back({false, line.edge_class, style_of(line), {}});
+      all.push_back({false, line.edge_class, drawing.pens.of(false, line.edge_class), {}});
   return all;
 }
 
@@ -116,10 +151,10 @@ std::string tikz(const Drawing& drawing) {
   append_fills(out, drawing.fills);
   for (const Layer& layer : layers) {
     out += "\\begin{scope}[hsr " + layer.name() + "]\n";
+    ObjectComments objects(drawing.objects);
     for (const Polyline& p : layer.polylines) {
-      out += "\\draw ";
-      append_path(out, drawing.points_of(p), p.closed);
-      out += ";\n";
+      objects.append(out, p.object);
+      append_line(out, drawing, p, layer.pen);
     }
     out += "\\end{scope}\n";
   }

@@ -10,6 +10,7 @@ namespace hsr {
 /// \usepackage{tikz}, as one tikzpicture.
 ///
 /// A scope for each visibility and class that occurs, in a style of that name, "hsr visible outline", after "hsr fill" for the fills.
+/// Comments name the objects where these are told apart. Dashes are each line's own.
 /// A style that the document defines before, by \tikzset{hsr visible outline/.style={...}}, stays.
 std::string tikz(const Drawing& drawing);
 

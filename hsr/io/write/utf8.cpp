@@ -2,6 +2,12 @@
 
 namespace hsr::internal {
 
+std::string printable(std::string_view text) {
+  std::string out;
+  for (const char c : text.substr(0, 200)) out += c >= ' ' && c <= '~' ? c : '?';
+  return out;
+}
+
 Utf8Character utf8_character(std::string_view text, std::size_t i) {
   const auto c = static_cast<unsigned char>(text[i]);
   const std::size_t length = c < 0x80                ? 1

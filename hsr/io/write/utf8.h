@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace hsr::internal {
@@ -14,6 +15,9 @@ struct Utf8Character {
   std::uint32_t code = 0;
   std::size_t bytes = 0;
 };
+
+/// The text in one line of printable ASCII, at most 200 characters; "?" stands for others.
+std::string printable(std::string_view text);
 
 /// The character that begins at text[i]. @pre i < text.size()
 Utf8Character utf8_character(std::string_view text, std::size_t i);

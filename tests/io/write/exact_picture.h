@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hsr/io/write/dashes.h"
 #include "tests/io/write/drawn_scene.h"
 
 namespace hsr {
@@ -114,23 +115,30 @@ class ExactPicture {
     return true;
   }
 
-  /// On hidden lines, where no visible one is near: ink on 3 mm, none on 0.75 mm, from their beginning on.
+  /// On hidden lines, where no visible one is near: ink on dashes, none on gaps.
   void compare_dashes(const RenderedPage& page, double dots, double margin, Wrong& wrong) const {
     for (const Polyline& p : drawing_.polylines) {
       if (!p.hidden) continue;
-      const auto points = drawing_.points_of(p);
-      double run = 0;
-      for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-        const double x = double(points[k + 1].x - points[k].x) / 1000, y = double(points[k + 1].y - points[k].y) / 1000;
+      const internal::DashedPath path =
+          internal::dashed_path(drawing_.points_of(p), p.closed, drawing_.pens.of(true, p.edge_class));
+      const auto& points = path.points;
+      double run = 0, begin = 0,
+             end = path.lengths[0];  // of the segments before, and where the dash or gap k is along the line
+      std::size_t k = 0;
+      for (std::size_t s = 0; s + 1 < points.size(); ++s) {
+        const double x = double(points[s + 1].x - points[s].x) / 1000, y = double(points[s + 1].y - points[s].y) / 1000;
         const double length = std::hypot(x, y);
         for (double at = 0; at < length; at += 0.5 / dots) {
-          const double t = at / length, phase = std::fmod(run + at, 3.75);
-          const Point2 q = {double(points[k].x) / 1000 + t * x, double(points[k].y) / 1000 + t * y};
-          const bool is_dash = phase > margin && phase<3 - margin, is_gap = phase> 3 + margin && phase < 3.75 - margin;
-          if (!(is_dash || is_gap) || is_near_another(q, points[k], points[k + 1])) continue;
+          while (run + at > end) {
+            begin = end;
+            end += path.lengths[++k % path.lengths.size()];
+          }
+          if (run + at - begin < margin || end - run - at < margin) continue;
+          const Point2 q = {double(points[s].x) / 1000 + at / length * x, double(points[s].y) / 1000 + at / length * y};
+          if (is_near_another(q, points[s], points[s + 1])) continue;
           const std::uint8_t* pixel = page.at(int(q.x * dots), int(q.y * dots));
           ++wrong.seen;
-          if ((pixel[0] < 110) != is_dash) ++wrong.dashes;
+          if ((pixel[0] < 110) != (k % 2 == 0)) ++wrong.dashes;
         }
         run += length;
       }
@@ -142,7 +150,7 @@ class ExactPicture {
       for (std::size_t k = 0; k < points.size(); ++k) {
         const PaperPoint &i = points[k], &j = points[(k + 1) % points.size()];
         if (k + 1 == points.size() && !p.closed) continue;
-        if (i == a && j == b) continue;
+        if ((i == a && j == b) || (i == b && j == a)) continue;
         if (distance(q, {double(i.x) / 1000, double(i.y) / 1000}, {double(j.x) / 1000, double(j.y) / 1000}) < 0.5) return true;
       }
     }

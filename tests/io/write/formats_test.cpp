@@ -2,8 +2,8 @@
 #include <sstream>
 
 #include "geometry/error.h"
-#include "hsr/io/write/dashes.h"
 #include "hsr/io/write/dxf.h"
+#include "hsr/io/write/dxf_pens.h"
 #include "hsr/io/write/eps.h"
 #include "hsr/io/write/hpgl.h"
 #include "hsr/io/write/layers.h"
@@ -48,9 +48,9 @@ TEST_CASE("Layers are runs of one visibility and class, hidden first, with their
   CHECK(layers[0].name() == "hidden sharp");
   CHECK(layers[1].name('_') == "visible_outline");
   CHECK(layers[2].name('-') == "visible-smooth");
-  CHECK(layers[0].style.is_dashed());
-  CHECK(layers[1].style.width == 0.5);
-  CHECK(layers[2].style.width == 0.25);
+  CHECK(layers[0].pen.is_dashed());
+  CHECK(layers[1].pen.width == 0.5);
+  CHECK(layers[2].pen.width == 0.25);
   CHECK(layers_of({}).empty());
 }
 
@@ -74,7 +74,7 @@ TEST_CASE("An EPS has the page as its bounding box", "[write][eps][D12]") {
   CHECK(text.starts_with("%!PS-Adobe-3.0 EPSF-3.0\n"));
   CHECK(contains(text, "%%BoundingBox: 0 0 284 284\n%%HiResBoundingBox: 0 0 283.464566929 283.464566929\n"));
   CHECK(contains(text, "%%Title: caf??\n"));
-  CHECK(contains(text, "% layer: hidden sharp\n0 0 0 RG\n0.25 w 0 J [3 0.75] 0 d\n40 45 m\n60 44.75 l\nS\n"));
+  CHECK(contains(text, "% layer: hidden sharp\n0 0 0 RG\n0.25 w 0 J\n40 45 m\n42.708 44.966 l\n"));
 }
 
 TEST_CASE("DXF coordinates are those of the view's frame, to a millionth of the drawing or finer", "[write][dxf][D13]") {
@@ -100,15 +100,63 @@ TEST_CASE("TikZ has a scope and a style for each layer", "[write][tikz][D11]") {
 TEST_CASE("HPGL has 40 units to the millimetre, y up, and a pen for each layer", "[write][hpgl][D14]") {
   CHECK(hpgl(example()) ==
         "IN;\nSP1;\n"
-        "PU1600,2200;PD1720,2201;\nPU1750,2202;PD1870,2203;\nPU1900,2204;PD2020,2205;\nPU2050,2206;PD2170,2207;\n"
-        "PU2200,2207;PD2320,2209;\nPU2350,2209;PD2400,2210;\n"
+        "PU1600,2200;PD1708,2201;\nPU1738,2202;PD1847,2203;\nPU1877,2203;PD1985,2205;\nPU2015,2205;PD2123,2207;\n"
+        "PU2153,2207;PD2262,2208;\nPU2292,2209;PD2400,2210;\n"
         "SP2;\nPU1600,2000;PD2400,2000;\nSP3;\nPU1600,1800;PD2400,1790;\nPU;SP0;\n");
 }
 
-TEST_CASE("Dashes run on over corners", "[write][D14]") {
-  const std::vector<PaperPoint> corner = {{0, 0}, {2000, 0}, {2000, 2500}};
-  const auto dashes = dashes_of(corner, {0.25, 3, 0.75});
-  REQUIRE(dashes.size() == 2);
-  CHECK(dashes[0] == std::vector<PaperPoint>{{0, 0}, {2000, 0}, {2000, 1000}});
-  CHECK(dashes[1] == std::vector<PaperPoint>{{2000, 1750}, {2000, 2500}});
+TEST_CASE("Objects are told apart within layers by PDF, DXF, EPS and TikZ", "[write][O8]") {
+  Drawing d = example();
+  d.objects = {"n\xC3\xA4h (1", "a\nb", ""};
+  d.polylines[0].object = 0;
+  d.polylines[1].object = 1;
+  d.polylines[2].object = 2;
+  const std::string file = pdf(d);
+  CHECK(contains(file, "/Name <FEFF006E00E40068002000280031>"));
+  CHECK(contains(file, "/Name <FEFF0061000A0062>"));
+  // Layers, the last drawn first, each with its objects.
+  CHECK(contains(file, "/OCGs [ 6 0 R 7 0 R 8 0 R 9 0 R 10 0 R ] /D << /Order [ 10 0 R 8 0 R [ 9 0 R ] 6 0 R [ 7 0 R ] ] >>"));
+  CHECK(contains(eps(d), "% layer: hidden sharp\n0 0 0 RG\n0.25 w 0 J\n% object: n??h (1\n"));
+  CHECK(contains(tikz(d), "\\begin{scope}[hsr visible outline]\n% object: a?b\n\\draw "));
+
+  Drawing in_units = example_in_frame_units();
+  in_units.objects = d.objects;
+  in_units.polylines[0].object = 0;
+  in_units.polylines[1].object = 1;
+  const std::string lines = dxf(in_units);
+  CHECK(contains(lines, "1000\nfaces\n1000\nobject\n1000\nn\\U+00E4h (1\n"));
+  CHECK(contains(lines, "1000\nobject\n1000\na b\n"));
+  CHECK_FALSE(contains(dxf(example_in_frame_units()), "object"));
+}
+
+TEST_CASE("DXF has the nearest numbered colour, the nearest line weight, and line types for other dashes",
+          "[write][dxf][D15]") {
+  Drawing d = example_in_frame_units();
+  d.pens.set(parse_pens("hidden=0.33:#808080:2-1,visible=0.6:#fe0102"));
+  const std::string text = dxf(d, {DxfVersion::r2000, 1, 2});
+  CHECK(contains(text, "HIDDEN_SHARP\n70\n0\n62\n8\n6\nHIDDEN_SHARP\n370\n35\n"));
+  CHECK(contains(text, "VISIBLE_OUTLINE\n70\n0\n62\n1\n6\nCONTINUOUS\n370\n60\n"));
+  CHECK(contains(text, "HIDDEN_SHARP\n70\n0\n3\nHIDDEN_SHARP\n72\n65\n73\n2\n40\n12.0\n49\n8.0\n74\n0\n49\n-4.0\n"));
+  for (const auto& [colour, number] : {std::pair{Colour{0, 0, 0, 255}, 7},
+                                       {{255, 255, 255, 255}, 255},
+                                       {{255, 127, 0, 255}, 30},
+                                       {{0, 0, 189, 255}, 172},
+                                       {{255, 170, 170, 255}, 11},
+                                       {{52, 50, 51, 255}, 250}})
+    CHECK(dxf_colour(colour) == number);
+}
+
+TEST_CASE("A hidden line that is short in DXF has dashes to scale, where the release can say so", "[write][dxf][D13]") {
+  HandMadeLines h;
+  h.add({0, 0, 0}, {1, 0, 0}, EdgeClass::sharp, true);
+  h.add({0, 0, 3}, {100, 0, 3}, EdgeClass::sharp, true);
+  const Mesh m = h.mesh();
+  DrawingOptions options;
+  options.hidden = HiddenLines::dashed;
+  options.in_frame_units = true;
+  const Drawing d = draw(m, named_view("front"), h.lines(m), options);
+  const std::string text = dxf(d, {DxfVersion::r2000, 1, 2});
+  CHECK(contains(text, "8\nHIDDEN_SHARP\n48\n0.2963\n100\nAcDbLine\n"));  // 2 mm of 6.75
+  CHECK(contains(text, "8\nHIDDEN_SHARP\n100\nAcDbLine\n"));
+  CHECK_FALSE(contains(dxf(d, {DxfVersion::r12, 1, 2}), "\n48\n"));
 }

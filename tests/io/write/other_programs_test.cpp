@@ -103,7 +103,7 @@ TEST_CASE("A lost hole, a pen that is too wide, a lost dash and a swapped layer 
           for (Polyline& p : d.polylines)
             if (p.edge_class == EdgeClass::smooth) p.edge_class = EdgeClass::outline;
         }).areas > 100);
-  CHECK(wrong_with([](Drawing& d) { d.hidden = HiddenLines::solid; }).dashes > 100);
+  CHECK(wrong_with([](Drawing& d) { d.pens = Pens(0.5, HiddenLines::solid); }).dashes > 100);
   CHECK(wrong_with([](Drawing& d) {
           for (Polyline& p : d.polylines) p.hidden = !p.hidden;
         }).lines > 1000);
@@ -126,6 +126,15 @@ TEST_CASE("A PDF is sound, has a layer for each visibility and class, and the pa
     for (std::size_t at = all.find("/Name ("); at != std::string::npos; at = all.find("/Name (", at + 1))
       names += all.substr(at + 7, all.find(')', at) - at - 7) + ",";
     CHECK(names == "visible smooth,visible boundary,visible sharp,visible outline,hidden sharp,hidden outline,fill,");
+  }
+  if (is_there("qpdf")) {  // objects are layers within the layers
+    Drawing told_apart = drawing;
+    told_apart.objects = {"plate", "box"};
+    for (std::size_t k = 0; k < told_apart.polylines.size(); ++k) told_apart.polylines[k].object = k % 4 == 3 ? 1 : 0;
+    here.write("objects.pdf", pdf(told_apart));
+    const std::string said = here.run("qpdf --check objects.pdf", status);
+    INFO(said);
+    CHECK(status == 0);
   }
   if (is_there("pdfinfo")) {
     const std::string said = here.run("pdfinfo drawn.pdf", status);
@@ -250,6 +259,14 @@ TEST_CASE("A DXF is sound, and has each visible and hidden part at 1:1 with its 
       numbers += e["data"].size() - 2;
     }
     CHECK(numbers == 2 * drawing.edges.size() + drawing.faces.size());
+    Drawing told_apart = drawing;
+    told_apart.objects = {
+        "Wand S\xC3\xBC"
+        "d"};
+    told_apart.polylines[0].object = 0;
+    const auto first = read_dxf(told_apart, version)["entities"][0]["data"];
+    CHECK(first[first.size() - 2] == "object");
+    CHECK(first.back() == "Wand S\\U+00FCd");
     Drawing planted = drawing;  // layers swapped
     for (Polyline& p : planted.polylines) p.hidden = !p.hidden;
     CHECK(strays(lines_of(read_dxf(planted, version)["entities"]), exact, 1e-5) > 50);

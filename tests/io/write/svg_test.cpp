@@ -67,7 +67,7 @@ TEST_CASE("An SVG has the page in millimetres and a layer for each visibility an
       contains(text, R"(<g id="hidden-sharp" class="hidden sharp" inkscape:groupmode="layer" inkscape:label="hidden sharp")"));
   CHECK(contains(text, R"(stroke-width="0.25" stroke-dasharray="3 0.75")"));
   CHECK(contains(text, R"(<path d="M40 50 60 50" data-edge="0-1" data-face=""/>)"));
-  CHECK(contains(text, R"(<path d="M40 45 60 44.75" data-edge="2-3" data-face=""/>)"));
+  CHECK(contains(text, R"(<path d="M40 45 60 44.75" stroke-dasharray="2.7086 0.75" data-edge="2-3" data-face=""/>)"));
   const auto pen = [&](const std::string& layer) {
     const std::string width = "stroke-width=\"";
     const std::size_t at = text.find(width, text.find("id=\"" + layer)) + width.size();
@@ -82,7 +82,7 @@ TEST_CASE("An SVG has the page in millimetres and a layer for each visibility an
 TEST_CASE("Hidden lines are dashed or solid", "[write][svg]") {
   Drawing d = example();
   CHECK(contains(svg(d), "stroke-dasharray"));
-  d.hidden = HiddenLines::solid;
+  d.pens = Pens(0.5, HiddenLines::solid);
   CHECK_FALSE(contains(svg(d), "stroke-dasharray"));
 }
 

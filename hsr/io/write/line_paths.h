@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "hsr/drawing/drawing.h"
+
+namespace hsr::internal {
+
+/// Lines in the operators of PDF, as painted_paths.h has them: the pen that they are drawn with, and one of them. Dashes are lines of
+/// their own: no limit of a reader to the number of their lengths holds.
+void append_pen(std::string& out, const Pen& pen);
+void append_line(std::string& out, const Drawing& drawing, const Polyline& line, const Pen& pen);
+
+}  // namespace hsr::internal
