@@ -17,8 +17,8 @@ int main(int argc, char** argv) try {
   hsr::DrawingOptions options;
   options.hidden = hsr::HiddenLines::dashed;
   const hsr::Drawing drawing = hsr::draw(mesh, view, hsr::visible_lines(mesh, view), options);
-  std::ofstream(directory + "/drawing.svg", std::ios::binary) << hsr::svg(drawing);
-  std::ofstream(directory + "/drawing.png", std::ios::binary) << hsr::png(drawing);
+  std::ofstream(directory + "/drawing.svg", std::ios::binary) << hsr::written(drawing, "svg");
+  std::ofstream(directory + "/drawing.png", std::ios::binary) << hsr::written(drawing, "png");
   std::printf("%zu polylines on %g x %g mm\n", drawing.polylines.size(), drawing.width, drawing.height);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -17,7 +17,8 @@ int main(int argc, char** argv) try {
     const auto visible = std::count_if(all.begin(), all.end(), [](const hsr::Segment& s) { return !s.is_hidden; });
     const hsr::PaintersOrder order = tree.order(view);
     std::printf("from %g,%g,%g: %td visible segments; of %zu pieces the last is of face %u\n", direction.x, direction.y,
-                direction.z, visible, order.pieces.size(), scene.mesh().face_of[order.pieces.back().facet].value);
+                direction.z, visible, order.pieces.size(),
+                scene.mesh().face_of[first_triangle(order.pieces.back().facet)].value);
   }
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -17,14 +17,14 @@ struct BitRange {
   int bits() const { return highest - lowest; }
   bool is_zero() const { return highest == lowest; }
 
-  void add(double x);  ///< @pre finite
-  void add(const Point3& p);
+  void add(double x);         ///< @throws PreconditionError unless finite
+  void add(const Point3& p);  ///< @throws PreconditionError unless finite
   void add(const BitRange& c);  ///< of both sets of numbers
 
   friend bool operator==(const BitRange&, const BitRange&) = default;
 };
 
-/// The bit range of all coordinates of `points`. @pre finite. Cost: O(n).
+/// The bit range of all coordinates of `points`. @throws PreconditionError unless finite. Cost: O(n).
 BitRange bit_range(std::span<const Point3> points);
 
 }  // namespace hsr

@@ -24,7 +24,12 @@ struct Index {
 using VertexId = Index<struct VertexTag>;      ///< a point of the model, in file order
 using FaceId = Index<struct FaceTag>;          ///< a face of the model, in file order
 using TriangleId = Index<struct TriangleTag>;  ///< a triangle of the faces as used
-using EdgeId = Index<struct EdgeTag>;          ///< an edge of the mesh, sorted by its vertices
+/// A planar face, or one triangle of a face that is cut: counted by its first triangle, but no triangle.
+using FacetId = Index<struct FacetTag>;
+using EdgeId = Index<struct EdgeTag>;  ///< an edge of the mesh, sorted by its vertices
+
+/// The first of the facet's triangles: it is in the facet's plane, and all of them are of one face.
+constexpr TriangleId first_triangle(FacetId facet) { return TriangleId(facet.value); }
 
 /// @throws InputError if `n` things are too many for an index, one value of which stands for none
 inline void check_countable(std::size_t n, const char* things) {

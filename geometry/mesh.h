@@ -99,8 +99,10 @@ struct Mesh {
 Mesh make_mesh(std::vector<Point3> points, const Polygons& polygons, double tolerance = 0);
 /// Of faces in flat arrays: face f has the corners corners[first[f]] ... corners[first[f + 1] - 1], so there is one `first` more
 /// than faces.
+/// @throws InputError, PreconditionError as above
 Mesh make_mesh(std::span<const Point3> points, std::span<const std::uint32_t> corners, std::span<const std::uint32_t> first);
 /// Of triangles.
+/// @throws InputError as above
 Mesh make_mesh(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles);
 
 }  // namespace hsr

@@ -21,7 +21,7 @@ constexpr Sign sign_of(const T& x) {
 class Rational {
  public:
   Rational() { mpq_init(q_); }
-  Rational(double x);  // NOLINT(google-explicit-constructor): every finite double is a rational. @pre finite
+  Rational(double x);  // NOLINT(google-explicit-constructor): every finite double is a rational. @throws PreconditionError unless finite
   Rational(const Rational& o) : Rational() { mpq_set(q_, o.q_); }
   Rational(Rational&& o) noexcept : Rational() { mpq_swap(q_, o.q_); }
   Rational& operator=(const Rational& o) {

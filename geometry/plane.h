@@ -40,7 +40,7 @@ struct Plane {
   static Plane of_sight_along_axis(const Viewpoint& e, const Point3& c, int axis);
 
   static Plane near(const Point3& eye, const Point3& target, double k);
-  /// @pre `line` is a span
+  /// @throws PreconditionError unless `line` is a span
   static Plane near_line(const Point3& eye, const Point3& target, double k, const Plane& line);
 };
 

@@ -57,7 +57,8 @@ class Predicates {
   /// they meet in no single point. Degree 6 for spans.
   Sign turn(const Plane& a, const Plane& b, const Plane& c);
 
-  /// On which side of `x` the common point of a, b and c lies. @pre a is a span; they meet in one point. Degree 9 for spans.
+  /// On which side of `x` the common point of a, b and c lies. Degree 9 for spans.
+  /// @throws PreconditionError unless a is a span, and they meet in one point
   Sign side(const Plane& x, const Plane& a, const Plane& b, const Plane& c);
 
   /// On which side of the line l of the image the image of p lies: positive, to its left as seen. Degree 3; of a meet 6.
@@ -65,7 +66,8 @@ class Predicates {
   /// How m turns against l, where each runs with its positive side on its left: positive, to the left, so that the values of m
   /// fall along l; zero, they are parallel in the image. Degree 4 and up (of the planes' own degrees).
   Sign turn(const Camera& camera, const ViewPlane& l, const ViewPlane& m);
-  /// On which side of the line n the crossing of l and m lies. @pre turn(l, m) is not zero. Degree 6; of three meets 15.
+  /// On which side of the line n the crossing of l and m lies. Degree 6; of three meets 15.
+  /// @throws PreconditionError if turn(l, m) is zero
   Sign side(const Camera& camera, const ViewPlane& n, const ViewPlane& l, const ViewPlane& m);
 
   Arithmetic arithmetic() const { return arithmetic_; }

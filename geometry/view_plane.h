@@ -45,13 +45,14 @@ std::array<ErrorBounded, 2> image_of_point(const Camera& camera, const Point3& p
                                            const std::array<Point3, 2>& rows);
 
 /// The point of the plane x that is seen where the lines of l and m cross; on the line of sight of p. Exact.
-/// @throws PreconditionError if the lines are parallel in the image, or x contains the viewpoint
+/// @throws PreconditionError if the lines are parallel in the image, or x contains the viewpoint or is parallel to the line of sight
 std::array<Rational, 3> exact_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x);
 std::array<Rational, 3> exact_point(const Camera& camera, const Point3& p, const Plane& x);
 /// The point of the plane x that is seen where the lines of l and m cross, in doubles with proven bounds; errors that are not
 /// finite where they tell nothing.
 std::array<ErrorBounded, 3> bounded_point(const Camera& camera, const ViewPlane& l, const ViewPlane& m, const Plane& x);
 /// The coordinates of image_of_crossing and image_of_point. Exact.
+/// @throws PreconditionError if the lines are parallel in the image
 std::array<Rational, 2> exact_image_of_crossing(const Camera& camera, const ViewPlane& l, const ViewPlane& m,
                                                 const Point3& origin, const std::array<Point3, 2>& rows);
 std::array<Rational, 2> exact_image_of_point(const Camera& camera, const Point3& p, const Point3& origin,

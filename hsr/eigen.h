@@ -9,7 +9,7 @@
 
 #include "geometry/error.h"
 #include "geometry/mesh.h"
-#include "hsr/coordinates/segments.h"
+#include "hsr/coordinates/coordinates.h"
 
 // Meshes from matrices and results as matrices. Header only: whoever includes it brings Eigen 3; the library does not need it.
 

@@ -1,7 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
+
+#include "geometry/index.h"
 
 namespace hsr {
 
@@ -12,6 +16,18 @@ namespace hsr {
 struct FaceLabels {
   std::vector<std::uint32_t> object;
   std::vector<std::uint32_t> material;
+};
+
+/// Which object each face of a scene is of, where two or more are told apart; for what is written.
+struct FaceObjects {
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+  std::vector<std::string> names;      ///< in the file's words
+  std::vector<std::uint32_t> of_face;  ///< index of a name, or none; empty like names
+
+  bool are_told_apart() const { return names.size() > 1; }
+  /// The object that all of these faces are of; none: they are of several, or of none.
+  std::uint32_t object_of(std::span<const FaceId> faces) const;
 };
 
 }  // namespace hsr

@@ -1,4 +1,4 @@
-#include "hsr/face_objects.h"
+#include "hsr/face_labels.h"
 
 namespace hsr {
 

@@ -15,7 +15,7 @@
 #include "geometry/index.h"
 #include "geometry/number.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -207,4 +207,4 @@ JoinedModels joined(std::vector<ModelToJoin> models) {
   return {std::move(all), unit, is_y_up};
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,7 +5,7 @@
 
 #include "hsr/model.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A model that becomes a part of a scene, and what its coordinates mean.
 struct ModelToJoin {
@@ -37,4 +37,4 @@ struct JoinedModels {
 /// Exact: yes. Cost: O(n).
 JoinedModels joined(std::vector<ModelToJoin> models);
 
-}  // namespace hsr
+}  // namespace hsr::internal

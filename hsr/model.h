@@ -8,7 +8,6 @@
 
 #include "geometry/mesh.h"
 #include "hsr/face_labels.h"
-#include "hsr/face_objects.h"
 
 namespace hsr {
 

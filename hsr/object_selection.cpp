@@ -5,7 +5,7 @@
 
 #include "geometry/error.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 namespace {
 
@@ -78,4 +78,4 @@ void select(Model& model, const ObjectSelection& selection) {
   model.polygons = std::move(kept);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

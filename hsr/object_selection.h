@@ -5,7 +5,7 @@
 
 #include "hsr/model.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Objects of a model, by name.
 struct ObjectSelection {
@@ -21,4 +21,4 @@ struct ObjectSelection {
 /// @throws InputError for a name that is none of the model's (the line lists these), or that is hidden and asked for
 void select(Model& model, const ObjectSelection& selection);
 
-}  // namespace hsr
+}  // namespace hsr::internal

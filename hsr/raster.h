@@ -4,7 +4,6 @@
 
 // IWYU pragma: begin_exports
 #include "hsr/raster/caster.h"
-#include "hsr/raster/painted_order.h"
 #include "hsr/raster/samples.h"
 #include "hsr/raster/z_buffer.h"
 // IWYU pragma: end_exports

@@ -7,7 +7,6 @@
 #include "hsr/raster/a_buffer.h"
 #include "hsr/raster/alpha_buffer.h"
 #include "hsr/raster/caster.h"
-#include "hsr/raster/painted_order.h"
 #include "hsr/raster/supersampling.h"
 #include "hsr/raster/z_buffer.h"
 

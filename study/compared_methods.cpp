@@ -4,14 +4,13 @@
 #include <cmath>
 #include <memory>
 
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
 #include "hsr/raster/alpha_buffer.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/depth_buffer.h"
-#include "hsr/raster/painted_order.h"
 #include "hsr/raster/row_z_buffer.h"
 #include "hsr/raster/scanline.h"
 #include "hsr/raster/tiled_z_buffer.h"
@@ -74,7 +73,7 @@ ShownPicture shown_order(const Mesh& mesh, const View& view, const SampleGrid& g
   const Image<std::uint32_t> pieces = paint(mesh, view, order, grid);
   ShownPicture picture{Image<TriangleId>(grid.width, grid.height), {}};
   std::transform(pieces.pixels.begin(), pieces.pixels.end(), picture.triangles.pixels.begin(),
-                 [&](std::uint32_t p) { return p == no_piece ? TriangleId() : order.pieces[p].facet; });
+                 [&](std::uint32_t p) { return p == no_piece ? TriangleId() : first_triangle(order.pieces[p].facet); });
   return picture;
 }
 

@@ -57,7 +57,7 @@ class Coverage {
   }
 
   /// All sides are added: measures against what is shown.
-  void finish(TriangleId facet, AreaCheck& sum) {
+  void finish(FacetId facet, AreaCheck& sum) {
     std::sort(cells_.begin(), cells_.end(),
               [](const Cell& a, const Cell& b) { return a.row != b.row ? a.row < b.row : a.column < b.column; });
     // Clockwise or not: the sign of the whole.
@@ -107,7 +107,7 @@ class Coverage {
     }
   }
 
-  void measure(TriangleId facet, int begin, int end, int j, double area, AreaCheck& sum) const {
+  void measure(FacetId facet, int begin, int end, int j, double area, AreaCheck& sum) const {
     const TriangleId* row = shown_.row(j);
     for (int i = begin; i < end; ++i) {
       sum.visible += area;

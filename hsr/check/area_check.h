@@ -4,7 +4,7 @@
 #include "hsr/image.h"
 #include "hsr/raster/samples.h"
 #include "hsr/scene/scene.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/view/view.h"
 
 namespace hsr::internal {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "hsr/check/fragment_check.h"
 #include "hsr/check/measure.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/z_buffer.h"
 #include "hsr/surfaces/visible_fragments.h"

@@ -9,7 +9,7 @@
 #include "hsr/check/z_buffer_check.h"
 #include "hsr/raster/samples.h"
 #include "hsr/scene/scene.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/view/view.h"
 
 namespace hsr::internal {

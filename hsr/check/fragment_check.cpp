@@ -1,10 +1,9 @@
-#include "hsr/check/fragment_check.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "hsr/check/sample_checks.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/rasterizer.h"
 #include "hsr/scene/facet.h"
@@ -39,7 +38,7 @@ class FragmentSpans {
   }
 
  private:
-  int rows_above(const MapPoint& p, TriangleId facet) {
+  int rows_above(const MapPoint& p, FacetId facet) {
     Predicates& exact = map_.exact();
     if (p.is_vertex) return signs_.rows_above(p.vertex, exact);
     const ViewPlane l = map_.plane(p.l), m = map_.plane(p.m);
@@ -70,7 +69,7 @@ bool all_in_front(const SampleSigns& signs, const VisibleFragments& all) {
   bool reaches_near = false;
   std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
   for (const Fragment& f : all.fragments)
-    for (TriangleId t = f.facet; t < facet_end(mesh, f.facet); t = TriangleId(t.value + 1U)) {
+    for (TriangleId t = first_triangle(f.facet); t < facet_end(mesh, f.facet); t = TriangleId(t.value + 1U)) {
       reaches_near = reaches_near || projected.reaches_before_near(t);
       for (const VertexId v : mesh.triangles[t]) is_used[v.value] = 1;
     }
@@ -80,7 +79,7 @@ bool all_in_front(const SampleSigns& signs, const VisibleFragments& all) {
   if (!reaches_near) return true;
   // What the near plane cuts off has corners of its own.
   const MapPredicates map(projected);
-  const auto is_in_front = [&](const MapPoint& p, TriangleId facet) {
+  const auto is_in_front = [&](const MapPoint& p, FacetId facet) {
     const Sign certain = signs.certain_front(map.point(p, facet));
     if (certain != Sign::zero) return certain == Sign::positive;
     return signs.is_in_front(exact_point(projected.camera(), map.plane(p.l), map.plane(p.m), projected.face_plane(facet)));
@@ -123,7 +122,7 @@ Image<TriangleId> paint(const SceneView& scene, const VisibleFragments& fragment
       TriangleId* row = image.row(span.row);
       for (int i = span.begin; i < span.end; ++i) {
         if (row[i].is_valid()) ++overlapping;
-        row[i] = fragments.fragments[part.fragment[s]].facet;
+        row[i] = first_triangle(fragments.fragments[part.fragment[s]].facet);
       }
     }
   return image;
@@ -138,14 +137,14 @@ FragmentCheck check_fragments(const SceneView& scene, const VisibleFragments& fr
   const Mesh& mesh = scene.mesh();
   FragmentCheck check;
   const Image<TriangleId> painted = paint(scene, fragments, samples, check.overlapping);
-  const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh, t) : t; };
+  const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh, t) : FacetId(); };
   const auto face = [&](TriangleId t) { return t.is_valid() ? mesh.face_of[t] : FaceId(); };
   for (int j = 0; j < samples.height; ++j)
     for (int i = 0; i < samples.width; ++i) {
-      const TriangleId p = painted.at(i, j), c = facet(nearest.at(i, j));
+      const TriangleId p = painted.at(i, j), c = nearest.at(i, j);
       ++check.samples;
       if (c.is_valid()) ++check.covered;
-      if (p == c) continue;
+      if (facet(p) == facet(c)) continue;
       ++check.wrong;
       if (check.first_wrong.size() < 10) check.first_wrong.push_back({i, j, face(p), face(c)});
     }

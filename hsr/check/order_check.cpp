@@ -1,7 +1,5 @@
-#include "hsr/check/order_check.h"
-
+#include "hsr/check/sample_checks.h"
 #include "hsr/raster/caster.h"
-#include "hsr/raster/painted_order.h"
 #include "hsr/scene/facet.h"
 
 namespace hsr {
@@ -19,8 +17,8 @@ OrderCheck check_order(const SceneView& scene, const PaintersOrder& order, const
       const TriangleId cast = seen.triangles.at(i, j);
       ++check.samples;
       if (cast.is_valid()) ++check.covered;
-      const TriangleId shown = piece == no_piece ? TriangleId() : order.pieces[piece].facet;
-      if (shown == (cast.is_valid() ? facet_of(mesh, cast) : cast)) continue;
+      const FacetId shown = piece == no_piece ? FacetId() : order.pieces[piece].facet;
+      if (shown == (cast.is_valid() ? facet_of(mesh, cast) : FacetId())) continue;
       if (check.wrong++ == 0) check.first_wrong = {i, j};
     }
   return check;

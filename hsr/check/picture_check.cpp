@@ -24,8 +24,9 @@ class Judge {
   Mistake operator()(TriangleId shown, TriangleId nearest, int i, int j) {
     if (!shown.is_valid() || !nearest.is_valid()) return Mistake::edge;
     // A picture may show a facet by any of its triangles.
-    const TriangleId end = facet_end(mesh_, facet_of(mesh_, shown));
-    TriangleId at = facet_of(mesh_, shown);
+    const FacetId facet = facet_of(mesh_, shown);
+    const TriangleId end = facet_end(mesh_, facet);
+    TriangleId at = first_triangle(facet);
     while (at < end && !made(at).covers(i, j)) at = TriangleId(at.value + 1U);
     if (at == end) return Mistake::edge;
     const ExactTriangle &a = made(at), &b = made(nearest);

@@ -15,9 +15,7 @@
 #include "hsr/raster/scanned_triangle.h"
 #include "hsr/scene/facet.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -220,4 +218,4 @@ template ZBufferCheck check_z_buffer(const Mesh&, const View&, const SampleGrid&
 template ZBufferCheck check_z_buffer(const Mesh&, const View&, const SampleGrid&, const DepthImage<double>&,
                                      const Image<TriangleId>&, TieRule);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/z_buffer.h"
 #include "hsr/scene/tie_rule.h"
 #include "hsr/view/view.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Why a z-buffer shows another face than the nearest at a sample.
 enum class Difference : std::uint8_t {
@@ -49,4 +49,4 @@ extern template ZBufferCheck check_z_buffer(const Mesh&, const View&, const Samp
 extern template ZBufferCheck check_z_buffer(const Mesh&, const View&, const SampleGrid&, const DepthImage<double>&,
                                             const Image<TriangleId>&, TieRule);
 
-}  // namespace hsr
+}  // namespace hsr::internal

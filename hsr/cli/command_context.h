@@ -47,7 +47,7 @@ struct ViewedModel {
   /// The model's file name without its directories.
   std::string name() const;
   /// What a picture of it is called: its name, and "view: iso".
-  SvgOptions captions() const;
+  internal::SvgOptions captions() const;
 };
 
 /// What every verb works with, from its options to the last file that it writes.

@@ -128,7 +128,7 @@ Report::Json areas_json(const Model& model, const Mesh& mesh, const View& view, 
   std::map<std::uint32_t, Areas> of_face, of_object;
   Areas all;
   for (std::size_t k = 0; k < of_fragment.size(); ++k) {
-    const std::uint32_t face = mesh.face_of[fragments.fragments[k].facet].value;
+    const std::uint32_t face = mesh.face_of[first_triangle(fragments.fragments[k].facet)].value;
     of_face[face].push_back(&of_fragment[k]);
     all.push_back(&of_fragment[k]);
     if (model.face_object.empty() || model.face_object[face] == 0xffffffffU) continue;

@@ -11,6 +11,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 namespace {
 
 std::string name(FaceId face) { return face.is_valid() ? "face " + std::to_string(face.value) : std::string("nothing"); }

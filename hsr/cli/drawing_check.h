@@ -1,18 +1,18 @@
 #pragma once
 
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/check/z_buffer_check.h"
 #include "hsr/cli/report.h"
 #include "hsr/raster/samples.h"
 #include "hsr/scene/scene.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 
 namespace hsr::cli {
 
 /// The fragments of a drawing, and z-buffers of the same picture, against the nearest face at each sample.
 struct DrawingCheck {
   FragmentCheck fragments;
-  ZBufferCheck single, twice;  ///< of floats, of doubles
+  internal::ZBufferCheck single, twice;  ///< of floats, of doubles
 
   bool is_right() const { return fragments.is_right() && single.is_explained() && twice.is_explained(); }
 };

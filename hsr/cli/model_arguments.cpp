@@ -11,6 +11,8 @@
 
 namespace hsr::cli {
 
+using namespace internal;
+
 void ModelArguments::add_to(Options& options) {
   options
       .add_several("MODEL", models,

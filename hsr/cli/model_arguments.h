@@ -13,7 +13,7 @@ namespace hsr::cli {
 struct ModelArguments {
   std::vector<std::string> models;  ///< paths; - is the standard input
   std::string from;                 ///< the format of the standard input; empty: by content
-  ObjectSelection objects;
+  internal::ObjectSelection objects;
 
   /// MODEL ... and --from.
   void add_to(Options& options);

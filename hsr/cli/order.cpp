@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "geometry/error.h"
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/cli/coincident_note.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
@@ -17,13 +17,11 @@
 #include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/painting.h"
 #include "hsr/drawing/shading.h"
-#include "hsr/io/write/eps.h"
 #include "hsr/io/write/format.h"
-#include "hsr/io/write/order_json.h"
-#include "hsr/io/write/pdf.h"
-#include "hsr/io/write/png.h"
+#include "hsr/io/write/json.h"
 #include "hsr/io/write/svg.h"
-#include "hsr/io/write/tikz.h"
+#include "hsr/io/write/png.h"
+#include "hsr/io/write/write.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
@@ -65,7 +63,7 @@ Report::Json json_of(const std::vector<PaintersCycle>& cycles, const Mesh& mesh,
   Report::Json list = Report::Json::array();
   for (const PaintersCycle& cycle : cycles) {
     Report::Json faces = Report::Json::array(), points = Report::Json::array();
-    for (const TriangleId t : cycle.facets) faces.push_back(mesh.face_of[t].value);
+    for (const FacetId facet : cycle.facets) faces.push_back(mesh.face_of[first_triangle(facet)].value);
     for (const auto& w : witnesses(mesh, view, cycle))
       points.push_back(Report::Json::array({w[0].to_double(), w[1].to_double(), w[2].to_double()}));
     list.push_back({{"faces", std::move(faces)}, {"witnesses", std::move(points)}});
@@ -241,22 +239,18 @@ const Drawing& OrderCommand::drawing() {
 }
 
 std::string OrderCommand::bytes_of(Format format) {
-  const std::string title = scene_.captions().title;
-  switch (format) {
-    case Format::svg:
-      return svg(drawing(), scene_.captions());
-    case Format::pdf:
-      return pdf(drawing(), title);
-    case Format::eps:
-      return eps(drawing(), title);
-    case Format::tex:
-      return tikz(drawing());
-    case Format::png:
-      return png(drawing(), request_.size);
-    default:
-      return order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded,
-                        a_.scene.which_coplanar());
+  if (format == Format::json)
+    return order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded,
+                      a_.scene.which_coplanar());
+  const SvgOptions captions = scene_.captions();
+  WriteOptions options;
+  options.title = captions.title;
+  options.description = captions.description;
+  if (request_.size) {
+    options.width = request_.size->width;
+    options.height = request_.size->height;
   }
+  return written(drawing(), name_of(format), options);
 }
 
 void OrderCommand::write() {

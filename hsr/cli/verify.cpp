@@ -13,7 +13,7 @@
 #include "hsr/cli/commands.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/scene_arguments.h"
-#include "hsr/io/read/order_json.h"
+#include "hsr/io/read/read.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/verdict_svg.h"
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "hsr/coordinates/segments.h"
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/lines/triangle_occlusion.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/view_parts.h"
@@ -24,7 +24,8 @@ std::vector<FaceId> occluders_of(const SceneView& scene, const VisibleLines& lin
   if (support.is_edge())
     box = projected.box(support.a, support.b);
   else  // it is within the box of either facet
-    for (TriangleId t = support.meet.s; t < facet_end(mesh, support.meet.s); ++t.value) box.add(projected.box(t));
+    for (TriangleId t = first_triangle(support.meet.s); t < facet_end(mesh, support.meet.s); ++t.value)
+      box.add(projected.box(t));
   std::vector<HiddenInterval> shadows;
   const Occluders& occluders = parts.occluders(Excluded::none);
   occluders.tree.visit(box, [&](std::uint32_t i) {

@@ -1,8 +1,7 @@
-#include "hsr/coordinates/polygons.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/coordinates/rounded_coordinates.h"
 
 namespace hsr {
@@ -27,7 +26,7 @@ std::vector<PlacedPolygon> polygons(const SceneView& scene, const VisibleFragmen
   const RoundedCoordinates coordinates(scene.mesh(), scene.view());
   return each(fragments.fragments.size(), [&](std::size_t k) {
     const Fragment& fragment = fragments.fragments[k];
-    PlacedPolygon polygon{scene.mesh().face_of[fragment.facet], fragment.facet, {}};
+    PlacedPolygon polygon{scene.mesh().face_of[first_triangle(fragment.facet)], fragment.facet, {}};
     for (std::uint32_t r = fragment.first_ring; r < fragment.end_ring; ++r) {
       auto& ring = polygon.rings.emplace_back();
       for (const MapCorner& corner : fragments.ring(r)) ring.push_back(coordinates.at(fragment.facet, corner.at));
@@ -40,7 +39,7 @@ std::vector<PlacedPolygon> polygons(const SceneView& scene, const PaintersOrder&
   const RoundedCoordinates coordinates(scene.mesh(), scene.view());
   return each(order.pieces.size(), [&](std::size_t k) {
     const OrderedPiece& piece = order.pieces[k];
-    PlacedPolygon polygon{scene.mesh().face_of[piece.facet], piece.facet, {{}}};
+    PlacedPolygon polygon{scene.mesh().face_of[first_triangle(piece.facet)], piece.facet, {{}}};
     for (const PieceCorner& corner : order.corners_of(piece)) polygon.rings[0].push_back(coordinates.at(piece.facet, corner));
     return polygon;
   });

@@ -5,7 +5,7 @@
 
 #include "geometry/rational_vector.h"
 #include "hsr/drawing/cut_parameter.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/symbols/constructions.h"
 
 namespace hsr::internal {
@@ -62,7 +62,7 @@ PlacedPoint RoundedCoordinates::at(const SupportingLine& support, const Cut& cut
   return rounded(a, {along(0), along(1), along(2)}, frame_.at(support, cut), exact);
 }
 
-PlacedPoint RoundedCoordinates::at(TriangleId facet, const MapPoint& p) const {
+PlacedPoint RoundedCoordinates::at(FacetId facet, const MapPoint& p) const {
   const auto exact = [&] { return exact_point(mesh_, view_, facet, p); };
   if (!p.is_vertex) {
     const auto plane = [&](const MapLine& line) {
@@ -76,7 +76,7 @@ PlacedPoint RoundedCoordinates::at(TriangleId facet, const MapPoint& p) const {
     const Enclosure anything(0, unknown);
     return rounded({}, {anything, anything, anything}, {anything, anything, Enclosure(1.0)}, exact);
   }
-  for (const VertexId own : mesh_.triangles[facet])
+  for (const VertexId own : mesh_.triangles[first_triangle(facet)])
     if (own == p.vertex) return at(own);
   // Its line of sight is where two planes that contain it meet: those along the axes in which it is least steep.
   const Point3 &q = mesh_.points[p.vertex], &e = view_.viewpoint.at;
@@ -88,7 +88,7 @@ PlacedPoint RoundedCoordinates::at(TriangleId facet, const MapPoint& p) const {
   return placed;
 }
 
-PlacedPoint RoundedCoordinates::at(TriangleId facet, const PieceCorner& corner) const {
+PlacedPoint RoundedCoordinates::at(FacetId facet, const PieceCorner& corner) const {
   if (corner.vertex.is_valid()) return at(corner.vertex);
   return meet(face_plane(facet), plane_of(mesh_, view_, corner.a), plane_of(mesh_, view_, corner.b),
               [&] { return exact_point(mesh_, view_, facet, corner); });

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hsr/coordinates/placed_point.h"
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/drawing/projection.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/painter/painters_order.h"
@@ -18,8 +18,8 @@ class RoundedCoordinates {
   PlacedPoint at(VertexId v) const;
   PlacedPoint at(const SupportingLine& support, const Cut& cut) const;
   /// The point of the facet's plane that is seen at a point of the map.
-  PlacedPoint at(TriangleId facet, const MapPoint& p) const;
-  PlacedPoint at(TriangleId facet, const PieceCorner& corner) const;
+  PlacedPoint at(FacetId facet, const MapPoint& p) const;
+  PlacedPoint at(FacetId facet, const PieceCorner& corner) const;
 
  private:
   using Enclosed = std::array<Enclosure, 3>;
@@ -30,6 +30,7 @@ class RoundedCoordinates {
   template <class Exact>
   PlacedPoint meet(const Plane& s, const Plane& t, const Plane& u, const Exact& exact) const;
   Plane face_plane(TriangleId t) const;
+  Plane face_plane(FacetId facet) const { return face_plane(first_triangle(facet)); }
 
   const Mesh& mesh_;
   const View& view_;

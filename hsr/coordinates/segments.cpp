@@ -1,8 +1,7 @@
-#include "hsr/coordinates/segments.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/coordinates/rounded_coordinates.h"
 
 namespace hsr {

@@ -9,7 +9,7 @@
 
 #include "hsr/drawing/page.h"
 #include "hsr/drawing/pens.h"
-#include "hsr/face_objects.h"
+#include "hsr/face_labels.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/regions.h"
 
@@ -134,7 +134,8 @@ std::optional<FrameSize> frame_size(const View& view, const DrawingOptions& opti
 ///
 /// With leave_out_near, less what it leaves out.
 /// Fit: the box around all lines, drawn hidden ones or not, fills the page less its margins; so --hidden changes no place.
-/// @throws InputError if the field of view is not within (0, 180), or a line lies beyond 1e9 mm
+/// @throws InputError if the field of view is not within (0, 180), the margin takes the page, a line lies beyond 1e9 mm, or there is
+/// more than 32 bits count
 /// Exact: yes. Cost: O(n log n), and an exact rational point for each end that coincides with one of another edge in mid-edge.
 /// @param regions what is filled, or nullptr
 Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, const DrawingOptions& options = {},

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "hsr/drawing/paper_rings.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/symbols/constructions.h"
 
 namespace hsr::internal {
@@ -21,7 +21,7 @@ class CornerPlacer {
  public:
   explicit CornerPlacer(const Projection& projection) : projection_(projection) {}
 
-  HomogeneousPoint at(const MapPoint& p, TriangleId facet) const {
+  HomogeneousPoint at(const MapPoint& p, FacetId facet) const {
     if (p.is_vertex) return projection_.at(p.vertex);
     if (p.l.kind == MapLine::Kind::edge && p.m.kind == MapLine::Kind::edge) {
       const HomogeneousPoint q = cross(line(p.l), line(p.m));
@@ -31,7 +31,7 @@ class CornerPlacer {
     const std::array<Rational, 2> q = exact(p, facet);
     return {enclose(q[0]), enclose(q[1]), Enclosure(1.0)};
   }
-  PaperPoint rounded(const MapPoint& p, TriangleId facet, const HomogeneousPoint& at) const {
+  PaperPoint rounded(const MapPoint& p, FacetId facet, const HomogeneousPoint& at) const {
     if (const auto known = projection_.rounded(at)) return *known;
     return Projection::rounded(exact(p, facet));
   }
@@ -41,14 +41,14 @@ class CornerPlacer {
     return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
   }
   HomogeneousPoint line(const MapLine& l) const { return cross(projection_.at(VertexId(l.u)), projection_.at(VertexId(l.v))); }
-  std::array<Rational, 2> exact(const MapPoint& p, TriangleId facet) const {
+  std::array<Rational, 2> exact(const MapPoint& p, FacetId facet) const {
     return projection_.exact(exact_point(projection_.mesh(), projection_.view(), facet, p));
   }
 
   const Projection& projection_;
 };
 
-std::vector<PaperPoint> placed_ring(const Placement& placement, std::span<const MapCorner> corners, TriangleId facet) {
+std::vector<PaperPoint> placed_ring(const Placement& placement, std::span<const MapCorner> corners, FacetId facet) {
   const CornerPlacer placer(placement.projection);
   std::vector<PaperPoint> points;
   std::vector<HomogeneousPoint> at;
@@ -76,7 +76,7 @@ std::vector<PaperPoint> placed_ring(const Placement& placement, std::span<const 
 
 Fills placed_fills(const Placement& placement, const Regions& regions) {
   const std::size_t rings = regions.first_corner.size() - 1;
-  std::vector<TriangleId> facet(rings);
+  std::vector<FacetId> facet(rings);
   for (const Region& r : regions.regions) std::fill(facet.begin() + r.first_ring, facet.begin() + r.end_ring, r.facet);
   std::vector<std::vector<PaperPoint>> placed(rings);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rings, 64), [&](const auto& range) {

@@ -126,13 +126,13 @@ class Placer {
         return;
       }
   }
-  PaperPoint rounded(TriangleId facet, const PieceCorner& corner, const HomogeneousPoint& at) const {
+  PaperPoint rounded(FacetId facet, const PieceCorner& corner, const HomogeneousPoint& at) const {
     if (const auto known = Projection::rounded(at)) return *known;
     return Projection::rounded(projection_.exact(exact_point(mesh_, view_, facet, corner)));
   }
-  HomogeneousPoint enclosed(TriangleId facet, const PieceCorner& corner) const {
+  HomogeneousPoint enclosed(FacetId facet, const PieceCorner& corner) const {
     if (corner.vertex.is_valid()) return projection_.at(corner.vertex);
-    const auto& c = mesh_.triangles[facet];
+    const auto& c = mesh_.triangles[first_triangle(facet)];
     return projection_.at(Plane::of_face(mesh_.points[c[0]], mesh_.points[c[1]], mesh_.points[c[2]]),
                           plane_of(mesh_, view_, corner.a), plane_of(mesh_, view_, corner.b));
   }
@@ -243,7 +243,7 @@ class FillPainter {
 
   bool is_opaque() const {
     return opacity_ >= 1 && std::all_of(order_.pieces.begin(), order_.pieces.end(), [&](const OrderedPiece& p) {
-             return colours_[scene_.mesh().face_of[p.facet].value][3] == 255;
+             return colours_[scene_.mesh().face_of[first_triangle(p.facet)].value][3] == 255;
            });
   }
 
@@ -256,7 +256,7 @@ class FillPainter {
     std::vector<Fill> looks;  // colour and opacity by piece
     for (const OrderedPiece& piece : order_.pieces) {
       Fill& fill = looks.emplace_back();
-      fill.colour = colours_[scene_.mesh().face_of[piece.facet].value];
+      fill.colour = colours_[scene_.mesh().face_of[first_triangle(piece.facet)].value];
       fill.opacity = opacity_ * fill.colour[3] / 255;
     }
     std::vector<std::uint32_t> layers(pieces.size());
@@ -292,7 +292,7 @@ class FillPainter {
     for (const std::uint32_t i : group.pieces) {
       const auto& ring = pieces[i].ring;
       for (std::size_t k = 0; k < ring.size(); ++k) sides.push_back({ring[k], ring[(k + 1) % ring.size()], i});
-      fills.faces.push_back(scene_.mesh().face_of[order_.pieces[i].facet].value);
+      fills.faces.push_back(scene_.mesh().face_of[first_triangle(order_.pieces[i].facet)].value);
     }
     const auto add = [&](const std::vector<PaperPoint>& ring) {
       fills.points.insert(fills.points.end(), ring.begin(), ring.end());

@@ -6,9 +6,7 @@
 #include "hsr/drawing/end_tree.h"
 #include "hsr/drawing/pen_tour.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -187,7 +185,7 @@ PenTravel pen_travel(const Drawing& drawing) {
   return travel;
 }
 
-void internal::sort_for_pen(Drawing& drawing) {
+void sort_for_pen(Drawing& drawing) {
   PenWriter writer(drawing);
   PaperPoint pen;
   const std::vector<Polyline>& all = drawing.polylines;
@@ -201,4 +199,4 @@ void internal::sort_for_pen(Drawing& drawing) {
   writer.write_into(drawing);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -2,15 +2,13 @@
 
 #include "hsr/drawing/drawing.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Millimetres of a drawing's polylines, and of the ways between them with the pen up, from the upper left corner of the page on.
 struct PenTravel {
   double down = 0, up = 0;
 };
 PenTravel pen_travel(const Drawing& drawing);
-
-namespace internal {
 
 /// Puts the polylines of each layer, and in it of each object, into an order for short ways with the pen up, turned around where that
 /// is shorter, closed ones begun at any of their points. One that begins where the one before ends is the same polyline then.
@@ -22,6 +20,4 @@ namespace internal {
 /// Cost: O(n log n) where lines are spread; see pen_tour.h.
 void sort_for_pen(Drawing& drawing);
 
-}  // namespace internal
-
-}  // namespace hsr
+}  // namespace hsr::internal

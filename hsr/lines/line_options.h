@@ -6,7 +6,10 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <string>
+#include <vector>
 
+#include "hsr/scene/scene.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -49,6 +52,12 @@ struct LineOptions {
   bool why = false;                                ///< name the faces that hide each hidden interval; roberts only
   std::function<void(double done)> progress = {};  ///< called now and then with the share done, 0 ... 1; may throw to cancel
   std::stop_token stop = {};                       ///< once it is asked to stop, the work ends in a CancelledError
+};
+
+/// What visible lines take, and what they do without.
+struct LinePlan {
+  std::string method;  ///< "appel" or "roberts"; "none" for one convex body
+  std::vector<LeftOut> left_out;
 };
 
 }  // namespace hsr

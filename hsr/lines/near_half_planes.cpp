@@ -47,7 +47,7 @@ void NearHalfPlanes::add(TriangleId triangle) {
 
 void NearHalfPlanes::add(TriangleId triangle, const Point3& into, double reach) {
   const double turn = std::atan2(dot(into, left_), dot(into, to_eye_));
-  const TriangleId facet = facet_of(mesh_, triangle);
+  const FacetId facet = facet_of(mesh_, triangle);
   for (std::size_t k = 0; k < all_.size(); ++k) {
     Angle& known = angles_[k];
     if (std::fabs(turned(turn - known.turn)) > slack(std::min(reach, known.reach))) continue;

@@ -30,7 +30,7 @@ class NearHalfPlanes : public HalfPlanes {
   struct Angle {
     double turn;   // from the eye to the left, radians
     double reach;  // how far from the line it goes
-    std::vector<TriangleId> facets;
+    std::vector<FacetId> facets;
   };
   void add(TriangleId triangle, const Point3& into, double reach);
   const Angle& angle(const HalfPlane& h) const { return angles_[static_cast<std::size_t>(&h - all_.data())]; }

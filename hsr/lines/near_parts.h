@@ -8,7 +8,7 @@
 #include "hsr/lines/triangle_occlusion.h"
 #include "hsr/scene/near_contact.h"
 #include "hsr/scene/space_tree.h"
-#include "hsr/symbols/intersection.h"
+#include "hsr/symbols/cut.h"
 
 namespace hsr::internal {
 

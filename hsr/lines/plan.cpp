@@ -84,15 +84,16 @@ std::optional<ViewFrustum> outside_frame(const SceneView& scene, const LineOptio
 Plan::Plan(const SceneView& scene, const LineOptions& options)
     : options_(options),
       parts_(scene.parts()),
-      projected_(parts_.projected()),
+      projected_(parts_.projected(options.stop)),
       excluded_(options.why ? Excluded::none : Excluded::hidden),
       outside_(outside_frame(scene, options)) {
   const Mesh& mesh = parts_.mesh();
   find_intersections();
   // Faces that may contain an edge, and so count for its class: all, or those that are not hidden.
   const Occluders* const containing =
-      intersections_ == nullptr ? nullptr
-                                : &parts_.occluders(parts_.options().hidden_lines ? Excluded::none : Excluded::hidden);
+      intersections_ == nullptr
+          ? nullptr
+          : &parts_.occluders(parts_.options().hidden_lines ? Excluded::none : Excluded::hidden, options_.stop);
   const EdgeClassifier classifier(projected_, parts_.labels(), options);
   std::optional<NearParts> near;
   if (options.tolerance > 0) near.emplace(classifier, parts_.view(), parts_.space_tree(), options.tolerance);
@@ -106,7 +107,7 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
                     outside_ ? "edges are outside the picture, or of classes that are not asked for"
                              : "edges are of classes that are not asked for"));
   leave_out_far_sides();
-  if (parts_.is_one_convex_body() && !options_.why) return;
+  if (parts_.is_one_convex_body(options_.stop) && !options_.why) return;
   leave_out_hidden();
   leave_out_far_faces();
   choose_method();
@@ -122,11 +123,11 @@ void Plan::add_ghosts() {
 }
 
 void Plan::find_intersections() {
-  if (!options_.why && parts_.is_one_convex_body()) {
+  if (!options_.why && parts_.is_one_convex_body(options_.stop)) {
     say("intersections", "the faces of one convex body meet in their edges only");
     return;
   }
-  intersections_ = &parts_.intersections();
+  intersections_ = &parts_.intersections(options_.stop);
   if (!options_.classes[static_cast<std::size_t>(EdgeClass::intersection)] && options_.tolerance == 0) {
     say("intersections", "they are not asked for");
     return;
@@ -171,7 +172,7 @@ bool Plan::wants(Stage stage, const char* name) {
 void Plan::leave_out_far_sides() {
   const bool wants_back_faces = wants(Stage::back_faces, "back faces");
   if (wants(Stage::convex_body, "convex body")) {
-    if (parts_.is_one_convex_body()) {
+    if (parts_.is_one_convex_body(options_.stop)) {
       outcome_.method = "none";
       say("convex body", "all of it: of one convex body, what is turned to the eye is visible");
       return;
@@ -179,7 +180,7 @@ void Plan::leave_out_far_sides() {
     say("convex body", "the scene is not one convex body");
   }
   if (!wants_back_faces) return;
-  const ClosedBodies& bodies = *parts_.bodies();
+  const ClosedBodies& bodies = *parts_.bodies(options_.stop);
   if (bodies.count() == 0) {
     say("back faces", "no component is proven to be a closed body all of which one point inside sees");
     return;
@@ -198,7 +199,7 @@ void Plan::leave_out_far_sides() {
 void Plan::leave_out_hidden() {
   if (!wants(Stage::hidden_tiles, "hidden tiles")) return;
   const Mesh& mesh = parts_.mesh();
-  const OcclusionPyramid* const tiles = parts_.pyramid();
+  const OcclusionPyramid* const tiles = parts_.pyramid(options_.stop);
   if (tiles == nullptr) {
     say("hidden tiles", "no face is large and near enough to hide much");
     return;
@@ -211,7 +212,7 @@ void Plan::leave_out_hidden() {
     Predicates exact = projected_.predicates();
     if (!LineFilter(projected_, e.a, e.b).is_point(exact)) requested_->hidden[i] = 1;
   });
-  say("hidden tiles", of(count(parts_.hidden()), mesh.triangles.size(), "triangles (far sides among them) and ") +
+  say("hidden tiles", of(count(parts_.hidden(options_.stop)), mesh.triangles.size(), "triangles (far sides among them) and ") +
                           of(count(requested_->hidden) - edges_before, requested_->hidden.size(),
                              "more edges lie behind others that cover their part of the image"));
 }
@@ -227,8 +228,9 @@ void Plan::leave_out_far_faces() {
   std::vector<ImageBox> asked_for = requested_->boxes;
   asked_for.insert(asked_for.end(), meet_boxes_.begin(), meet_boxes_.end());
   const ImageMask mask(asked_for);
-  const std::vector<std::uint8_t> hidden = excluded_ == Excluded::hidden ? parts_.hidden() : std::vector<std::uint8_t>();
-  const auto& boxes = parts_.boxes();
+  const std::vector<std::uint8_t> hidden =
+      excluded_ == Excluded::hidden ? parts_.hidden(options_.stop) : std::vector<std::uint8_t>();
+  const auto& boxes = parts_.boxes(options_.stop);
   std::vector<std::uint8_t> far = hidden;
   far.resize(boxes.size(), 0);
   parallel_for_each(boxes.size(), [&](std::size_t i) {
@@ -241,7 +243,7 @@ void Plan::leave_out_far_faces() {
 
 /// Appel looks at occluding edges where roberts looks at faces, and then has the counts to carry on.
 bool Plan::appel_pays() const {
-  const OccludingEdges& layers = parts_.occluding_edges(excluded_);
+  const OccludingEdges& layers = parts_.occluding_edges(excluded_, options_.stop);
   const std::size_t faces = tbb::parallel_reduce(
       Range(0, parts_.mesh().triangles.size(), block), std::size_t{0},
       [&](const Range& range, std::size_t n) {
@@ -290,12 +292,12 @@ void append(VisibleLines& all, const VisibleLines& more) {
 VisibleLines Plan::run() const {
   VisibleLines all;
   if (!method_) {
-    all = lines_of_convex_body(projected_, *requested_, *parts_.bodies(), options_);
+    all = lines_of_convex_body(projected_, *requested_, *parts_.bodies(options_.stop), options_);
   } else {
-    const Occluders& occluders = near_request_ ? *near_request_ : parts_.occluders(excluded_);
+    const Occluders& occluders = near_request_ ? *near_request_ : parts_.occluders(excluded_, options_.stop);
     all = *method_ == LineMethod::appel
-              ? appel(projected_, *requested_, parts_.occluding_edges(excluded_), occluders, options_)
-              : roberts(projected_, *requested_, occluders, options_, options_.why ? nullptr : parts_.pyramid());
+              ? appel(projected_, *requested_, parts_.occluding_edges(excluded_, options_.stop), occluders, options_)
+              : roberts(projected_, *requested_, occluders, options_, options_.why ? nullptr : parts_.pyramid(options_.stop));
     if (!merged_segments_.empty())
       append(all, lines_of_intersections(projected_, merged_segments_, meet_boxes_, occluders, options_));
   }
@@ -312,7 +314,7 @@ VisibleLines Plan::run() const {
 
 }  // namespace
 
-LinePlan plan_lines(const SceneView& scene, const LineOptions& options) { return Plan(scene, options).outcome(); }
+LinePlan internal::plan_lines(const SceneView& scene, const LineOptions& options) { return Plan(scene, options).outcome(); }
 
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options) {
   require(options.method != LineMethod::appel || !options.why,

@@ -8,7 +8,7 @@
 #include "hsr/scene/half_space.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/triangle_filter.h"
-#include "hsr/symbols/intersection.h"
+#include "hsr/symbols/cut.h"
 
 namespace hsr::internal {
 
@@ -42,7 +42,7 @@ class TriangleOcclusion {
   bool start(EdgeId edge);
   /// Turns to a part of an edge.
   bool start(EdgeId edge, const Cut& from, const Cut& to);
-  /// Turns to where two facets, named by s and t, pierce each other. False: it is seen as a point.
+  /// Turns to where two facets pierce each other. False: it is seen as a point.
   bool start(const Intersection& meet);
   /// The part of the line within half-spaces; false: a point or nothing. @param along the one on whose border the line runs, or
   /// 3
@@ -85,7 +85,7 @@ class TriangleOcclusion {
   static Value known(const ErrorBounded& x, Sign s);
   Value at(const PlaneFilter& filter, const Plane& plane, const End& end, bool on_plane);
   bool is_edge() const { return a_.vertex.is_valid(); }
-  bool is_one(TriangleId facet) const { return facet == s_ || facet == t_; }
+  bool is_one(FacetId facet) const { return facet == s_ || facet == t_; }
   bool is_end(VertexId v) const { return v == a_.vertex || v == b_.vertex; }
   bool misses(const std::array<VertexId, 3>& corners);
 
@@ -99,7 +99,7 @@ class TriangleOcclusion {
   Predicates exact_;
   End a_, b_;
   SegmentFilter image_;  // of the edge, where images are known
-  TriangleId s_, t_;     // the facets that pierce each other
+  FacetId s_, t_;        // the facets that pierce each other
   Plane s_plane_, t_plane_;
   std::optional<PlaneFilter> edge_sight_;  // of the edge's view plane, once it was asked for
   Breakpoint first_, last_, from_, to_;

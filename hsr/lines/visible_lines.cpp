@@ -28,7 +28,7 @@ std::vector<FaceId> faces_at(const Mesh& mesh, const VisibleLines& lines, const 
   std::vector<FaceId> faces;
   if (line.is_intersection()) {
     const Intersection& meet = lines.intersections[line.intersection];
-    faces = {mesh.face_of[meet.s], mesh.face_of[meet.t]};
+    faces = {mesh.face_of[first_triangle(meet.s)], mesh.face_of[first_triangle(meet.t)]};
   } else if (line.is_ghost) {
     const Edge& edge = mesh.edges[line.edge];
     for (const TriangleId t : mesh.ghosts->triangles_at(mesh.ghosts->find_edge(edge.a, edge.b)))

@@ -9,9 +9,7 @@
 #include "geometry/number.h"
 #include "geometry/predicates.h"
 #include "hsr/lines/line_options.h"
-#include "hsr/lines/plan.h"
 #include "hsr/symbols/cut.h"
-#include "hsr/symbols/intersection.h"
 #include "hsr/view/view.h"
 
 namespace hsr {
@@ -43,7 +41,7 @@ struct Line {
 struct VisibleLines {
   /// Ascending by edge, hence by (a, b), and along it; then those of ghosts, by edge; then the intersections.
   std::vector<Line> lines;
-  std::vector<Intersection> intersections;  ///< ascending by (s, t), s and t the first triangles of planar pieces
+  std::vector<Intersection> intersections;  ///< ascending by (s, t)
   std::vector<Cut> cuts;
   std::vector<Occluder> occluders;
   std::uint64_t pairs = 0;  ///< edge-triangle pairs that were tested
@@ -91,12 +89,14 @@ struct SupportingLine {
 SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, const Line& line);
 
 /// The parameter t of a cut, exactly: 0 at the first end of the carrier, 1 at the second.
+/// @throws PreconditionError if what cuts is parallel to the carrier
 Rational exact_parameter(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
 
 /// The planes of the two faces of an intersection. @pre the carrier is one
 std::array<Plane, 2> planes_of(const Mesh& mesh, const View& view, const SupportingLine& support);
 
 /// The point of a cut, exactly.
+/// @throws PreconditionError as exact_parameter() does
 std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const SupportingLine& support, const Cut& cut);
 /// Of the cut number k of a line of the scene: interval k runs from here to the cut k + 1.
 /// @throws PreconditionError if the line has no such cut

@@ -24,7 +24,7 @@ struct PieceCorner {
 
 /// A convex part of a face, counter-clockwise as seen.
 struct OrderedPiece {
-  TriangleId facet;  ///< the planar piece of the face that it lies in: its first triangle
+  FacetId facet;  ///< the planar piece of the face that it lies in
   std::uint32_t first_corner = 0, end_corner = 0;
 };
 
@@ -40,6 +40,7 @@ struct PaintersOrder {
 };
 
 /// The corner in space, exactly.
-std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, TriangleId facet, const PieceCorner& corner);
+/// @throws PreconditionError if its planes meet in no single point: a corner of another mesh or view
+std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, FacetId facet, const PieceCorner& corner);
 
 }  // namespace hsr

@@ -18,7 +18,7 @@ using Mask = std::uint32_t;  // bit 8 v + u: the sample in row v and column u of
 constexpr Mask whole = 0xffffffffU;
 
 struct Fragment {
-  TriangleId facet;
+  FacetId facet;
   Mask mask = 0;
   double nearness = 0;  // the sum over the samples of the mask
 
@@ -37,7 +37,7 @@ class Fragments {
   void add(TriangleId t, const Seen<double>& a, const Seen<double>& b, const Seen<double>& c) {
     ScannedTriangle<double> scanned;
     if (!scanned.set(finer(a), finer(b), finer(c), width_ * mask_columns, height_ * mask_rows)) return;
-    const TriangleId facet = facet_of(mesh_, t);
+    const FacetId facet = facet_of(mesh_, t);
     for (int v = scanned.top(); v < scanned.bottom(); ++v) {
       const auto [begin, end] = scanned.span(v);
       const auto nearness_at = scanned.row(v);
@@ -60,7 +60,7 @@ class Fragments {
   }
 
   /// The triangles of one facet are one fragment, where nothing else came between.
-  void add(int i, int j, TriangleId facet, Mask mask, double nearness) {
+  void add(int i, int j, FacetId facet, Mask mask, double nearness) {
     Fragment* const latest = lists_.latest(i, j);
     if (latest != nullptr && latest->facet == facet) {
       latest->mask |= mask;
@@ -91,7 +91,7 @@ class Resolver {
     passes.fill(1);
     Mask open = whole;  // where any does
     for (const Fragment& f : fragments) {
-      const Colour& c = colours_[mesh_.face_of[f.facet].value];
+      const Colour& c = colours_[mesh_.face_of[first_triangle(f.facet)].value];
       const float a = opacity_of(c, opacity_);
       float share = 0;
       for (Mask left = f.mask & open; left != 0; left &= left - 1) {

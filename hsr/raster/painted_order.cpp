@@ -1,5 +1,3 @@
-#include "hsr/raster/painted_order.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "geometry/constructed_point.h"
 #include "geometry/error.h"
+#include "hsr/raster/caster.h"
 #include "hsr/raster/compositing.h"
 #include "hsr/raster/rasterizer.h"
 #include "hsr/scene/view_parts.h"
@@ -50,7 +49,7 @@ class PieceSpans {
 
  private:
   /// The image of where a cut meets the facet's plane.
-  ViewPlane line(TriangleId facet, const Cut& cut) {
+  ViewPlane line(FacetId facet, const Cut& cut) {
     // A side of the face, however its plane is chosen.
     if (cut.kind == Cut::Kind::sight || cut.kind == Cut::Kind::line)
       return ViewPlane::of(projected_.sight_plane(VertexId(cut.u), VertexId(cut.v)));
@@ -64,7 +63,7 @@ class PieceSpans {
     const double e = projected_.eye().at[cut.axis];
     return e == (projected_.is_perspective() ? projected_.point(VertexId(cut.u))[cut.axis] : 0);
   }
-  int rows_above(TriangleId facet, const PieceCorner& c) {
+  int rows_above(FacetId facet, const PieceCorner& c) {
     Predicates& exact = rasterizer_.exact();
     if (c.vertex.is_valid()) return signs_.rows_above(c.vertex, exact);
     const ViewPlane l = line(facet, c.a), m = line(facet, c.b);
@@ -122,7 +121,7 @@ Image<Colour> paint(const SceneView& scene, const PaintersOrder& order, const Sa
   const Mesh& mesh = scene.mesh();
   Image<Light> light(samples.width, samples.height, white_light);
   visit_spans(scene, order, samples, [&](std::uint32_t piece, const SampleSpan& span) {
-    const Colour& c = colours[mesh.face_of[order.pieces[piece].facet].value];
+    const Colour& c = colours[mesh.face_of[first_triangle(order.pieces[piece].facet)].value];
     const float a = opacity_of(c, opacity);
     for (int i = span.begin; i < span.end; ++i) lay_over(light.row(span.row)[i], c, a);
   });

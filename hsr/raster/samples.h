@@ -40,6 +40,7 @@ struct SampleGrid {
 /// @throws InputError unless width and height are 1 ... 65536 and the samples are finite
 SampleGrid sample_grid(const View& view, const PaperRectangle& part, int width, int height);
 /// The picture around the middle of the frame.
+/// @throws InputError as above
 SampleGrid sample_grid(const View& view, const FrameSize& size, int width, int height);
 
 /// The part of the paper that the mesh beyond the near plane covers, rounded. Nothing: a rectangle of no size.

@@ -180,11 +180,11 @@ class Scanner {
 
 /// The depth of a facet's plane as an affine function of the sample, up to a positive factor that all facets share. In the
 /// range of long doubles: lengths of 1e300 have products.
-std::array<double, 3> depth_plane(const Mesh& mesh, const View& view, const SampleGrid& samples, TriangleId facet) {
+std::array<double, 3> depth_plane(const Mesh& mesh, const View& view, const SampleGrid& samples, FacetId facet) {
   using namespace projection_numbers;
   using Wide = long double;
   const auto wide = [](const Point3& p) { return vector<Wide>(p); };
-  const auto& c = mesh.triangles[facet];
+  const auto& c = mesh.triangles[first_triangle(facet)];
   const Vector<Wide> a = wide(mesh.points[c[0]]);
   const Vector<Wide> normal = cross(minus(wide(mesh.points[c[1]]), a), minus(wide(mesh.points[c[2]]), a));
   const Vector<Wide> origin = wide(samples.origin), right = wide(samples.right), down = wide(samples.down);
@@ -221,7 +221,7 @@ Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples,
         corners.push_back(project(Point3{p[0].to_double(), p[1].to_double(), p[2].to_double()}));
       }
     }
-    scanner.add_polygon(piece.facet, corners, depth_plane(mesh, view, samples, piece.facet));
+    scanner.add_polygon(first_triangle(piece.facet), corners, depth_plane(mesh, view, samples, piece.facet));
   }
   return std::move(scanner).scanned();
 }

@@ -14,7 +14,7 @@ namespace hsr::internal {
 
 /// A picture by the scanline algorithm, and what it took.
 struct Scanline {
-  Image<TriangleId> triangles;          ///< not valid: none. Of a piece: its facet
+  Image<TriangleId> triangles;          ///< not valid: none. Of a piece: the first of its facet
   std::uint64_t spans = 0;              ///< between neighbouring edges of a row
   std::uint64_t depth_comparisons = 0;  ///< of two faces, where a span begins
   std::size_t most_active = 0;          ///< edges that one row crosses

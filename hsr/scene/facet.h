@@ -2,25 +2,29 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "geometry/mesh.h"
 
 namespace hsr::internal {
 
-/// The planar pieces that hide and are seen: a planar face, or one triangle of a face that is cut. Named by its first triangle.
-inline TriangleId facet_of(const Mesh& mesh, TriangleId t) {
+/// The planar piece that hides and is seen, in which a triangle lies: a planar face, or the triangle of a face that is cut.
+inline FacetId facet_of(const Mesh& mesh, TriangleId t) {
   const FaceId f = mesh.face_of[t];
-  return mesh.faces[f] == FaceUse::planar ? TriangleId(mesh.first_triangle[f]) : t;
+  return FacetId(mesh.faces[f] == FaceUse::planar ? mesh.first_triangle[f] : t.value);
 }
-/// One past the last triangle of the facet that is named by t.
-inline TriangleId facet_end(const Mesh& mesh, TriangleId t) {
-  const FaceId f = mesh.face_of[t];
-  return mesh.faces[f] == FaceUse::planar ? TriangleId(mesh.first_triangle[FaceId(f.value + 1U)]) : TriangleId(t.value + 1U);
+/// One past the last triangle of the facet.
+inline TriangleId facet_end(const Mesh& mesh, FacetId facet) {
+  const FaceId f = mesh.face_of[first_triangle(facet)];
+  return TriangleId(mesh.faces[f] == FaceUse::planar ? mesh.first_triangle[FaceId(f.value + 1U)] : facet.value + 1U);
 }
+inline std::uint32_t triangle_count(const Mesh& mesh, FacetId facet) { return facet_end(mesh, facet).value - facet.value; }
+/// Whether a triangle is the first of its facet.
+inline bool is_first(const Mesh& mesh, TriangleId t) { return first_triangle(facet_of(mesh, t)) == t; }
 
 /// Whether the side of t from corner k to the next is a diagonal within its planar face: no edge of the face.
 inline bool is_inner_diagonal(const Mesh& mesh, TriangleId t, std::size_t k) {
-  if (facet_end(mesh, t).value - facet_of(mesh, t).value == 1) return false;
+  if (triangle_count(mesh, facet_of(mesh, t)) == 1) return false;
   const auto& c = mesh.triangles[t];
   const EdgeId e = mesh.find_edge(c[k], c[(k + 1) % 3]);
   if (!e.is_valid()) return true;
@@ -38,9 +42,9 @@ inline bool is_edge_of_face(const Mesh& mesh, TriangleId t, std::size_t k) {
 
 /// Whether a ring of corners goes around a whole face, so that all of its sides are edges of it: rings of planar faces have two
 /// corners more than the face has triangles.
-inline bool goes_around_face(const Mesh& mesh, TriangleId facet, std::size_t corners) {
-  return mesh.faces[mesh.face_of[facet]] == FaceUse::planar &&
-         corners == std::size_t{facet_end(mesh, facet).value - facet.value} + 2;
+inline bool goes_around_face(const Mesh& mesh, FacetId facet, std::size_t corners) {
+  return mesh.faces[mesh.face_of[first_triangle(facet)]] == FaceUse::planar &&
+         corners == std::size_t{triangle_count(mesh, facet)} + 2;
 }
 
 }  // namespace hsr::internal

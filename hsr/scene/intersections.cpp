@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "geometry/bounded_point.h"
+#include "geometry/cancel.h"
 #include "geometry/constructed_point.h"
 #include "geometry/parallel.h"
 #include "geometry/plane_intersection.h"
@@ -37,7 +38,7 @@ std::vector<FloatTriangle> along_tree(const ProjectedMesh& projected, const Occl
     const auto leaf = static_cast<std::uint32_t>(i);
     for (std::size_t k = 0; k < tree.leaf_size(leaf); ++k) {
       const TriangleId t = occluders.triangles[tree.box_at(leaf, k)];
-      const bool is_single = all_single || facet_end(mesh, t).value - facet_of(mesh, t).value == 1;
+      const bool is_single = all_single || triangle_count(mesh, facet_of(mesh, t)) == 1;
       placed[i * BoxTree::width + k] = FloatTriangle(projected, t, is_single);
     }
   });
@@ -57,15 +58,15 @@ class Finder {
         has_contact_(has_contact) {}
 
   /// Looks at the triangles of a leaf of the tree, with those that come later.
-  void look_around(std::uint32_t leaf, std::vector<Intersection>& found);
+  void look_around(std::uint32_t leaf, std::vector<TriangleIntersection>& found);
   /// Clips the line in which both planes meet to both triangles. @pre the face of each passes through the other's plane
-  std::optional<Intersection> segment(TriangleId s, TriangleId t);
+  std::optional<TriangleIntersection> segment(TriangleId s, TriangleId t);
   const DecisionCounts& decisions() { return exact_.counts(); }
 
  private:
   PlaneFilter filter(std::uint32_t i) const;
   std::array<Sign, 3> sides(const PlaneFilter& filter, TriangleId s, TriangleId t);
-  void look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<Intersection>& found);
+  void look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<TriangleIntersection>& found);
   /// Long triangles that lie behind one another touch by their boxes and are apart by their planes only, which exact_ tells as
   /// soon.
   bool floats_pay() const { return asked_of_floats_ < 256 || told_by_floats_ * 2 > asked_of_floats_; }
@@ -75,7 +76,7 @@ class Finder {
     told_by_floats_ += is_apart ? 1U : 0U;
     return is_apart;
   }
-  bool is_single(TriangleId t) const { return facet_end(mesh_, t).value - facet_of(mesh_, t).value == 1; }
+  bool is_single(TriangleId t) const { return triangle_count(mesh_, facet_of(mesh_, t)) == 1; }
   bool meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId t) const;
   void mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign, 3>& at);
   void mark_bridges(TriangleId s, TriangleId t);
@@ -123,7 +124,7 @@ bool straddles(const std::array<Sign, 3>& at) {
   return any(Sign::positive) && any(Sign::negative);
 }
 
-void Finder::look_around(std::uint32_t leaf, std::vector<Intersection>& found) {
+void Finder::look_around(std::uint32_t leaf, std::vector<TriangleIntersection>& found) {
   const BoxTree& tree = occluders_->tree;
   const FloatTriangle* const here = placed_->data() + std::size_t{leaf} * BoxTree::width;
   std::array<std::optional<TriangleSeparation>, BoxTree::width> separation;
@@ -164,7 +165,7 @@ bool Finder::meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId
   return common == 2 && filter(projected_.point(apex)).is_certain() && is_single(s) && is_single(t);
 }
 
-void Finder::look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<Intersection>& found) {
+void Finder::look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<TriangleIntersection>& found) {
   const TriangleId t = occluders_->triangles[k];
   if (meet_in_an_edge(s, of_s, t)) return;
   const std::array<Sign, 3> at_t = sides(of_s, s, t);
@@ -202,7 +203,7 @@ void Finder::mark_contacts(TriangleId flat, TriangleId t, const std::array<Sign,
 /// Marks the sides of t that may run along a side of s, another triangle of its face: a bridge to a hole that the ring of the face
 /// runs along twice, cut in other places on the way back.
 void Finder::mark_bridges(TriangleId s, TriangleId t) {
-  if (facet_end(mesh_, t).value - facet_of(mesh_, t).value < 3) return;
+  if (triangle_count(mesh_, facet_of(mesh_, t)) < 3) return;
   const auto half_spaces = hsr::internal::half_spaces(projected_, t, exact_);
   const auto &c = mesh_.triangles[t], &d = mesh_.triangles[s];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -313,7 +314,7 @@ Sign order(const PlaneIntersection& line, const Crossing& x, const Crossing& y) 
   return x.cut == y.cut ? Sign::zero : line.order(x.place, y.place);
 }
 
-std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
+std::optional<TriangleIntersection> Finder::segment(TriangleId s, TriangleId t) {
   const PlaneIntersection line(projected_.face_plane(s), projected_.face_plane(t), exact_);
   struct Bound {
     HalfSpace h;
@@ -348,22 +349,24 @@ std::optional<Intersection> Finder::segment(TriangleId s, TriangleId t) {
     const Sign at = line.side(h.plane, low->place) * h.inner;
     if (at == Sign::negative || (at == Sign::zero && !goes_on)) return std::nullopt;
   }
-  return Intersection{s, t, low->cut, high->cut};
+  return TriangleIntersection{s, t, low->cut, high->cut};
 }
 
 }  // namespace
 
-Intersections find_intersections(const ProjectedMesh& projected, const Occluders& occluders, const OcclusionPyramid* pyramid) {
+Intersections find_intersections(const ProjectedMesh& projected, const Occluders& occluders, const OcclusionPyramid* pyramid,
+                                 const std::stop_token& stop) {
   Intersections all;
   all.has_contact.resize(projected.mesh().edges.size(), 0);
   constexpr std::size_t block = 64;
   const std::size_t n = occluders.tree.leaf_count();
   const auto placed = along_tree(projected, occluders);
-  std::vector<std::vector<Intersection>> parts((n + block - 1) / block);
+  std::vector<std::vector<TriangleIntersection>> parts((n + block - 1) / block);
   std::vector<DecisionCounts> counts(parts.size());
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
+      throw_if_stopped(stop);
       Finder finder(projected, &occluders, &placed, pyramid, all.has_contact);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t leaf = part * block; leaf < end; ++leaf)
@@ -375,29 +378,31 @@ Intersections find_intersections(const ProjectedMesh& projected, const Occluders
     all.segments.insert(all.segments.end(), parts[part].begin(), parts[part].end());
     all.decisions += counts[part];
   }
-  std::sort(all.segments.begin(), all.segments.end(),
-            [](const Intersection& x, const Intersection& y) { return std::pair(x.s, x.t) < std::pair(y.s, y.t); });
+  std::sort(all.segments.begin(), all.segments.end(), [](const TriangleIntersection& x, const TriangleIntersection& y) {
+    return std::pair(x.s, x.t) < std::pair(y.s, y.t);
+  });
   return all;
 }
 
 MeetingFaces meeting_faces(const Intersections& all) {
   MeetingFaces known{{}, all.has_contact};
   known.pairs.reserve(all.segments.size());
-  for (const Intersection& x : all.segments) known.pairs.push_back({x.s, x.t});
+  for (const TriangleIntersection& x : all.segments) known.pairs.push_back({x.s, x.t});
   return known;
 }
 
 Intersections intersections_of(const ProjectedMesh& projected, const MeetingFaces& known,
-                               const std::vector<std::uint8_t>& left_out) {
+                               const std::vector<std::uint8_t>& left_out, const std::stop_token& stop) {
   Intersections all;
   all.has_contact = known.has_contact;
   constexpr std::size_t block = 256;
-  std::vector<std::vector<Intersection>> parts((known.pairs.size() + block - 1) / block);
+  std::vector<std::vector<TriangleIntersection>> parts((known.pairs.size() + block - 1) / block);
   std::vector<DecisionCounts> counts(parts.size());
   const auto is_wanted = [&](TriangleId t) {
     return projected.reaches_beyond_near(t) && (left_out.empty() || left_out[t.value] == 0);
   };
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+    throw_if_stopped(stop);
     Finder finder(projected, nullptr, nullptr, nullptr, all.has_contact);
     for (std::size_t k = part * block; k < std::min((part + 1) * block, known.pairs.size()); ++k) {
       const auto [s, t] = known.pairs[k];
@@ -436,7 +441,7 @@ struct Piece {
 };
 
 /// A piece, running along the line.
-Piece piece(const ProjectedMesh& projected, const PlaneIntersection& line, const Intersection& x) {
+Piece piece(const ProjectedMesh& projected, const PlaneIntersection& line, const TriangleIntersection& x) {
   const auto crossing = [&](const Cut& cut) { return Crossing{cut, line.place(cut_plane(projected, cut))}; };
   Piece p{crossing(x.from), crossing(x.to)};
   if (order(line, p.from, p.to) == Sign::positive) std::swap(p.from, p.to);
@@ -461,9 +466,9 @@ void unite(const PlaneIntersection& line, std::vector<Piece>& parts) {
 
 }  // namespace
 
-std::vector<Intersection> merge_segments(const ProjectedMesh& projected, const std::vector<Intersection>& pieces) {
+std::vector<Intersection> merge_segments(const ProjectedMesh& projected, const std::vector<TriangleIntersection>& pieces) {
   const Mesh& mesh = projected.mesh();
-  const auto facets = [&](const Intersection& x) { return std::pair(facet_of(mesh, x.s), facet_of(mesh, x.t)); };
+  const auto facets = [&](const TriangleIntersection& x) { return std::pair(facet_of(mesh, x.s), facet_of(mesh, x.t)); };
   std::vector<std::uint32_t> order(pieces.size());
   std::iota(order.begin(), order.end(), 0U);
   tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) {

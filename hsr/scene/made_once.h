@@ -4,6 +4,9 @@
 
 #include <atomic>
 #include <optional>
+#include <stop_token>
+
+#include "geometry/cancel.h"
 
 namespace hsr::internal {
 
@@ -11,6 +14,12 @@ namespace hsr::internal {
 template <class T>
 class MadeOnce {
  public:
+  /// @throws CancelledError if it has not been made and a stop is asked for, and what `make` throws: then the next to ask makes it
+  template <class Make>
+  const T& get(const std::stop_token& stop, const Make& make) const {
+    if (!is_made()) throw_if_stopped(stop);
+    return get(make);
+  }
   template <class Make>
   const T& get(const Make& make) const {
     tbb::collaborative_call_once(flag_, [&] {

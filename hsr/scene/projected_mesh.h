@@ -56,6 +56,7 @@ class ProjectedMesh {
 
   Plane sight_plane(VertexId c, VertexId d) const { return Plane::of_sight(eye_, points_[c], points_[d]); }
   Plane face_plane(TriangleId t) const;
+  Plane face_plane(FacetId facet) const { return face_plane(first_triangle(facet)); }
   Plane near_plane() const { return Plane::near(eye_.at, target_, near_); }
   Plane near_line(const Plane& line) const { return Plane::near_line(eye_.at, target_, near_, line); }
 
@@ -71,6 +72,7 @@ class ProjectedMesh {
   /// The sign of O(t0, t1, t2): positive, the corners are seen counter-clockwise; zero, the triangle is seen edge-on. It is the
   /// side of the triangle's plane on which the viewpoint lies.
   Sign facing(TriangleId t) const { return facing_[t]; }
+  Sign facing(FacetId facet) const { return facing(first_triangle(facet)); }
   /// On which side of the view plane of one of its edges a triangle lies: positive, to the left of a -> b.
   Sign side_of_edge(TriangleId t, const Edge& e) const { return mesh_->runs_along(t, e) ? facing_[t] : -facing_[t]; }
   /// On which side of `plane` a vertex lies: the filter first. Exact.

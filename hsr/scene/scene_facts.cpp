@@ -11,9 +11,7 @@
 #include "geometry/disjoint_sets.h"
 #include "geometry/predicates.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -215,4 +213,4 @@ SceneFacts scene_facts(const Mesh& mesh, const Polygons& polygons) {
   return facts;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -6,7 +6,7 @@
 #include "geometry/bit_range.h"
 #include "geometry/mesh.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// What a scene is, counted. Exact: coplanar, straight and equal mean just that.
 struct SceneFacts {
@@ -44,4 +44,4 @@ struct SceneFacts {
 /// @pre `mesh` was made of `polygons`. Cost: O(n log n)
 SceneFacts scene_facts(const Mesh& mesh, const Polygons& polygons);
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -10,7 +10,7 @@ enum class Coplanar : unsigned char {
   last,   ///< the one of the highest index, as painters lay one on the other
 };
 
-/// The one place that decides between faces that coincide: of their indices, or of the numbers of their facets or triangles.
+/// The one place that decides between faces that coincide: of their indices, or those of their facets or triangles.
 ///
 ///   (1) of two different numbers exactly one is above the other
 ///   (2) the order of `last` is that of `first` backwards

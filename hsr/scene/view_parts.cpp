@@ -25,23 +25,23 @@ const ViewParts& ViewParts::shared() const {
   return base_ != nullptr && projected().is_scaled_like(base_->projected()) ? *base_ : *this;
 }
 
-const ProjectedMesh& ViewParts::projected() const {
-  return projected_.get([&] { return ProjectedMesh(mesh(), view_, options_.arithmetic, others_, options_.coplanar); });
+const ProjectedMesh& ViewParts::projected(const std::stop_token& stop) const {
+  return projected_.get(stop, [&] { return ProjectedMesh(mesh(), view_, options_.arithmetic, others_, options_.coplanar); });
 }
 
-const std::vector<ImageBox>& ViewParts::boxes() const {
-  if (&shared() != this) return shared().boxes();
-  const ProjectedMesh& mesh = projected();
-  return boxes_.get([&] {
+const std::vector<ImageBox>& ViewParts::boxes(const std::stop_token& stop) const {
+  if (&shared() != this) return shared().boxes(stop);
+  const ProjectedMesh& mesh = projected(stop);
+  return boxes_.get(stop, [&] {
     std::vector<ImageBox> boxes(this->mesh().triangles.size());
     parallel_for_each(boxes.size(), [&](std::size_t i) { boxes[i] = mesh.box(TriangleId(i)); });
     return boxes;
   });
 }
 
-const ClosedBodies* ViewParts::bodies() const {
-  const ProjectedMesh& mesh = projected();
-  const auto& bodies = bodies_.get([&]() -> std::optional<ClosedBodies> {
+const ClosedBodies* ViewParts::bodies(const std::stop_token& stop) const {
+  const ProjectedMesh& mesh = projected(stop);
+  const auto& bodies = bodies_.get(stop, [&]() -> std::optional<ClosedBodies> {
     const bool is_needed = options_.when(Stage::back_faces) != When::never || options_.when(Stage::convex_body) != When::never;
     if (options_.arithmetic != Arithmetic::staged || !is_needed) return std::nullopt;
     return std::optional<ClosedBodies>(std::in_place, mesh, scene_->bodies());
@@ -49,28 +49,29 @@ const ClosedBodies* ViewParts::bodies() const {
   return bodies ? &*bodies : nullptr;
 }
 
-bool ViewParts::is_one_convex_body() const {
+bool ViewParts::is_one_convex_body(const std::stop_token& stop) const {
   if (options_.when(Stage::convex_body) == When::never) return false;
-  const ClosedBodies* const all = bodies();
+  const ClosedBodies* const all = bodies(stop);
   return all != nullptr && all->is_one_convex_body();
 }
 
-const OcclusionPyramid* ViewParts::pyramid() const {
-  const ProjectedMesh& mesh = projected();
+const OcclusionPyramid* ViewParts::pyramid(const std::stop_token& stop) const {
+  const ProjectedMesh& mesh = projected(stop);
   return pyramid_
-      .get([&]() -> std::unique_ptr<const OcclusionPyramid> {
-        const When when = options_.when(Stage::hidden_tiles);
-        if (options_.arithmetic != Arithmetic::staged || when == When::never) return nullptr;
-        auto pyramid = std::make_unique<const OcclusionPyramid>(mesh, when == When::always);
-        return pyramid->is_empty() ? nullptr : std::move(pyramid);
-      })
+      .get(stop,
+           [&]() -> std::unique_ptr<const OcclusionPyramid> {
+             const When when = options_.when(Stage::hidden_tiles);
+             if (options_.arithmetic != Arithmetic::staged || when == When::never) return nullptr;
+             auto pyramid = std::make_unique<const OcclusionPyramid>(mesh, when == When::always);
+             return pyramid->is_empty() ? nullptr : std::move(pyramid);
+           })
       .get();
 }
 
-const std::vector<std::uint8_t>& ViewParts::hidden() const {
-  const ClosedBodies* const closed = bodies();
-  const OcclusionPyramid* const tiles = pyramid();
-  return hidden_.get([&] {
+const std::vector<std::uint8_t>& ViewParts::hidden(const std::stop_token& stop) const {
+  const ClosedBodies* const closed = bodies(stop);
+  const OcclusionPyramid* const tiles = pyramid(stop);
+  return hidden_.get(stop, [&] {
     std::vector<std::uint8_t> hidden;
     if (closed != nullptr && closed->count() > 0 && options_.when(Stage::back_faces) != When::never)
       hidden = closed->far_sides();
@@ -83,14 +84,14 @@ const std::vector<std::uint8_t>& ViewParts::hidden() const {
   });
 }
 
-const std::vector<std::uint8_t>& ViewParts::flags(Excluded excluded) const {
+const std::vector<std::uint8_t>& ViewParts::flags(Excluded excluded, const std::stop_token& stop) const {
   static const std::vector<std::uint8_t> none;
   switch (excluded) {
     case Excluded::hidden:
-      return hidden();
+      return hidden(stop);
     case Excluded::edge_on: {
-      const ProjectedMesh& mesh = projected();
-      return edge_on_.get([&] {
+      const ProjectedMesh& mesh = projected(stop);
+      return edge_on_.get(stop, [&] {
         std::vector<std::uint8_t> edge_on(this->mesh().triangles.size());
         parallel_for_each(edge_on.size(),
                           [&](std::size_t i) { edge_on[i] = mesh.facing(TriangleId(i)) == Sign::zero ? 1 : 0; });
@@ -99,10 +100,10 @@ const std::vector<std::uint8_t>& ViewParts::flags(Excluded excluded) const {
       });
     }
     case Excluded::hidden_and_edge_on: {
-      const auto &hidden = flags(Excluded::hidden), &edge_on = flags(Excluded::edge_on);
+      const auto &hidden = flags(Excluded::hidden, stop), &edge_on = flags(Excluded::edge_on, stop);
       if (hidden.empty()) return edge_on;
       if (edge_on.empty()) return hidden;
-      return hidden_or_edge_on_.get([&] {
+      return hidden_or_edge_on_.get(stop, [&] {
         std::vector<std::uint8_t> either = hidden;
         parallel_for_each(either.size(), [&](std::size_t i) { either[i] |= edge_on[i]; });
         return either;
@@ -114,27 +115,29 @@ const std::vector<std::uint8_t>& ViewParts::flags(Excluded excluded) const {
   return none;
 }
 
-const std::vector<std::uint8_t>& ViewParts::hidden_or_edge_on() const { return flags(Excluded::hidden_and_edge_on); }
+const std::vector<std::uint8_t>& ViewParts::hidden_or_edge_on(const std::stop_token& stop) const {
+  return flags(Excluded::hidden_and_edge_on, stop);
+}
 
-bool ViewParts::has_edge_on() const { return !flags(Excluded::edge_on).empty(); }
+bool ViewParts::has_edge_on(const std::stop_token& stop) const { return !flags(Excluded::edge_on, stop).empty(); }
 
 /// The name under which the same set is kept: a tree is made once for all that come to the same.
-Excluded ViewParts::needed(Excluded excluded) const {
-  const bool hidden = (excluded == Excluded::hidden || excluded == Excluded::hidden_and_edge_on) && !this->hidden().empty();
-  const bool edge_on = (excluded == Excluded::edge_on || excluded == Excluded::hidden_and_edge_on) && has_edge_on();
+Excluded ViewParts::needed(Excluded excluded, const std::stop_token& stop) const {
+  const bool hidden = (excluded == Excluded::hidden || excluded == Excluded::hidden_and_edge_on) && !this->hidden(stop).empty();
+  const bool edge_on = (excluded == Excluded::edge_on || excluded == Excluded::hidden_and_edge_on) && has_edge_on(stop);
   return hidden && edge_on ? Excluded::hidden_and_edge_on
          : hidden          ? Excluded::hidden
          : edge_on         ? Excluded::edge_on
                            : Excluded::none;
 }
 
-const Occluders& ViewParts::occluders(Excluded excluded) const {
-  if (&shared() != this) return shared().occluders(excluded);
-  excluded = needed(excluded);
-  const ProjectedMesh& mesh = projected();
-  const auto& left_out = flags(excluded);
-  const auto& boxes = this->boxes();
-  return occluders_[static_cast<std::size_t>(excluded)].get([&] { return Occluders(mesh, boxes, left_out); });
+const Occluders& ViewParts::occluders(Excluded excluded, const std::stop_token& stop) const {
+  if (&shared() != this) return shared().occluders(excluded, stop);
+  excluded = needed(excluded, stop);
+  const ProjectedMesh& mesh = projected(stop);
+  const auto& left_out = flags(excluded, stop);
+  const auto& boxes = this->boxes(stop);
+  return occluders_[static_cast<std::size_t>(excluded)].get(stop, [&] { return Occluders(mesh, boxes, left_out); });
 }
 
 bool ViewParts::is_cut_by_near_plane() const {
@@ -145,32 +148,32 @@ bool ViewParts::is_cut_by_near_plane() const {
 }
 
 /// Of the faces that another view has found to meet, or else by a search; what a complete search finds is kept for other views.
-Intersections ViewParts::find(Excluded excluded, const OcclusionPyramid* tiles) const {
+Intersections ViewParts::find(Excluded excluded, const OcclusionPyramid* tiles, const std::stop_token& stop) const {
   const bool is_exact = options_.arithmetic != Arithmetic::double_only;
   if (const auto known = is_exact ? scene_->meeting_faces() : nullptr)
-    return intersections_of(projected(), *known, flags(excluded));
-  Intersections found = find_intersections(projected(), occluders(excluded), tiles);
+    return intersections_of(projected(stop), *known, flags(excluded, stop), stop);
+  Intersections found = find_intersections(projected(stop), occluders(excluded, stop), tiles, stop);
   if (is_exact && excluded == Excluded::none && !is_cut_by_near_plane()) scene_->keep(meeting_faces(found));
   return found;
 }
 
-const Intersections& ViewParts::intersections() const {
+const Intersections& ViewParts::intersections(const std::stop_token& stop) const {
   const Excluded excluded = options_.hidden_lines ? Excluded::none : Excluded::hidden;
-  const OcclusionPyramid* const tiles = options_.hidden_lines ? nullptr : pyramid();
-  return intersections_.get([&] { return find(excluded, tiles); });
+  const OcclusionPyramid* const tiles = options_.hidden_lines ? nullptr : pyramid(stop);
+  return intersections_.get(stop, [&] { return find(excluded, tiles, stop); });
 }
 
-const Intersections& ViewParts::visible_intersections() const {
-  if (!options_.hidden_lines || intersections_.is_made()) return intersections();
-  const OcclusionPyramid* const tiles = pyramid();
-  return visible_intersections_.get([&] { return find(Excluded::hidden_and_edge_on, tiles); });
+const Intersections& ViewParts::visible_intersections(const std::stop_token& stop) const {
+  if (!options_.hidden_lines || intersections_.is_made()) return intersections(stop);
+  const OcclusionPyramid* const tiles = pyramid(stop);
+  return visible_intersections_.get(stop, [&] { return find(Excluded::hidden_and_edge_on, tiles, stop); });
 }
 
-const OccludingEdges& ViewParts::occluding_edges(Excluded excluded) const {
-  excluded = needed(excluded);
-  const ProjectedMesh& mesh = projected();
-  const auto& left_out = flags(excluded);
-  return occluding_edges_[static_cast<std::size_t>(excluded)].get([&] { return OccludingEdges(mesh, left_out); });
+const OccludingEdges& ViewParts::occluding_edges(Excluded excluded, const std::stop_token& stop) const {
+  excluded = needed(excluded, stop);
+  const ProjectedMesh& mesh = projected(stop);
+  const auto& left_out = flags(excluded, stop);
+  return occluding_edges_[static_cast<std::size_t>(excluded)].get(stop, [&] { return OccludingEdges(mesh, left_out); });
 }
 
 const ViewParts& ViewParts::with(const BitRange& others) const {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "hsr/scene/closed_bodies.h"
@@ -28,6 +29,9 @@ enum class Excluded : unsigned char {
 
 /// What all methods share of one view of a scene, each part made on first use. The stages come in one order: projection, closed
 /// bodies, tiles, the tree, intersections, occluding edges.
+///
+/// Who is asked to stop, by the token of the request, throws a CancelledError instead of making a part, and from within the search for
+/// intersections; what was made stays, and the next to ask makes the rest.
 class ViewParts {
  public:
   ViewParts(std::shared_ptr<const SceneParts> scene, const View& view, const SceneOptions& options);
@@ -40,21 +44,21 @@ class ViewParts {
   const View& view() const { return view_; }
   const SceneOptions& options() const { return options_; }
 
-  const ProjectedMesh& projected() const;
+  const ProjectedMesh& projected(const std::stop_token& stop = {}) const;
   /// Conservative boxes in the image, by triangle.
-  const std::vector<ImageBox>& boxes() const;
+  const std::vector<ImageBox>& boxes(const std::stop_token& stop = {}) const;
   /// The closed bodies; null: not looked for.
-  const ClosedBodies* bodies() const;
-  bool is_one_convex_body() const;  ///< and its stage is not to be left out
+  const ClosedBodies* bodies(const std::stop_token& stop = {}) const;
+  bool is_one_convex_body(const std::stop_token& stop = {}) const;  ///< and its stage is not to be left out
   /// What hides what is behind large faces; null: not looked for, or nothing is known to be hidden.
-  const OcclusionPyramid* pyramid() const;
+  const OcclusionPyramid* pyramid(const std::stop_token& stop = {}) const;
   /// By triangle: on the far side of a closed body, or hidden by tiles; whole faces only. Empty: nothing is known to be.
-  const std::vector<std::uint8_t>& hidden() const;
+  const std::vector<std::uint8_t>& hidden(const std::stop_token& stop = {}) const;
   /// By triangle: hidden(), or seen edge-on. Empty: none is.
-  const std::vector<std::uint8_t>& hidden_or_edge_on() const;
-  bool has_edge_on() const;
+  const std::vector<std::uint8_t>& hidden_or_edge_on(const std::stop_token& stop = {}) const;
+  bool has_edge_on(const std::stop_token& stop = {}) const;
 
-  const Occluders& occluders(Excluded excluded) const;
+  const Occluders& occluders(Excluded excluded, const std::stop_token& stop = {}) const;
   /// Whether some tree of occluders has been made; for tests.
   bool has_tree() const {
     for (const auto& tree : occluders_)
@@ -62,11 +66,11 @@ class ViewParts {
     return false;
   }
   /// Where faces meet: with SceneOptions::hidden_lines all, else what tiles leave.
-  const Intersections& intersections() const;
+  const Intersections& intersections(const std::stop_token& stop = {}) const;
   /// Some that are hidden may be missing, and some of hidden faces may be there.
-  const Intersections& visible_intersections() const;
+  const Intersections& visible_intersections(const std::stop_token& stop = {}) const;
   /// Where the number of layers changes: of faces that are not hidden.
-  const OccludingEdges& occluding_edges(Excluded excluded) const;
+  const OccludingEdges& occluding_edges(Excluded excluded, const std::stop_token& stop = {}) const;
 
   /// The same scene for predicates that meet other points, too, such as the samples of a picture. Where the points keep their
   /// scale the boxes and the trees are these, and only the projection is made anew.
@@ -76,10 +80,10 @@ class ViewParts {
   ViewParts(const ViewParts& base, const BitRange& others);
   /// Whose boxes and trees these are: another one's, or its own.
   const ViewParts& shared() const;
-  Intersections find(Excluded excluded, const OcclusionPyramid* tiles) const;
+  Intersections find(Excluded excluded, const OcclusionPyramid* tiles, const std::stop_token& stop) const;
   bool is_cut_by_near_plane() const;
-  Excluded needed(Excluded excluded) const;
-  const std::vector<std::uint8_t>& flags(Excluded excluded) const;
+  Excluded needed(Excluded excluded, const std::stop_token& stop) const;
+  const std::vector<std::uint8_t>& flags(Excluded excluded, const std::stop_token& stop) const;
 
   std::shared_ptr<const SceneParts> scene_;
   View view_;

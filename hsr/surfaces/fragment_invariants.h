@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hsr/scene/projected_mesh.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 
 namespace hsr::internal {
 

@@ -9,8 +9,8 @@
 
 #include "hsr/lines/line_progress.h"
 #include "hsr/scene/facet.h"
-#include "hsr/surfaces/fragments.h"
 #include "hsr/surfaces/rings.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr::internal {
@@ -19,7 +19,7 @@ namespace hsr::internal {
 struct FragmentParts {
   VisibleFragments found;
 
-  void add(TriangleId facet, const Rings& rings) {
+  void add(FacetId facet, const Rings& rings) {
     const auto base_ring = static_cast<std::uint32_t>(found.rings());
     for (std::size_t r = 0; r + 1 < rings.first_corner.size(); ++r) {
       found.corners.insert(found.corners.end(), rings.corners.begin() + rings.first_corner[r],
@@ -45,7 +45,7 @@ VisibleFragments fragments_in_blocks(const Mesh& mesh, const FragmentOptions& op
       auto worker = make();
       const std::size_t begin = part * block, end = std::min(begin + block, n);
       for (std::size_t t = begin; t < end; ++t)
-        if (facet_of(mesh, TriangleId(t)) == TriangleId(t)) find(worker, TriangleId(t), parts[part]);
+        if (is_first(mesh, TriangleId(t))) find(worker, FacetId(t), parts[part]);
       parts[part].found.decisions = worker.map().exact().counts();
       progress.advance(end - begin);
     }

@@ -1,7 +1,6 @@
-#include "hsr/surfaces/fragments.h"
-
 #include <tbb/parallel_for.h>
 
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/symbols/constructions.h"
 
 namespace hsr {

@@ -40,27 +40,27 @@ std::vector<std::uint32_t> groups_of(MapPredicates& map, const VisibleFragments&
   if (merge == Merge::colour) {
     std::map<Colour, std::uint32_t> number;
     for (const Fragment& f : fragments.fragments)
-      group.push_back(number.emplace(colours[mesh.face_of[f.facet].value], number.size()).first->second);
+      group.push_back(number.emplace(colours[mesh.face_of[first_triangle(f.facet)].value], number.size()).first->second);
     return group;
   }
   // Any two facets in one plane whose boxes touch: they need not share an edge of the mesh.
-  std::vector<TriangleId> facets;
+  std::vector<FacetId> facets;
   std::vector<ImageBox> boxes;
   for (const Fragment& f : fragments.fragments) {
     if (!facets.empty() && facets.back() == f.facet) continue;
     facets.push_back(f.facet);
     boxes.push_back(ImageBox::nothing());
-    for (TriangleId t = f.facet; t < facet_end(mesh, f.facet); t = TriangleId(t.value + 1U))
+    for (TriangleId t = first_triangle(f.facet); t < facet_end(mesh, f.facet); t = TriangleId(t.value + 1U))
       boxes.back().add(map.projected().box(t));
   }
   DisjointSets same(mesh.triangles.size());
   const BoxTree tree(boxes);
   BoxTree::PairSearch search;
+  const auto colour_of = [&](FacetId facet) { return colours[mesh.face_of[first_triangle(facet)].value]; };
   for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf)
     tree.visit_pairs(leaf, search, [&](std::uint32_t i, std::uint32_t k) {
-      const TriangleId s = facets[i], t = facets[k];
-      if (colours[mesh.face_of[s].value] == colours[mesh.face_of[t].value] && same.find(s.value) != same.find(t.value) &&
-          map.coplanar(s, t))
+      const FacetId s = facets[i], t = facets[k];
+      if (colour_of(s) == colour_of(t) && same.find(s.value) != same.find(t.value) && map.coplanar(s, t))
         same.join(s.value, t.value);
     });
   for (const Fragment& f : fragments.fragments) group.push_back(same.find(f.facet.value));
@@ -78,7 +78,7 @@ std::vector<std::vector<std::uint32_t>> faces_of_regions(const Mesh& mesh, const
   for (std::size_t r = 0; r < rings.owner_of_region.size(); ++r) region_of[rings.owner_of_region[r]] = r;
   std::vector<std::vector<std::uint32_t>> faces(rings.owner_of_region.size());
   for (std::size_t k = 0; k < group.size(); ++k)
-    faces[region_of.at(rings.region_owner[k])].push_back(mesh.face_of[fragments.fragments[group[k]].facet].value);
+    faces[region_of.at(rings.region_owner[k])].push_back(mesh.face_of[first_triangle(fragments.fragments[group[k]].facet)].value);
   for (std::vector<std::uint32_t>& of : faces) {
     std::sort(of.begin(), of.end());
     of.erase(std::unique(of.begin(), of.end()), of.end());
@@ -92,12 +92,12 @@ Regions regions_of(const SceneView& scene, const VisibleFragments& fragments, co
   const Mesh& mesh = scene.mesh();
   Regions out;
   if (fragments.fragments.empty()) return out;
-  const auto colour_of = [&](const Fragment& f) { return colours[mesh.face_of[f.facet].value]; };
+  const auto colour_of = [&](const Fragment& f) { return colours[mesh.face_of[first_triangle(f.facet)].value]; };
   if (merge == Merge::none) {
     out.first_corner = fragments.first_corner;
     out.corners = fragments.corners;
     for (const Fragment& f : fragments.fragments)
-      out.regions.push_back({colour_of(f), f.facet, {mesh.face_of[f.facet].value}, f.first_ring, f.end_ring});
+      out.regions.push_back({colour_of(f), f.facet, {mesh.face_of[first_triangle(f.facet)].value}, f.first_ring, f.end_ring});
     return out;
   }
   MapPredicates map(scene.parts().projected());

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hsr/model.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 
 namespace hsr {
 
@@ -18,7 +18,7 @@ enum class Merge : std::uint8_t {
 /// A connected part of the picture in one colour.
 struct Region {
   Colour colour = {};
-  TriangleId facet;  ///< one that it belongs to
+  FacetId facet;  ///< one that it belongs to
   std::vector<std::uint32_t> faces;
   std::uint32_t first_ring = 0, end_ring = 0;
 };

@@ -24,7 +24,7 @@ class Subtraction {
       : map_(projected), projected_(projected), occluders_(occluders) {}
 
   /// Appends the sides of the visible pieces of a facet.
-  void visible_sides(TriangleId facet, std::vector<MapSide>& sides);
+  void visible_sides(FacetId facet, std::vector<MapSide>& sides);
 
   MapPredicates& map() { return map_; }
 
@@ -34,23 +34,23 @@ class Subtraction {
   const Occluders& occluders_;
 };
 
-void Subtraction::visible_sides(TriangleId facet, std::vector<MapSide>& sides) {
+void Subtraction::visible_sides(FacetId facet, std::vector<MapSide>& sides) {
   const Mesh& mesh = projected_.mesh();
   if (projected_.facing(facet) == Sign::zero) return;
   const TriangleId end = facet_end(mesh, facet);
   std::vector<ConvexPiece> pieces;
   std::vector<MapHalfPlane> half_planes;
-  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
+  for (TriangleId t = first_triangle(facet); t < end; t = TriangleId(t.value + 1U)) {
     if (!projected_.reaches_beyond_near(t)) continue;
     pieces.assign(1, convex_piece(projected_, t));
     if (projected_.reaches_before_near(t)) cut(map_, pieces[0], beyond_near(projected_, t));
     if (pieces[0].points.empty()) continue;
     occluders_.tree.visit(projected_.box(t), [&](std::uint32_t i) {
       const TriangleId other = occluders_.triangles[i];
-      if (other >= facet && other < end) return true;
-      const bool are_coplanar = map_.coplanar(other, facet);
-      if (are_coplanar && projected_.ties().is_above(facet, other)) return true;
-      shadow_on(projected_, other, facet, are_coplanar, half_planes);
+      if (facet_of(mesh, other) == facet) return true;
+      const bool are_coplanar = map_.coplanar(other, first_triangle(facet));
+      if (are_coplanar && projected_.ties().is_above(facet, facet_of(mesh, other))) return true;
+      shadow_on(projected_, other, first_triangle(facet), are_coplanar, half_planes);
       subtract(map_, pieces, half_planes);
       return !pieces.empty();
     });
@@ -65,11 +65,11 @@ void Subtraction::visible_sides(TriangleId facet, std::vector<MapSide>& sides) {
 
 VisibleFragments roberts_surfaces(const SceneView& scene, const FragmentOptions& options) {
   const Mesh& mesh = scene.mesh();
-  const ProjectedMesh& projected = scene.parts().projected();
-  const Occluders& occluders = scene.parts().occluders(Excluded::edge_on);
+  const ProjectedMesh& projected = scene.parts().projected(options.stop);
+  const Occluders& occluders = scene.parts().occluders(Excluded::edge_on, options.stop);
   const VisibleFragments all = fragments_in_blocks(
       mesh, options, [&] { return Subtraction(projected, occluders); },
-      [](Subtraction& subtraction, TriangleId facet, FragmentParts& parts) {
+      [](Subtraction& subtraction, FacetId facet, FragmentParts& parts) {
         std::vector<MapSide> sides;
         subtraction.visible_sides(facet, sides);
         parts.add(facet, link_rings(subtraction.map(), sides));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 
 namespace hsr::internal {
 

@@ -5,13 +5,13 @@
 
 namespace hsr::internal {
 
-void shadow_on(const ProjectedMesh& projected, TriangleId t, TriangleId facet, bool are_coplanar,
+void shadow_on(const ProjectedMesh& projected, TriangleId t, TriangleId s, bool are_coplanar,
                std::vector<MapHalfPlane>& half_planes) {
   half_planes.clear();
   for (std::size_t k = 0; k < 3; ++k) half_planes.push_back(side_of_triangle(projected, t, k));
   if (!are_coplanar) {
-    const MapLine meet = MapLine::meet(t, facet);
-    const Sign nearer = projected.facing(t) * projected.facing(facet);
+    const MapLine meet = MapLine::meet(t, s);
+    const Sign nearer = projected.facing(t) * projected.facing(s);
     half_planes.push_back({meet, meet.u == t.value ? nearer : -nearer});
   }
   if (projected.reaches_before_near(t)) half_planes.push_back(beyond_near(projected, t));

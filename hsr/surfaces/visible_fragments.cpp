@@ -29,10 +29,10 @@ using Range = tbb::blocked_range<std::size_t>;
 
 /// Sides of fragments, and of which facet each is.
 struct FacetSides {
-  std::vector<TriangleId> facets;
+  std::vector<FacetId> facets;
   std::vector<PlacedSide> sides;
 
-  void add(TriangleId facet, const PlacedSide& side) {
+  void add(FacetId facet, const PlacedSide& side) {
     facets.push_back(facet);
     sides.push_back(side);
   }
@@ -54,7 +54,7 @@ class SideFinder {
         right_(map_, occluders, pyramid) {}
 
   void add_edge(const VisibleLines& lines, const Line& line);
-  void add_intersection(const Intersection& crossing);
+  void add_intersection(const TriangleIntersection& crossing);
   void add_near_cut(TriangleId t);
 
   FacetSides take() { return std::move(sides_); }
@@ -66,9 +66,9 @@ class SideFinder {
   TriangleId only_triangle(EdgeId e, Sign side) const;
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
   BoundedPoint3 place_of(const Edge& edge, const Cut& cut) const;
-  BoundedPoint3 end_of(const Intersection& crossing, const Cut& cut, const MapPoint& seen) const;
+  BoundedPoint3 end_of(const TriangleIntersection& crossing, const Cut& cut, const MapPoint& seen) const;
   void add(MapStretch stretch, TriangleId left, TriangleId right);
-  Sign runs_along(const Intersection& crossing, const MapStretch& stretch);
+  Sign runs_along(const TriangleIntersection& crossing, const MapStretch& stretch);
   void add_meeting(const MapStretch& stretch, std::span<const SeenPart> left);
   void add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right);
   MapPlace place(const MapStretch& stretch, const MapPoint& p, double t, double error) const;
@@ -145,7 +145,7 @@ void SideFinder::add_edge(const VisibleLines& lines, const Line& line) {
   }
 }
 
-void SideFinder::add_intersection(const Intersection& crossing) {
+void SideFinder::add_intersection(const TriangleIntersection& crossing) {
   const MapLine line = MapLine::meet(crossing.s, crossing.t);
   const auto point = [&](const Cut& cut) {
     const bool is_near = cut.kind == Cut::Kind::near;
@@ -171,7 +171,7 @@ void SideFinder::add_intersection(const Intersection& crossing) {
 
 /// Whether the ends of an intersection are in the order of its line, along its image. Where a corner of s is before the plane
 /// of t, MapPredicates::nearer(s, t) tells on which side of the line it is seen: to the left iff facing(s) t(corner) > 0.
-Sign SideFinder::runs_along(const Intersection& crossing, const MapStretch& stretch) {
+Sign SideFinder::runs_along(const TriangleIntersection& crossing, const MapStretch& stretch) {
   const BoundedPoint2 a = projected_.image(stretch.a.p, 3 * stretch.a.error),
                       b = projected_.image(stretch.b.p, 3 * stretch.b.error);
   const SegmentFilter image(a.p, b.p, std::max({a.error, b.error, projected_.image_error()}));
@@ -193,7 +193,7 @@ void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart
     if (part.seen == s || part.seen == t) {
       const MapPlace from = place(stretch, part.from, from_t, from_error),
                      to = place(stretch, part.to, part.to_t, part.to_error);
-      const TriangleId l = facet_of(mesh_, part.seen), r = facet_of(mesh_, part.seen == s ? t : s);
+      const FacetId l = facet_of(mesh_, part.seen), r = facet_of(mesh_, part.seen == s ? t : s);
       sides_.add(l, {{stretch.line, false, part.from, part.to}, from, to});
       sides_.add(r, {{stretch.line, true, part.to, part.from}, to, from});
     }
@@ -203,7 +203,7 @@ void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart
 }
 
 /// Where an intersection ends in space: where an edge of one triangle meets the plane of the other. @param seen where
-BoundedPoint3 SideFinder::end_of(const Intersection& crossing, const Cut& cut, const MapPoint& seen) const {
+BoundedPoint3 SideFinder::end_of(const TriangleIntersection& crossing, const Cut& cut, const MapPoint& seen) const {
   if (cut.kind == Cut::Kind::sight) {
     const VertexId u(cut.u), v(cut.v);
     const TriangleId other = mesh_.has_corner(crossing.s, u) && mesh_.has_corner(crossing.s, v) ? crossing.t : crossing.s;
@@ -267,17 +267,17 @@ MapPlace SideFinder::place(const MapStretch& stretch, const MapPoint& p, double 
 
 /// Where what is seen to the left and to the right differs, both end. What goes on beside several others ends in one side.
 void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right) {
-  const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh_, t) : t; };
+  const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh_, t) : FacetId(); };
   MapPoint at = left.front().from;
   MapPlace place_of_at = place(stretch, at, 0, 0);
   // What ends on each side since where; none: nothing does.
   struct Ending {
-    TriangleId facet;
+    FacetId facet;
     MapPoint from;
     MapPlace place;
   };
   Ending l, r;
-  const auto go_on = [&](Ending& ending, TriangleId next, bool is_left) {
+  const auto go_on = [&](Ending& ending, FacetId next, bool is_left) {
     if (ending.facet == next) return;
     if (ending.facet.is_valid())
       sides_.add(ending.facet, is_left ? PlacedSide{{stretch.line, false, ending.from, at}, ending.place, place_of_at}
@@ -286,10 +286,10 @@ void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPa
   };
   std::size_t i = 0, j = 0;
   while (i < left.size() && j < right.size()) {
-    const TriangleId seen_left = facet(left[i].seen), seen_right = facet(right[j].seen);
+    const FacetId seen_left = facet(left[i].seen), seen_right = facet(right[j].seen);
     const bool is_border = seen_left != seen_right;
-    go_on(l, is_border ? seen_left : TriangleId(), true);
-    go_on(r, is_border ? seen_right : TriangleId(), false);
+    go_on(l, is_border ? seen_left : FacetId(), true);
+    go_on(r, is_border ? seen_right : FacetId(), false);
     const double gap = left[i].to_t - right[j].to_t;
     const bool is_certain = std::fabs(gap) > (left[i].to_error + right[j].to_error) * 1.01;
     const Sign first = is_certain ? sign_of(gap) : map_.order(stretch.line, left[i].to, right[j].to);
@@ -306,7 +306,7 @@ void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPa
 class FragmentFinder {
  public:
   FragmentFinder(const SceneView& scene, const FragmentOptions& options)
-      : options_(options), parts_(scene.parts()), projected_(parts_.projected()), mesh_(parts_.mesh()) {}
+      : options_(options), parts_(scene.parts()), projected_(parts_.projected(options.stop)), mesh_(parts_.mesh()) {}
 
   VisibleFragments fragments();
 
@@ -354,14 +354,14 @@ bool FragmentFinder::has_many_borders() const {
 
 /// A face that is seen edge-on has no area in the image: it is left out, and its edges with it.
 void FragmentFinder::find_lines() {
-  left_out_ = &parts_.hidden_or_edge_on();
-  occluders_ = &parts_.occluders(Excluded::hidden_and_edge_on);
+  left_out_ = &parts_.hidden_or_edge_on(options_.stop);
+  occluders_ = &parts_.occluders(Excluded::hidden_and_edge_on, options_.stop);
   // Of a mesh few lines are looked along, as most edges have a face on each side: records may not pay.
   const bool is_soup = has_many_borders();
   if (is_soup) occluders_->prepare();
-  intersections_ = &parts_.visible_intersections();
+  intersections_ = &parts_.visible_intersections(options_.stop);
   // In lines of others a face seen edge-on hides what is behind it, here it hides nothing.
-  if (options_.lines != nullptr && !parts_.has_edge_on()) {
+  if (options_.lines != nullptr && !parts_.has_edge_on(options_.stop)) {
     lines_ = options_.lines;
     if (lines_->plan.method != "appel") occluders_->prepare();
     return;
@@ -371,7 +371,7 @@ void FragmentFinder::find_lines() {
 }
 
 void FragmentFinder::find_own_lines(bool is_soup) {
-  const OcclusionPyramid* const tiles = parts_.pyramid();
+  const OcclusionPyramid* const tiles = parts_.pyramid(options_.stop);
   auto edges = parallel_collect<EdgeId>(mesh_.edges.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e) {
       const auto triangles = mesh_.triangles_at(EdgeId(e));
@@ -384,12 +384,12 @@ void FragmentFinder::find_own_lines(bool is_soup) {
   LineOptions line_options;
   line_options.stop = options_.stop;
   const bool may_count = projected_.arithmetic() == Arithmetic::staged && !is_soup;
-  const bool appel_pays =
-      may_count && parts_.occluding_edges(Excluded::hidden_and_edge_on).edges().size() <= occluders_->triangles.size();
+  const bool appel_pays = may_count && parts_.occluding_edges(Excluded::hidden_and_edge_on, options_.stop).edges().size() <=
+                                           occluders_->triangles.size();
   if (!appel_pays) occluders_->prepare();
-  own_lines_ =
-      appel_pays ? appel(projected_, requested, parts_.occluding_edges(Excluded::hidden_and_edge_on), *occluders_, line_options)
-                 : roberts(projected_, requested, *occluders_, line_options, tiles);
+  own_lines_ = appel_pays ? appel(projected_, requested, parts_.occluding_edges(Excluded::hidden_and_edge_on, options_.stop),
+                                  *occluders_, line_options)
+                          : roberts(projected_, requested, *occluders_, line_options, tiles);
 }
 
 /// The numbers from 0 to n - 1, ascending by key(i) < keys.
@@ -410,7 +410,7 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
   std::vector<DecisionCounts> counts(parts.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      SideFinder finder(projected_, *occluders_, *intersections_, place_, parts_.pyramid());
+      SideFinder finder(projected_, *occluders_, *intersections_, place_, parts_.pyramid(options_.stop));
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t i = part * block; i < end; ++i) visit(finder, order[i]);
       parts[part] = finder.take();
@@ -463,7 +463,7 @@ void FragmentFinder::find_sides() {
   // A counting sort by facet.
   first_side_.assign(mesh_.triangles.size() + 1, 0);
   for (const FacetSides& part : found_)
-    for (const TriangleId facet : part.facets) ++first_side_[facet.value + 1U];
+    for (const FacetId facet : part.facets) ++first_side_[facet.value + 1U];
   for (std::size_t t = 1; t < first_side_.size(); ++t) first_side_[t] += first_side_[t - 1];
   sides_.resize(first_side_.back());
   std::vector<std::size_t> next(first_side_.begin(), first_side_.end() - 1);
@@ -484,7 +484,7 @@ VisibleFragments FragmentFinder::fragments() {
   };
   VisibleFragments all = fragments_in_blocks(
       mesh_, options_, [&] { return Worker(projected_); },
-      [&](Worker& worker, TriangleId facet, FragmentParts& parts) {
+      [&](Worker& worker, FacetId facet, FragmentParts& parts) {
         const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
         if (begin == end) return;
         worker.sides.clear();

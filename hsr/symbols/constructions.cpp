@@ -22,6 +22,7 @@ struct Given {
     const auto& corners = mesh.triangles[t];
     return Plane::of_face(point(corners[0]), point(corners[1]), point(corners[2]));
   }
+  Plane face_plane(FacetId facet) const { return face_plane(first_triangle(facet)); }
   Plane near_plane() const { return view.near_plane(); }
   Plane near_line(const Plane& line) const { return Plane::near_line(view.viewpoint.at, view.target, view.near, line); }
 };
@@ -30,7 +31,7 @@ struct Given {
 
 Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut) { return cut_plane(Given{mesh, view}, cut); }
 
-std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, TriangleId facet, const MapPoint& p) {
+std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, FacetId facet, const MapPoint& p) {
   const Given given{mesh, view};
   const auto view_plane = [&](const MapLine& line) {
     if (line.kind == MapLine::Kind::edge) return ViewPlane::of(given.sight_plane(VertexId(line.u), VertexId(line.v)));
@@ -39,7 +40,7 @@ std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, Triangle
     return ViewPlane::of(given.near_line(given.face_plane(TriangleId(line.u))));
   };
   if (p.is_vertex) {
-    const auto& own = mesh.triangles[facet];
+    const auto& own = mesh.triangles[first_triangle(facet)];
     if (p.vertex == own[0] || p.vertex == own[1] || p.vertex == own[2]) return rational(mesh.points[p.vertex]);
   }
   const Camera camera{view.viewpoint, view.target};

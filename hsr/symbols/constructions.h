@@ -11,10 +11,12 @@
 
 namespace hsr {
 
-/// The plane that makes a cut. Exact: yes. @pre neither start nor end
+/// The plane that makes a cut. Exact: yes.
+/// @throws PreconditionError for the start or the end of an edge, which no plane makes
 Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut);
 
 /// A point of the visibility map in space, exactly: the point of the facet's plane that is seen there.
-std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, TriangleId facet, const MapPoint& p);
+/// @throws PreconditionError if the facet is seen edge-on, or two lines that cross there are parallel in the image
+std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, FacetId facet, const MapPoint& p);
 
 }  // namespace hsr

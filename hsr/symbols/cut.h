@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "geometry/index.h"
+
 namespace hsr {
 
 /// A place on a line of the scene (an edge, or where two faces pierce each other), kept as the symbol of what cuts the line
@@ -24,6 +26,14 @@ struct Cut {
   std::uint32_t u = 0, v = 0;
 
   friend bool operator==(const Cut&, const Cut&) = default;
+};
+
+/// Where two facets pierce each other: a part of the line in which their planes meet, along that line.
+struct Intersection {
+  FacetId s, t;  ///< s < t
+  Cut from, to;  ///< of that line: view planes of sides, lines of sides seen edge-on, or the near plane
+
+  friend bool operator==(const Intersection&, const Intersection&) = default;
 };
 
 }  // namespace hsr

@@ -19,6 +19,7 @@ struct MapLine {
 
   static MapLine edge(VertexId a, VertexId b) { return {Kind::edge, std::min(a, b).value, std::max(a, b).value}; }
   static MapLine meet(TriangleId s, TriangleId t) { return {Kind::meet, std::min(s, t).value, std::max(s, t).value}; }
+  static MapLine meet(FacetId s, FacetId t) { return meet(first_triangle(s), first_triangle(t)); }
   static MapLine near(TriangleId t) { return {Kind::near, t.value, 0}; }
 
   friend auto operator<=>(const MapLine&, const MapLine&) = default;

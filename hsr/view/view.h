@@ -62,7 +62,7 @@ Point3 centre(const Mesh& mesh);
 class PaperImage {
  public:
   explicit PaperImage(const View& view);
-  /// @pre not the eye's own plane parallel to the paper (points beyond the near plane never are)
+  /// @throws PreconditionError for a point of the eye's own plane parallel to the paper, as none beyond the near plane is
   std::array<Rational, 2> operator()(const std::array<Rational, 3>& p) const;
 
  private:
@@ -74,6 +74,7 @@ class PaperImage {
 };
 
 /// The image of one point.
+/// @throws PreconditionError as PaperImage does
 std::array<Rational, 2> image(const View& view, const std::array<Rational, 3>& p);
 
 }  // namespace hsr

@@ -11,9 +11,9 @@ ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId t) {
   return convex_piece(projected, t, projected.mesh().triangles[t]);
 }
 
-ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId facet, std::span<const VertexId> ring) {
+ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId t, std::span<const VertexId> ring) {
   ConvexPiece piece;
-  const bool forward = projected.facing(facet) == Sign::positive;
+  const bool forward = projected.facing(t) == Sign::positive;
   const std::size_t n = ring.size();
   for (std::size_t k = 0; k < n; ++k) {
     const VertexId u = ring[forward ? k : n - 1 - k], v = ring[forward ? (k + 1) % n : (2 * n - 2 - k) % n];
@@ -23,20 +23,21 @@ ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId facet, std::
   return piece;
 }
 
-std::vector<ConvexPiece> convex_pieces(MapPredicates& map, TriangleId facet) {
+std::vector<ConvexPiece> convex_pieces(MapPredicates& map, FacetId facet) {
   const ProjectedMesh& projected = map.projected();
   const TriangleId end = facet_end(map.mesh(), facet);
   std::vector<ConvexPiece> pieces;
-  if (end.value - facet.value > 1)
+  if (triangle_count(map.mesh(), facet) > 1)
     if (const auto ring = convex_ring(projected, facet, map.exact()); !ring.empty())
-      pieces.push_back(convex_piece(projected, facet, ring));
+      pieces.push_back(convex_piece(projected, first_triangle(facet), ring));
   if (pieces.empty())
-    for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U))
+    for (TriangleId t = first_triangle(facet); t < end; t = TriangleId(t.value + 1U))
       if (projected.reaches_beyond_near(t)) pieces.push_back(convex_piece(projected, t));
   bool near_cuts = false;
-  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) near_cuts = near_cuts || projected.reaches_before_near(t);
+  for (TriangleId t = first_triangle(facet); t < end; t = TriangleId(t.value + 1U))
+    near_cuts = near_cuts || projected.reaches_before_near(t);
   if (near_cuts) {
-    for (ConvexPiece& piece : pieces) cut(map, piece, beyond_near(projected, facet));
+    for (ConvexPiece& piece : pieces) cut(map, piece, beyond_near(projected, first_triangle(facet)));
     std::erase_if(pieces, [](const ConvexPiece& p) { return p.points.empty(); });
   }
   return pieces;

@@ -19,11 +19,11 @@ struct ConvexPiece {
 /// A triangle that is not seen edge-on.
 ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId t);
 
-/// A convex ring of vertices of the facet, as its triangles run.
-ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId facet, std::span<const VertexId> ring);
+/// A convex ring of vertices of the facet of t, as its triangles run.
+ConvexPiece convex_piece(const ProjectedMesh& projected, TriangleId t, std::span<const VertexId> ring);
 
 /// A facet that is not seen edge-on, beyond the near plane: one piece if it is convex, or one of each triangle.
-std::vector<ConvexPiece> convex_pieces(MapPredicates& map, TriangleId facet);
+std::vector<ConvexPiece> convex_pieces(MapPredicates& map, FacetId facet);
 
 /// Cuts the piece: what is inside the half-plane stays, what is outside is returned. Exact.
 std::optional<ConvexPiece> cut(MapPredicates& map, ConvexPiece& piece, const MapHalfPlane& h);

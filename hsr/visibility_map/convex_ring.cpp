@@ -15,18 +15,18 @@ struct RingSide {
 
 }  // namespace
 
-std::vector<VertexId> convex_ring(const ProjectedMesh& projected, TriangleId facet, Predicates& exact) {
+std::vector<VertexId> convex_ring(const ProjectedMesh& projected, FacetId facet, Predicates& exact) {
   const Mesh& mesh = projected.mesh();
   const TriangleId end = facet_end(mesh, facet);
-  const auto& c = mesh.triangles[facet];
-  if (end.value - facet.value == 1) return {c.begin(), c.end()};
+  const auto& c = mesh.triangles[first_triangle(facet)];
+  if (triangle_count(mesh, facet) == 1) return {c.begin(), c.end()};
   std::vector<RingSide> sides;
-  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
+  for (TriangleId t = first_triangle(facet); t < end; t = TriangleId(t.value + 1U)) {
     const auto& corners = mesh.triangles[t];
     for (std::size_t k = 0; k < 3; ++k)
       if (!is_inner_diagonal(mesh, t, k)) sides.push_back({corners[k], corners[(k + 1) % 3]});
   }
-  if (sides.size() != end.value - facet.value + 2U) return {};  // a hole, or parts that only touch
+  if (sides.size() != triangle_count(mesh, facet) + 2U) return {};  // a hole, or parts that only touch
   const auto from = [&](VertexId v) {
     return std::find_if(sides.begin(), sides.end(), [&](const RingSide& s) { return s.from == v; });
   };
@@ -39,7 +39,7 @@ std::vector<VertexId> convex_ring(const ProjectedMesh& projected, TriangleId fac
   }
   if (from(ring.back())->to != ring.front()) return {};
   // Every turn as the first triangle turns, or none.
-  const int axis = dropped_axis(projected, facet, exact);
+  const int axis = dropped_axis(projected, first_triangle(facet), exact);
   const auto turn = [&](VertexId u, VertexId v, VertexId w) {
     return exact.side(Plane::along_axis(projected.point(u), projected.point(v), axis), projected.point(w));
   };

@@ -42,12 +42,15 @@ class MapPredicates {
   /// Whether the plane of s is nearer than that of t where p is seen: positive, s; zero, they meet there. @pre neither is seen
   /// edge-on, and they are not parallel in space as well as seen from p
   Sign nearer(TriangleId s, TriangleId t, const MapPoint& p);
+  Sign nearer(FacetId s, FacetId t, const MapPoint& p) { return nearer(first_triangle(s), first_triangle(t), p); }
   bool coplanar(TriangleId s, TriangleId t);
+  bool coplanar(FacetId s, FacetId t) { return coplanar(first_triangle(s), first_triangle(t)); }
 
   /// Where the point is seen, relative to the first vertex of the mesh: coordinates that turn as they are seen.
   MapPlace place(const MapPoint& p) const;
   /// The point of the triangle's plane that is seen there.
   BoundedPoint3 point(const MapPoint& p, TriangleId t) const;
+  BoundedPoint3 point(const MapPoint& p, FacetId facet) const { return point(p, first_triangle(facet)); }
   std::array<Rational, 2> exact_place(const MapPoint& p) const;
 
  private:

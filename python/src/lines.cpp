@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "geometry/error.h"
-#include "hsr/coordinates/segments.h"
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/drawing/cut_parameter.h"
 #include "hsr/io/write/json.h"
 #include "hsr/lines/hidden_points.h"

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "geometry/error.h"
-#include "hsr/coordinates/polygons.h"
-#include "hsr/io/read/order_json.h"
-#include "hsr/io/write/order_json.h"
+#include "hsr/coordinates/coordinates.h"
+#include "hsr/io/read/read.h"
+#include "hsr/io/write/json.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/verify/verify.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "hsr/coordinates/polygons.h"
+#include "hsr/coordinates/coordinates.h"
 #include "python/src/arrays.h"
 
 namespace hsr::python {

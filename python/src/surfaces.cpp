@@ -6,9 +6,9 @@
 #include <memory>
 #include <optional>
 
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/cli/page_arguments.h"
-#include "hsr/coordinates/polygons.h"
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/io/write/png.h"
 #include "hsr/raster/caster.h"
 #include "hsr/surfaces/roberts_surfaces.h"

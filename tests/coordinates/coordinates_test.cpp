@@ -103,7 +103,7 @@ TEST_CASE("the coordinates of fragments and of pieces are correctly rounded", "[
       REQUIRE(placed.size() == fragments.fragments.size());
       for (std::size_t k = 0; k < placed.size(); ++k) {
         const Fragment& f = fragments.fragments[k];
-        CHECK(placed[k].face == mesh.face_of[f.facet]);
+        CHECK(placed[k].face == mesh.face_of[first_triangle(f.facet)]);
         REQUIRE(placed[k].rings.size() == f.end_ring - f.first_ring);
         holes += placed[k].rings.size() - 1;
         for (std::size_t r = 0; r < placed[k].rings.size(); ++r) {

@@ -21,6 +21,9 @@
 #include "tests/scenes/test_scene.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 Image<std::uint8_t> read_grey(const std::string& bytes) {

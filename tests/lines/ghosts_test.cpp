@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "hsr/coordinates/polygons.h"
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/lines/edge_classifier.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"

@@ -16,7 +16,7 @@ struct Corner {
 };
 
 struct Piece {
-  TriangleId first;
+  FacetId facet;
   Vec normal;
   std::vector<std::array<Corner, 3>> triangles;
 
@@ -39,8 +39,9 @@ std::vector<Piece> pieces_of(const Mesh& mesh) {
     std::array<Vec, 3> c;
     for (std::size_t k = 0; k < 3; ++k) c[k] = Vec(mesh.points[mesh.triangles[t][k]]);
     const Vec normal = cross(c[1] - c[0], c[2] - c[0]);
-    const bool goes_on = !all.empty() && mesh.face_of[all.back().first] == f && mesh.faces[f] == FaceUse::planar;
-    if (!goes_on) all.push_back({t, normal, {}});
+    const bool goes_on =
+        !all.empty() && mesh.face_of[first_triangle(all.back().facet)] == f && mesh.faces[f] == FaceUse::planar;
+    if (!goes_on) all.push_back({FacetId(i), normal, {}});
     std::array<Corner, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = {c[k], cross(normal, c[(k + 1) % 3] - c[k]), is_within_face(mesh, t, k)};
     all.back().triangles.push_back(corners);
@@ -84,7 +85,7 @@ void add_piercings(const Piece& s, const Piece& t, const View& view, std::vector
   };
   std::vector<Piercing> found;
   for (const auto& [from, to] : parts) {
-    Piercing x{s.first, t.first, o + from * d, o + to * d};
+    Piercing x{s.facet, t.facet, o + from * d, o + to * d};
     if (less(x.to, x.from)) std::swap(x.from, x.to);
     found.push_back(std::move(x));
   }

@@ -8,10 +8,9 @@
 
 namespace hsr::oracle {
 
-/// A segment along which two planar pieces, named by their first triangles, pierce each other; from the lexicographically
-/// smaller end.
+/// A segment along which two facets pierce each other; from the lexicographically smaller end.
 struct Piercing {
-  TriangleId s, t;  ///< s < t
+  FacetId s, t;  ///< s < t
   Vec from, to;
 };
 

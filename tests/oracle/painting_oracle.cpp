@@ -110,8 +110,8 @@ PairOrder order_of(const Image& image, const PaintedPolygon& a, const PaintedPol
 Vec exact_vec(const std::array<Rational, 3>& p) { return {exact(p[0]), exact(p[1]), exact(p[2])}; }
 
 /// The triangles of a facet, as far as they are beyond the near plane: twice their area in the image.
-Q twice_area_of_facet(const Mesh& mesh, const View& view, const Image& image, TriangleId facet) {
-  const FaceId f = mesh.face_of[facet];
+Q twice_area_of_facet(const Mesh& mesh, const View& view, const Image& image, FacetId facet) {
+  const FaceId f = mesh.face_of[first_triangle(facet)];
   const bool planar = mesh.faces[f] == FaceUse::planar;
   Q sum = 0;
   for (std::uint32_t t = facet.value; t < (planar ? mesh.first_triangle[FaceId(f.value + 1)] : facet.value + 1); ++t) {
@@ -144,7 +144,7 @@ std::vector<std::string> wrong_with_order(const Mesh& mesh, const View& view, co
   const Image image(view);
   std::vector<std::string> wrong;
   std::vector<PaintedPolygon> polygons;
-  std::map<TriangleId, Q> covered;
+  std::map<FacetId, Q> covered;
   for (const OrderedPiece& piece : order.pieces) {
     PaintedPolygon p;
     for (const PieceCorner& c : order.corners_of(piece))
@@ -171,8 +171,8 @@ std::vector<std::string> wrong_with_order(const Mesh& mesh, const View& view, co
         say(i, k, "the higher face is painted first");
     }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const TriangleId facet(t);
-    const FaceId f = mesh.face_of[facet];
+    const FacetId facet(t);
+    const FaceId f = mesh.face_of[first_triangle(facet)];
     if (mesh.faces[f] == FaceUse::planar && mesh.first_triangle[f] != t) continue;
     const Q all = twice_area_of_facet(mesh, view, image, facet), found = covered.contains(facet) ? covered[facet] : Q(0);
     if (all != found) wrong.push_back("triangle " + std::to_string(t) + " is not covered exactly once");

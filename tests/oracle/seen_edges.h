@@ -19,8 +19,8 @@ struct SeenEdge {
   bool class_is_uncertain = false, may_be_absent = false;
   EdgeClass other_class = EdgeClass::smooth;
   bool is_behind = false;  ///< what touches the seen surface from behind
-  /// Where faces pierce each other, instead of a and b: the first triangles of both, and the ends.
-  TriangleId s = {}, t = {};
+  /// Where faces pierce each other, instead of a and b: both facets, and the ends.
+  FacetId s = {}, t = {};
   Vec from = {}, to = {};
 };
 

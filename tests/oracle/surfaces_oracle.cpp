@@ -32,9 +32,9 @@ Q twice_area(const std::vector<Place>& ring) {
   return sum;
 }
 
-TriangleId facet_named(const Mesh& mesh, TriangleId t) {
+FacetId facet_with(const Mesh& mesh, TriangleId t) {
   const FaceId f = mesh.face_of[t];
-  return mesh.faces[f] == FaceUse::planar ? TriangleId(mesh.first_triangle[f]) : t;
+  return mesh.faces[f] == FaceUse::planar ? FacetId(mesh.first_triangle[f]) : FacetId(t.value);
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ void SurfacesOracle::add_piece(TriangleId t) {
     if (sgn(at_a) * sgn(at_b) < 0) corners.push_back(a + Q(at_a / (at_a - at_b)) * (b - a));
   }
   if (corners.size() < 3) return;
-  Piece piece{facet_named(mesh_, t), {}, {}};
+  Piece piece{facet_with(mesh_, t), {}, {}};
   for (const Vec& p : corners) piece.corners.push_back(image(p));
   const Q area = twice_area(piece.corners);
   if (sgn(area) == 0) return;
@@ -157,8 +157,8 @@ std::vector<SurfacesOracle::Segment> SurfacesOracle::segments() const {
   return out;
 }
 
-TriangleId SurfacesOracle::visible_at(const Place& p) const {
-  TriangleId best;
+FacetId SurfacesOracle::visible_at(const Place& p) const {
+  FacetId best;
   Q nearest;
   for (const Piece& piece : pieces_) {
     bool inside = true;
@@ -201,7 +201,7 @@ void SurfacesOracle::cut_image() {
     for (std::size_t i = 0; i + 1 < spanning.size(); ++i) {
       if (spanning[i].first == spanning[i + 1].first) continue;
       const Place p = {middle, Q((spanning[i].first + spanning[i + 1].first) / 2)};
-      const TriangleId seen = visible_at(p);
+      const FacetId seen = visible_at(p);
       const Q area = (at[k + 1] - at[k]) * (spanning[i + 1].first - spanning[i].first);
       trapezoids_.push_back({p, at[k], at[k + 1], area, *spanning[i].second, *spanning[i + 1].second, seen});
       if (seen.is_valid()) areas_[seen.value] += area;
@@ -237,7 +237,7 @@ std::vector<std::size_t> SurfacesOracle::count_regions() const {
   return count;
 }
 
-std::vector<Place> SurfacesOracle::ring(const VisibleFragments& found, TriangleId facet, std::uint32_t r) const {
+std::vector<Place> SurfacesOracle::ring(const VisibleFragments& found, FacetId facet, std::uint32_t r) const {
   std::vector<Place> out;
   for (const MapCorner& c : found.ring(r)) {
     const auto at = exact_point(mesh_, view_, facet, c.at);

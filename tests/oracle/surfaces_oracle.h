@@ -6,7 +6,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/scene/tie_rule.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/view/view.h"
 #include "tests/oracle/exact_vector.h"
 
@@ -32,7 +32,7 @@ class SurfacesOracle {
 
  private:
   struct Piece {
-    TriangleId facet;
+    FacetId facet;
     std::vector<Place> corners;
     std::array<Q, 3> nearness;  // of u, v and 1
   };
@@ -44,7 +44,7 @@ class SurfacesOracle {
     Place middle;
     Q left, right, area;
     Segment below, above;
-    TriangleId visible;
+    FacetId visible;
   };
 
   Place image(const Vec& p) const;
@@ -52,9 +52,9 @@ class SurfacesOracle {
   void add_piece(TriangleId t);
   std::vector<Segment> segments() const;
   void cut_image();
-  TriangleId visible_at(const Place& p) const;
+  FacetId visible_at(const Place& p) const;
   std::vector<std::size_t> count_regions() const;
-  std::vector<Place> ring(const VisibleFragments& found, TriangleId facet, std::uint32_t r) const;
+  std::vector<Place> ring(const VisibleFragments& found, FacetId facet, std::uint32_t r) const;
 
   const Mesh& mesh_;
   const View& view_;

@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "geometry/error.h"
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
-#include "hsr/raster/painted_order.h"
+#include "hsr/raster/caster.h"
 #include "tests/oracle/painting_oracle.h"
 #include "tests/scenes/random_scenes.h"
 
@@ -88,7 +88,7 @@ TEST_CASE("faces in no cycle stay whole", "[painter][hard][P5]") {
     scene.add_face({{0.0 + k, 0, 0.5 * k}, {3.0 + k, 0, 0.5 * k}, {3.0 + k, 3, 0.5 * k}, {0.0 + k, 3, 0.5 * k}});
   const DepthSort result = sorted(scene);
   CHECK(result.order.pieces.size() == 20);
-  CHECK(result.order.pieces.front().facet == TriangleId(0));
+  CHECK(result.order.pieces.front().facet == FacetId(0));
   CHECK(result.counts.cuts_in_cycles == 0);
 }
 
@@ -110,9 +110,9 @@ TEST_CASE("of coplanar faces the higher is painted first", "[painter][hard][P2]"
   scene.add_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
   const DepthSort result = sorted(scene);
   REQUIRE(result.order.pieces.size() == 3);
-  CHECK(result.order.pieces[0].facet == TriangleId(4));
-  CHECK(result.order.pieces[1].facet == TriangleId(2));
-  CHECK(result.order.pieces[2].facet == TriangleId(0));
+  CHECK(result.order.pieces[0].facet == FacetId(4));
+  CHECK(result.order.pieces[1].facet == FacetId(2));
+  CHECK(result.order.pieces[2].facet == FacetId(0));
 }
 
 TEST_CASE("squares that pierce each other are cut once", "[painter][hard][P7][P8]") {

@@ -5,11 +5,11 @@
 #include <random>
 
 #include "geometry/error.h"
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
-#include "hsr/raster/painted_order.h"
+#include "hsr/raster/caster.h"
 #include "tests/oracle/painting_oracle.h"
 #include "tests/oracle/sample_oracle.h"
 #include "tests/scenes/corpus.h"
@@ -155,7 +155,8 @@ TEST_CASE("stacks and slopes that nearly coincide are in order", "[painter][orac
     const Mesh mesh = stack.mesh();
     const PaintersOrder sorted = depth_sort(mesh, stack.view).order;
     REQUIRE(sorted.pieces.size() == 50);
-    for (std::size_t k = 0; k < 50; ++k) CHECK(layers[mesh.face_of[sorted.pieces[k].facet].value] == static_cast<int>(k));
+    for (std::size_t k = 0; k < 50; ++k)
+      CHECK(layers[mesh.face_of[first_triangle(sorted.pieces[k].facet)].value] == static_cast<int>(k));
     CHECK(wrong_order(stack) == "");
   }
   for (const double slope : {1e-3, 1e-9, 1e-15}) {

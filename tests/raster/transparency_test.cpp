@@ -6,7 +6,7 @@
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/raster/a_buffer.h"
 #include "hsr/raster/alpha_buffer.h"
-#include "hsr/raster/painted_order.h"
+#include "hsr/raster/caster.h"
 #include "hsr/raster/z_buffer.h"
 #include "tests/oracle/sample_oracle.h"
 #include "tests/scenes/random_scenes.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/surfaces/visible_fragments.h"
@@ -137,8 +137,8 @@ TEST_CASE("a face that is cut into triangles has the fragments of its triangles"
   const Mesh mesh = scene.mesh();
   const VisibleFragments found = visible_fragments(mesh, scene.view);
   REQUIRE(found.fragments.size() == 2);
-  CHECK(found.fragments[0].facet == TriangleId(0));
-  CHECK(found.fragments[1].facet == TriangleId(1));
+  CHECK(found.fragments[0].facet == FacetId(0));
+  CHECK(found.fragments[1].facet == FacetId(1));
   CHECK(wrong_fragments(scene) == "");
 }
 

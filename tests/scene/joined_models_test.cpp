@@ -8,6 +8,9 @@
 #include "hsr/object_selection.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 /// One triangle per object, at x = 0, 1, 2 ...

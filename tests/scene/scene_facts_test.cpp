@@ -4,6 +4,7 @@
 #include <vector>
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "geometry/error.h"
 #include "hsr/check/error_against_time.h"
 #include "hsr/check/error_csv.h"
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/raster/caster.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "tests/scenes/random_scenes.h"

@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "geometry/error.h"
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/raster/samples.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
@@ -101,7 +101,7 @@ std::string areas(const scenes::TestScene& scene, Coplanar coplanar) {
   const std::vector<Rational> of_fragment = visible_areas(mesh, scene.view, found);
   std::vector<Rational> of_face(mesh.faces.size());
   for (std::size_t k = 0; k < of_fragment.size(); ++k) {
-    Rational& sum = of_face[mesh.face_of[found.fragments[k].facet].value];
+    Rational& sum = of_face[mesh.face_of[first_triangle(found.fragments[k].facet)].value];
     sum = sum + of_fragment[k];
   }
   std::string text;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hsr/scene/tie_rule.h"
-#include "hsr/surfaces/fragments.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "tests/scenes/test_scene.h"
 
 namespace hsr {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
@@ -173,7 +173,8 @@ TEST_CASE("of fifty squares however near to one another the nearest is seen", "[
     const Mesh mesh = scene.mesh();
     const VisibleFragments found = visible_fragments(mesh, scene.view);
     REQUIRE(found.fragments.size() == 1);
-    CHECK(mesh.points[mesh.triangles[found.fragments[0].facet][0]].z == *std::max_element(depths.begin(), depths.end()));
+    CHECK(mesh.points[mesh.triangles[first_triangle(found.fragments[0].facet)][0]].z ==
+          *std::max_element(depths.begin(), depths.end()));
     CHECK(canonical(mesh, scene.view, found) == canonical(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
     CHECK(check_fragments(mesh, scene.view, found, sample_grid(scene.view, paper_rectangle(mesh, scene.view), 64, 64))
               .is_right());
@@ -279,7 +280,7 @@ TEST_CASE("the invariants find fragments that are wrong", "[surfaces][check]") {
     CHECK_THROWS_WITH(check_invariants(projected, wrong), Catch::Contains("run along one another"));
   }
   SECTION("a hole is a fragment of its own") {
-    wrong.fragments.push_back({TriangleId(0), wrong.fragments[0].first_ring + 1, wrong.fragments[0].end_ring});
+    wrong.fragments.push_back({FacetId(0), wrong.fragments[0].first_ring + 1, wrong.fragments[0].end_ring});
     wrong.fragments[0].end_ring = wrong.fragments[0].first_ring + 1;
     CHECK_THROWS_WITH(check_invariants(projected, wrong), Catch::Contains("turns the wrong way"));
   }

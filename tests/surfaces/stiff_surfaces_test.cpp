@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"

@@ -8,6 +8,9 @@
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr {
+
+using namespace internal;
+
 namespace {
 
 /// The picture of all that is beyond the near plane; not valid where there is none.

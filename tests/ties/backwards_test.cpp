@@ -63,7 +63,7 @@ std::vector<Rational> areas(const SceneView& scene) {
   const std::vector<Rational> of_fragment = visible_areas(scene.mesh(), scene.view(), found);
   std::vector<Rational> of_face(scene.mesh().faces.size());
   for (std::size_t k = 0; k < of_fragment.size(); ++k) {
-    Rational& sum = of_face[scene.mesh().face_of[found.fragments[k].facet].value];
+    Rational& sum = of_face[scene.mesh().face_of[first_triangle(found.fragments[k].facet)].value];
     sum = sum + of_fragment[k];
   }
   return of_face;
@@ -106,8 +106,10 @@ TEST_CASE("a sort by depths alone paints equally far faces as the rule says", "[
   for_each_pair([](const Pair& p) {
     for (const DepthKey key : {DepthKey::centroid, DepthKey::farthest_vertex}) {
       std::vector<FaceId> last, first;
-      for (const OrderedPiece& piece : z_sort(p.last(), key).pieces) last.push_back(p.mapped(p.mesh.face_of[piece.facet]));
-      for (const OrderedPiece& piece : z_sort(p.first(), key).pieces) first.push_back(p.backwards.face_of[piece.facet]);
+      for (const OrderedPiece& piece : z_sort(p.last(), key).pieces)
+        last.push_back(p.mapped(p.mesh.face_of[first_triangle(piece.facet)]));
+      for (const OrderedPiece& piece : z_sort(p.first(), key).pieces)
+        first.push_back(p.backwards.face_of[first_triangle(piece.facet)]);
       CHECK(last == first);
     }
   });

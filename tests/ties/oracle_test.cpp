@@ -2,7 +2,7 @@
 #include <exception>
 
 #include "geometry/error.h"
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/verify/verify.h"

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "hsr/check/fragment_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/check/z_buffer_check.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
@@ -9,7 +9,6 @@
 #include "hsr/raster/alpha_buffer.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/depth_buffer.h"
-#include "hsr/raster/painted_order.h"
 #include "hsr/raster/row_z_buffer.h"
 #include "hsr/raster/scanline.h"
 #include "hsr/raster/tiled_z_buffer.h"
@@ -60,7 +59,7 @@ struct Sheets {
     const Image<std::uint32_t> pieces = paint(mesh, view, order, board());
     Image<TriangleId> triangles(size, size);
     for (std::size_t k = 0; k < pieces.pixels.size(); ++k)
-      if (pieces.pixels[k] != no_piece) triangles.pixels[k] = order.pieces[pieces.pixels[k]].facet;
+      if (pieces.pixels[k] != no_piece) triangles.pixels[k] = first_triangle(order.pieces[pieces.pixels[k]].facet);
     return faces(triangles);
   }
   /// A colour of its own for each face, and the picture of those that are expected.

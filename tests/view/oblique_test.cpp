@@ -3,8 +3,7 @@
 #include <numbers>
 
 #include "geometry/error.h"
-#include "hsr/check/fragment_check.h"
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/raster/caster.h"
 #include "hsr/surfaces/visible_fragments.h"

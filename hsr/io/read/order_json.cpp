@@ -1,10 +1,9 @@
-#include "hsr/io/read/order_json.h"
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
 #include "hsr/io/read/json_depth.h"
+#include "hsr/io/read/read.h"
 #include "hsr/io/read/source.h"
 
 namespace hsr {
@@ -49,7 +48,8 @@ class OrderReader {
     if (x.is_string()) {
       const Rational exact = coordinate(x, where);
       const double value = exact.to_double();
-      if (!std::isfinite(value) || (Rational(value) - exact).sign() != Sign::zero) refuse(where, x, "a number that a double holds");
+      if (!std::isfinite(value) || (Rational(value) - exact).sign() != Sign::zero)
+        refuse(where, x, "a number that a double holds");
       return value;
     }
     if (!x.is_number()) refuse(where, x, "a number");

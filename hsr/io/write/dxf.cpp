@@ -9,9 +9,7 @@
 #include "hsr/io/write/dashes.h"
 #include "hsr/io/write/dxf_tables.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -161,4 +159,4 @@ std::string dxf(const Drawing& drawing, const DxfOptions& options) {
   return out.text + body.text;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

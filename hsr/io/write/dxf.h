@@ -5,7 +5,7 @@
 
 #include "hsr/drawing/drawing.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 enum class DxfVersion : std::uint8_t { r12, r2000 };
 
@@ -26,4 +26,4 @@ struct DxfOptions {
 /// @param drawing made with DrawingOptions::in_frame_units; y is up in the file
 std::string dxf(const Drawing& drawing, const DxfOptions& options = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

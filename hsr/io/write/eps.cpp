@@ -9,9 +9,7 @@
 #include "hsr/io/write/svg_text.h"
 #include "hsr/io/write/utf8.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -63,4 +61,4 @@ std::string eps(const Drawing& drawing, const std::string& title) {
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -5,9 +5,7 @@
 #include "hsr/io/write/dashes.h"
 #include "hsr/io/write/layers.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -49,4 +47,4 @@ std::string hpgl(const Drawing& drawing) {
   return out + "PU;SP0;\n";
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

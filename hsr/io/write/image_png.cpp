@@ -8,7 +8,7 @@
 
 #include "geometry/error.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 std::string image_png(const Image<Colour>& image) {
   static_assert(sizeof(Colour) == 4);
@@ -39,4 +39,4 @@ std::string image_png(const Image<Colour>& image) {
   return {};
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

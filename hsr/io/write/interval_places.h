@@ -6,7 +6,7 @@
 
 #include "hsr/coordinates/rounded_coordinates.h"
 #include "hsr/drawing/projection.h"
-#include "hsr/io/write/numbers.h"
+#include "hsr/io/write/json.h"
 
 namespace hsr::internal {
 

@@ -150,10 +150,10 @@ FragmentText fragment_text(const Mesh& mesh, const View& view, const VisibleFrag
                            const JsonOptions& options) {
   const Numbers numbers = options.numbers;
   FragmentText out;
-  out.face = mesh.face_of[f.facet].value;
+  out.face = mesh.face_of[first_triangle(f.facet)].value;
   out.text = "{\"face\": ";
   append_integer(out.text, out.face);
-  append_object(out.text, options.objects, std::array{mesh.face_of[f.facet]});
+  append_object(out.text, options.objects, std::array{mesh.face_of[first_triangle(f.facet)]});
   out.text += ", \"rings\": [";
   for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
     std::vector<std::array<Rational, 3>> ring;

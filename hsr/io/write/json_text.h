@@ -6,7 +6,7 @@
 
 #include "geometry/number.h"
 #include "geometry/point.h"
-#include "hsr/io/write/numbers.h"
+#include "hsr/io/write/json.h"
 
 namespace hsr::internal {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "geometry/mesh.h"
-#include "hsr/io/write/numbers.h"
+#include "hsr/io/write/json.h"
 
 namespace hsr::internal {
 

@@ -1,5 +1,3 @@
-#include "hsr/io/write/order_json.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -25,7 +23,7 @@ void append_coordinate(std::string& out, const Rational& x, Numbers numbers) {
 void append_piece(std::string& out, const Mesh& mesh, const View& view, const PaintersOrder& order, const OrderedPiece& piece,
                   Numbers numbers) {
   out += "{\"face\": ";
-  append_integer(out, mesh.face_of[piece.facet].value);
+  append_integer(out, mesh.face_of[first_triangle(piece.facet)].value);
   out += ", \"points\": [";
   const char* comma = "";
   for (const PieceCorner& corner : order.corners_of(piece)) {

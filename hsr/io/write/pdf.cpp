@@ -15,9 +15,7 @@
 #include "hsr/io/write/svg_text.h"
 #include "hsr/io/write/utf8.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -255,4 +253,4 @@ std::string pdf(const Drawing& drawing, const std::string& title) {
   return file.finish(root, info);
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

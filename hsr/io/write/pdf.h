@@ -4,7 +4,7 @@
 
 #include "hsr/drawing/drawing.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A drawing as a PDF 1.5 file of one page, which looks as the SVG does. A layer (optional content group) for the fills and for each
 /// visibility and class that occurs, named as in the SVG; hidden lines first. Where objects are told apart each layer has a layer within it
@@ -17,4 +17,4 @@ namespace hsr {
 /// @throws InputError if a side of the page is longer than 5080 mm, which is as far as PDF goes
 std::string pdf(const Drawing& drawing, const std::string& title = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -11,9 +11,7 @@
 #include "hsr/io/write/dashes.h"
 #include "hsr/io/write/layers.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -141,4 +139,4 @@ std::string png(const Drawing& drawing, std::optional<PixelSize> size) {
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

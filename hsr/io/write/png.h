@@ -5,7 +5,7 @@
 
 #include "hsr/drawing/drawing.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// Pixels.
 struct PixelSize {
@@ -20,4 +20,4 @@ PixelSize parse_size(const std::string& text);
 /// @throws InputError if the picture does not fit into memory
 std::string png(const Drawing& drawing, std::optional<PixelSize> size = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -13,9 +13,7 @@
 #include "hsr/io/write/layers.h"
 #include "hsr/io/write/svg_text.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -216,4 +214,4 @@ std::string svg(const Drawing& drawing, const SvgOptions& options) {
   return out;
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

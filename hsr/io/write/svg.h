@@ -4,7 +4,7 @@
 
 #include "hsr/drawing/drawing.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 struct SvgOptions {
   std::string title = {};        ///< any text; escaped
@@ -24,4 +24,4 @@ void check_id_prefix(const std::string& prefix);
 /// file's words as data-object and Inkscape's label; what is of several objects follows without a group.
 std::string svg(const Drawing& drawing, const SvgOptions& options = {});
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -8,9 +8,7 @@
 #include "hsr/io/write/layers.h"
 #include "hsr/io/write/svg_text.h"
 
-namespace hsr {
-
-using namespace internal;
+namespace hsr::internal {
 
 namespace {
 
@@ -161,4 +159,4 @@ std::string tikz(const Drawing& drawing) {
   return out + "\\end{tikzpicture}%\n\\hsrend\n";
 }
 
-}  // namespace hsr
+}  // namespace hsr::internal

@@ -4,7 +4,7 @@
 
 #include "hsr/drawing/drawing.h"
 
-namespace hsr {
+namespace hsr::internal {
 
 /// A drawing as LaTeX with TikZ, for pdflatex as it is, on a page of the drawing's size, and for \input into a document that has
 /// \usepackage{tikz}, as one tikzpicture.
@@ -14,4 +14,4 @@ namespace hsr {
 /// A style that the document defines before, by \tikzset{hsr visible outline/.style={...}}, stays.
 std::string tikz(const Drawing& drawing);
 
-}  // namespace hsr
+}  // namespace hsr::internal

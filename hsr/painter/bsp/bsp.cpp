@@ -143,7 +143,7 @@ class PieceWriter {
       : projected_(projected), exact_(projected.predicates()), order_(order) {}
 
   /// @param ring its corners as the face runs
-  void append(TriangleId facet, std::vector<PieceCorner>& ring) {
+  void append(FacetId facet, std::vector<PieceCorner>& ring) {
     if (projected_.facing(facet) == Sign::zero) return;
     ring_.swap(ring);
     if (projected_.facing(facet) == Sign::negative) reverse();
@@ -167,13 +167,13 @@ class PieceWriter {
     }
   }
 
-  Sign beyond(TriangleId facet, const PieceCorner& c) {
+  Sign beyond(FacetId facet, const PieceCorner& c) {
     if (c.vertex.is_valid()) return projected_.beyond_near(c.vertex);
     return exact_.side(projected_.near_plane(), projected_.face_plane(facet), cut_plane(projected_, c.a),
                        cut_plane(projected_, c.b));
   }
 
-  bool clip_near(TriangleId facet) {
+  bool clip_near(FacetId facet) {
     signs_.clear();
     bool is_cut = false;
     for (const PieceCorner& c : ring_) {

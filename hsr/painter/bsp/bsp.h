@@ -28,7 +28,7 @@ struct BspOptions {
 ///   (2) the pieces of a face cover it exactly once
 ///   (3) the same tree for the same seed, and for any number of threads
 ///
-/// @throws InputError beyond the most pieces
+/// @throws InputError beyond the most pieces, or 2^32 - 1 corners
 /// Exact: yes. Cost: build O(n log n) where planes divide well, O(n^2) pieces at worst, never recursive; an order is linear in
 /// the pieces. Source: Fuchs, Kedem & Naylor 1980; axis-parallel cuts as in k-d trees, Bentley 1975.
 class BspTree {
@@ -36,8 +36,10 @@ class BspTree {
   explicit BspTree(const Mesh& mesh, const BspOptions& options = {});
 
   /// The pieces beyond the near plane, far to near; none of faces seen edge-on.
+  /// @throws InputError beyond 2^32 - 1 corners
   PaintersOrder order(const View& view) const;
   /// @pre the scene is of the mesh that the tree was built of
+  /// @throws InputError beyond 2^32 - 1 corners
   PaintersOrder order(const SceneView& scene) const;
   /// The numbers of the pieces far to near, those of faces seen edge-on included: the walk alone. Cost: some ns a piece.
   void walk(const View& view, std::vector<std::uint32_t>& far_to_near, TieRule ties = {}) const;

@@ -28,7 +28,7 @@ class BspBounds {
     bool original = false;  ///< an edge of the face
   };
 
-  static Id facet(TriangleId t) { return t.value; }  // a mesh has fewer than 2^30 triangles
+  static Id facet(FacetId f) { return f.value; }  // a mesh has fewer than 2^30 triangles
   static bool is_side(Id id) { return (id & kinds) == side_kind; }
   static bool is_across(Id id) { return (id & kinds) == across_kind; }
   static std::uint32_t place(Id id) { return id & ~kinds; }

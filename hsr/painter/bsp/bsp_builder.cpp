@@ -84,8 +84,8 @@ class BspBuilder {
     Task task;
   };
 
-  void add_facet(TriangleId facet);
-  void add_part(TriangleId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original);
+  void add_facet(FacetId facet);
+  void add_part(FacetId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original);
   void build_subtrees(const std::vector<Subtree>& subtrees);
   void take_subtree(const BspNodes& part, const Task& task, std::size_t acrosses);
   void take_sample(std::span<const std::uint32_t> parts);
@@ -144,8 +144,7 @@ class BspBuilder {
 };
 
 /// The sides of a facet as planes parallel to an axis: they do not depend on a view.
-void BspBuilder::add_part(TriangleId facet, std::span<const VertexId> ring, int axis,
-                          const std::vector<std::uint8_t>& original) {
+void BspBuilder::add_part(FacetId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original) {
   std::vector<BspBounds::Corner> corners;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const VertexId u = ring[k], v = ring[(k + 1) % ring.size()];
@@ -155,18 +154,18 @@ void BspBuilder::add_part(TriangleId facet, std::span<const VertexId> ring, int 
   parts_.find_box(parts_.add(facet, corners));
 }
 
-void BspBuilder::add_facet(TriangleId facet) {
+void BspBuilder::add_facet(FacetId facet) {
   const TriangleId end = facet_end(mesh_, facet);
-  const int axis = dropped_axis(projected_, facet, parts_.exact());
+  const int axis = dropped_axis(projected_, first_triangle(facet), parts_.exact());
   std::vector<std::uint8_t> original(3, 1);
-  if (end.value - facet.value > 1) {
+  if (triangle_count(mesh_, facet) > 1) {
     if (const std::vector<VertexId> ring = convex_ring(projected_, facet, parts_.exact()); !ring.empty()) {
       original.assign(ring.size(), 1);
       add_part(facet, ring, axis, original);
       return;
     }
   }
-  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
+  for (TriangleId t = first_triangle(facet); t < end; t = TriangleId(t.value + 1U)) {
     for (std::size_t k = 0; k < 3; ++k) original[k] = goes_around_face(mesh_, facet, 3) || is_edge_of_face(mesh_, t, k) ? 1 : 0;
     add_part(facet, mesh_.triangles[t], axis, original);
   }
@@ -177,7 +176,7 @@ void BspBuilder::add_facets() {
   parts_.reserve(n, 3 * n);
   tree_.bounds.sides.reserve(3 * n);
   for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
-    if (facet_of(mesh_, TriangleId(i)) == TriangleId(i)) add_facet(TriangleId(i));
+    if (is_first(mesh_, TriangleId(i))) add_facet(FacetId(i));
 }
 
 void BspBuilder::take_sample(std::span<const std::uint32_t> parts) {

@@ -8,7 +8,7 @@
 
 namespace hsr::internal {
 
-std::uint32_t BspParts::add(TriangleId facet, std::span<const BspBounds::Corner> ring) {
+std::uint32_t BspParts::add(FacetId facet, std::span<const BspBounds::Corner> ring) {
   Part part{facet, static_cast<std::uint32_t>(corners_.size()), 0};
   for (const BspBounds::Corner& c : ring) corners_.push_back({{projected_.point(VertexId(c.a)), 0}, c});
   check_countable(corners_.size(), "corners of a BSP");
@@ -42,12 +42,12 @@ void BspParts::find_box(std::uint32_t index) {
     }
 }
 
-BspParts::Divider BspParts::divider(TriangleId facet) const {
+BspParts::Divider BspParts::divider(FacetId facet) const {
   Divider d;
   d.cut = {Cut::Kind::face, 0, facet.value, 0};
   d.id = BspBounds::facet(facet);
   d.filter = projected_.filter(projected_.face_plane(facet));
-  d.vertices = projected_.mesh().triangles[facet];
+  d.vertices = projected_.mesh().triangles[first_triangle(facet)];
   return d;
 }
 
@@ -66,7 +66,7 @@ ErrorBounded BspParts::value(const Divider& d, const Corner& corner) const {
   return d.filter(corner.at);
 }
 
-Sign BspParts::side_beyond_filter(const Divider& d, const Corner& corner, TriangleId facet) {
+Sign BspParts::side_beyond_filter(const Divider& d, const Corner& corner, FacetId facet) {
   const BspBounds::Corner& c = corner.bounds;
   const auto is_of_divider = [&](VertexId v) { return is_one_of(v, d.vertices); };
   if (c.is_vertex()) {

@@ -24,7 +24,7 @@ class BspParts {
     BspBounds::Corner bounds;
   };
   struct Part {
-    TriangleId facet;
+    FacetId facet;
     std::uint32_t first = 0, end = 0;    // corners, as the facet runs
     std::array<float, 3> low{}, high{};  // of its box, where it has been asked for: no corner is beyond, as floats round
   };
@@ -54,11 +54,11 @@ class BspParts {
     parts_.reserve(parts);
     corners_.reserve(corners);
   }
-  std::uint32_t add(TriangleId facet, std::span<const BspBounds::Corner> ring);
+  std::uint32_t add(FacetId facet, std::span<const BspBounds::Corner> ring);
   std::uint32_t add(const BspParts& from, const Part& part);
   void find_box(std::uint32_t part);
 
-  Divider divider(TriangleId facet) const;
+  Divider divider(FacetId facet) const;
   Divider divider(VertexId v, int axis) const;
   Sides sides(const Divider& d, const Part& part);
   /// The parts behind and before the plane. @pre it has something of the part on both sides
@@ -68,7 +68,7 @@ class BspParts {
 
  private:
   ErrorBounded value(const Divider& d, const Corner& corner) const;
-  Sign side_beyond_filter(const Divider& d, const Corner& corner, TriangleId facet);
+  Sign side_beyond_filter(const Divider& d, const Corner& corner, FacetId facet);
   Corner crossing(const Divider& d, const Part& part, std::size_t k);
   Plane plane(BspBounds::Id id) const;
 

@@ -34,7 +34,7 @@ std::vector<Box> boxes_of(const ProjectedMesh& projected, const FacePieces& piec
     add(pieces.ring(i));
     if (!pieces.ring(i).empty()) return;
     const TriangleId end = facet_end(mesh, pieces.facet[i]);
-    for (TriangleId t = pieces.facet[i]; t < end; t = TriangleId(t.value + 1U)) add(mesh.triangles[t]);
+    for (TriangleId t = first_triangle(pieces.facet[i]); t < end; t = TriangleId(t.value + 1U)) add(mesh.triangles[t]);
   });
   return boxes;
 }

@@ -33,7 +33,7 @@ struct Neighbour {
 class Sorter {
  public:
   Sorter(const SceneView& scene, const DepthSortOptions& options)
-      : options_(options), mesh_(scene.mesh()), projected_(scene.parts().projected()), overlaps_(projected_, options.classic) {}
+      : options_(options), mesh_(scene.mesh()), projected_(scene.parts().projected(options.stop)), overlaps_(projected_, options.classic) {}
 
   DepthSort sort();
 

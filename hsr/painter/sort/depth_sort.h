@@ -13,12 +13,13 @@ namespace hsr {
 
 /// Faces each of which hides a part of its predecessor, and the first a part of the last: no order of whole faces is right.
 struct PaintersCycle {
-  std::vector<TriangleId> facets;
+  std::vector<FacetId> facets;
   /// By face, the corners of a convex part of the image in which the next face is in front of it.
   std::vector<std::vector<MapPoint>> common;
 };
 
 /// A point on each face of the cycle at which the next face is in front of it, exactly.
+/// @throws PreconditionError if the cycle is of another mesh or view
 std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& view, const PaintersCycle& cycle);
 
 struct DepthSortCounts {
@@ -54,7 +55,7 @@ struct DepthSortOptions {
 ///   (3) a face that is in no cycle and pierces none is one piece, if it is convex
 ///   (4) the result does not depend on the number of threads
 ///
-/// @throws InputError beyond the most pieces, CancelledError if asked to stop by `options.stop`
+/// @throws InputError beyond the most pieces or 2^32 - 1 corners, CancelledError if asked to stop by `options.stop`
 /// Exact: yes. Cost: O(n log n + k) for k pairs whose boxes overlap in the image, and the cuts.
 /// Source: Newell, Newell & Sancha 1972; the graph: de Berg, van Kreveld & Schwarzkopf 1992.
 DepthSort depth_sort(const SceneView& scene, const DepthSortOptions& options = {});

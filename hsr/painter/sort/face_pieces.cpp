@@ -12,17 +12,17 @@ namespace hsr::internal {
 
 namespace {
 
-void add_ring(FacePieces& pieces, TriangleId facet, std::span<const VertexId> ring) {
+void add_ring(FacePieces& pieces, FacetId facet, std::span<const VertexId> ring) {
   pieces.facet.push_back(facet);
   pieces.corners.insert(pieces.corners.end(), ring.begin(), ring.end());
   pieces.first_corner.push_back(static_cast<std::uint32_t>(pieces.corners.size()));
 }
 
-void add(FacePieces& pieces, MapPredicates& map, TriangleId facet) {
+void add(FacePieces& pieces, MapPredicates& map, FacetId facet) {
   const ProjectedMesh& projected = map.projected();
   const Mesh& mesh = map.mesh();
   const TriangleId end = facet_end(mesh, facet);
-  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U)) {
+  for (TriangleId t = first_triangle(facet); t < end; t = TriangleId(t.value + 1U)) {
     if (!projected.reaches_before_near(t)) continue;
     for (ConvexPiece& shape : convex_pieces(map, facet)) {
       pieces.cut.push_back(static_cast<std::uint32_t>(pieces.size()));
@@ -31,14 +31,14 @@ void add(FacePieces& pieces, MapPredicates& map, TriangleId facet) {
     }
     return;
   }
-  if (end.value - facet.value > 1) {
+  if (triangle_count(mesh, facet) > 1) {
     const std::vector<VertexId> ring = convex_ring(projected, facet, map.exact());
     if (!ring.empty()) {
       add_ring(pieces, facet, ring);
       return;
     }
   }
-  for (TriangleId t = facet; t < end; t = TriangleId(t.value + 1U))
+  for (TriangleId t = first_triangle(facet); t < end; t = TriangleId(t.value + 1U))
     if (projected.reaches_beyond_near(t)) add_ring(pieces, facet, mesh.triangles[t]);
 }
 
@@ -57,7 +57,7 @@ void append(FacePieces& all, FacePieces& part) {
 
 ConvexPiece FacePieces::shape(const ProjectedMesh& projected, std::size_t piece) const {
   const std::span<const VertexId> whole = ring(piece);
-  if (!whole.empty()) return convex_piece(projected, facet[piece], whole);
+  if (!whole.empty()) return convex_piece(projected, first_triangle(facet[piece]), whole);
   return cut_shape[static_cast<std::size_t>(std::lower_bound(cut.begin(), cut.end(), piece) - cut.begin())];
 }
 
@@ -71,7 +71,7 @@ FacePieces face_pieces(const ProjectedMesh& projected) {
     for (std::size_t k = range.begin(); k != range.end(); ++k)
       for (std::size_t i = k * block; i < std::min(n, (k + 1) * block); ++i) {
         const TriangleId t(i);
-        if (facet_of(mesh, t) == t && projected.facing(t) != Sign::zero) add(parts[k], map, t);
+        if (is_first(mesh, t) && projected.facing(t) != Sign::zero) add(parts[k], map, FacetId(t.value));
       }
   });
   FacePieces all;

@@ -11,7 +11,7 @@ namespace hsr::internal {
 /// All facets that are not seen edge-on, beyond the near plane, as convex pieces, ascending by facet: one of a convex facet, or
 /// one of each of its triangles. A piece that nothing has cut is no more than its vertices: most scenes need no other.
 struct FacePieces {
-  std::vector<TriangleId> facet;                  // by piece
+  std::vector<FacetId> facet;                     // by piece
   std::vector<std::uint32_t> first_corner = {0};  // by piece, one more
   std::vector<VertexId> corners;                  // as the triangles of the facet run
   std::vector<std::uint32_t> cut;                 // ascending: the pieces that the near plane has cut, which have no corners

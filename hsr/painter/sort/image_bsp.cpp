@@ -17,9 +17,9 @@ class Divider {
   explicit Divider(MapPredicates& map) : map_(map), projected_(map.projected()) {}
 
   /// Where a piece lies as seen from the plane of a facet.
-  Where where(const PieceOfFacet& piece, TriangleId plane) {
+  Where where(const PieceOfFacet& piece, FacetId plane) {
     if (piece.facet == plane) return Where::in_plane;
-    const auto& c = map_.mesh().triangles[plane];
+    const auto& c = map_.mesh().triangles[first_triangle(plane)];
     bool near = false, far = false;
     for (const MapPoint& p : piece.shape.points) {
       Sign nearer = Sign::zero;
@@ -34,7 +34,7 @@ class Divider {
   }
 
   /// The part of the piece before the plane, of one that it passes through; what is behind it stays.
-  PieceOfFacet cut_off_near(PieceOfFacet& piece, TriangleId plane) {
+  PieceOfFacet cut_off_near(PieceOfFacet& piece, FacetId plane) {
     piece.near.clear();  // of what it was
     const MapLine meet = MapLine::meet(piece.facet, plane);
     const Sign nearer = projected_.facing(piece.facet) * projected_.facing(plane);
@@ -45,12 +45,12 @@ class Divider {
   }
 
   /// Of a few facets the one whose plane cuts little and divides evenly.
-  TriangleId choose(std::span<const PieceOfFacet> pieces) {
+  FacetId choose(std::span<const PieceOfFacet> pieces) {
     constexpr std::size_t candidates = 8, tested = 64;
-    TriangleId best;
+    FacetId best;
     std::size_t best_score = ~std::size_t{0};
     for (std::size_t i = 0; i < std::min(candidates, pieces.size()); ++i) {
-      const TriangleId plane = pieces[i * pieces.size() / std::min(candidates, pieces.size())].facet;
+      const FacetId plane = pieces[i * pieces.size() / std::min(candidates, pieces.size())].facet;
       std::array<std::size_t, 4> count = {0, 0, 0, 0};
       for (std::size_t k = 0; k < std::min(tested, pieces.size()); ++k)
         ++count[static_cast<std::size_t>(where(pieces[k * pieces.size() / std::min(tested, pieces.size())], plane))];
@@ -86,7 +86,7 @@ std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<Piec
       done.push_back(std::move(all.front()));
       continue;
     }
-    const TriangleId plane = divider.choose(all);
+    const FacetId plane = divider.choose(all);
     std::vector<PieceOfFacet> far, near, in_plane;
     for (PieceOfFacet& piece : all) {
       switch (divider.where(piece, plane)) {

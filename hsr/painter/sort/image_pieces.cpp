@@ -10,7 +10,7 @@ namespace hsr::internal {
 namespace {
 
 /// What cuts the facet's plane along a line of the map.
-Cut cut_of(const MapLine& line, TriangleId facet) {
+Cut cut_of(const MapLine& line, FacetId facet) {
   switch (line.kind) {
     case MapLine::Kind::edge:
       return {Cut::Kind::sight, 0, line.u, line.v};
@@ -23,9 +23,9 @@ Cut cut_of(const MapLine& line, TriangleId facet) {
 }
 
 /// Whether the line carries an edge of the face.
-bool is_original(const Mesh& mesh, TriangleId facet, const MapLine& line) {
+bool is_original(const Mesh& mesh, FacetId facet, const MapLine& line) {
   if (line.kind != MapLine::Kind::edge) return false;
-  for (TriangleId t = facet; t < facet_end(mesh, facet); t = TriangleId(t.value + 1U)) {
+  for (TriangleId t = first_triangle(facet); t < facet_end(mesh, facet); t = TriangleId(t.value + 1U)) {
     const auto& c = mesh.triangles[t];
     for (std::size_t k = 0; k < 3; ++k)
       if (MapLine::edge(c[k], c[(k + 1) % 3]) == line) return is_edge_of_face(mesh, t, k);
@@ -58,7 +58,7 @@ void append(const Mesh& mesh, const PieceOfFacet& piece, PaintersOrder& order) {
 
 void append(const ProjectedMesh& projected, const FacePieces& pieces, std::size_t piece, PaintersOrder& order) {
   const Mesh& mesh = projected.mesh();
-  const TriangleId facet = pieces.facet[piece];
+  const FacetId facet = pieces.facet[piece];
   const std::span<const VertexId> ring = pieces.ring(piece);
   if (ring.empty()) {
     append(mesh, {facet, pieces.shape(projected, piece)}, order);

@@ -19,7 +19,7 @@ OverlapCounts& OverlapCounts::operator+=(const OverlapCounts& o) {
 std::vector<NearCorner> Overlaps::near_corners(const PieceOfFacet& piece) const {
   const TriangleId end = facet_end(map_.mesh(), piece.facet);
   const auto is_own = [&](VertexId v) {
-    for (TriangleId t = piece.facet; t < end; t = TriangleId(t.value + 1U))
+    for (TriangleId t = first_triangle(piece.facet); t < end; t = TriangleId(t.value + 1U))
       if (map_.mesh().has_corner(t, v)) return true;
     return false;
   };
@@ -41,7 +41,7 @@ ErrorBounded Overlaps::side(const PieceOfFacet& piece, std::size_t k, const Near
 }
 
 /// The value of a facet's plane at a corner; positive if the facet is in front of the corner.
-ErrorBounded Overlaps::beyond(TriangleId facet, const NearCorner& p) const {
+ErrorBounded Overlaps::beyond(FacetId facet, const NearCorner& p) const {
   ErrorBounded x = projected_.filter(projected_.face_plane(facet))(p.on_facet);
   // Only images with a bound come with a filter that is proven.
   if (!(p.x.error < HUGE_VAL)) x.error = HUGE_VAL;
@@ -74,7 +74,7 @@ bool Overlaps::separates(const PieceOfFacet& a, const PieceOfFacet& b) {
 Sign Overlaps::nearer(const PieceOfFacet& a, const PieceOfFacet& b, std::size_t corner, bool is_of_a) {
   const PieceOfFacet& own = is_of_a ? a : b;
   const MapPoint& p = own.shape.points[corner];
-  const TriangleId plane = is_of_a ? b.facet : a.facet;
+  const FacetId plane = is_of_a ? b.facet : a.facet;
   if (!p.is_vertex) {
     if (!own.near.empty()) {
       const ErrorBounded x = beyond(plane, own.near[corner]);
@@ -86,7 +86,7 @@ Sign Overlaps::nearer(const PieceOfFacet& a, const PieceOfFacet& b, std::size_t 
     return map_.nearer(a.facet, b.facet, p);
   }
   // The eye lies on the side `facing` of a plane.
-  if (map_.mesh().has_corner(plane, p.vertex)) return Sign::zero;
+  if (map_.mesh().has_corner(first_triangle(plane), p.vertex)) return Sign::zero;
   const Sign before = projected_.side(projected_.face_plane(plane), p.vertex, map_.exact()) * projected_.facing(plane);
   return is_of_a ? before : -before;
 }

@@ -46,7 +46,7 @@ struct NearCorner {
 
 /// A convex piece of a facet that is not seen edge-on.
 struct PieceOfFacet {
-  TriangleId facet;
+  FacetId facet;
   ConvexPiece shape = {};             ///< empty: as FacePieces has it, and not asked for
   std::vector<NearCorner> near = {};  ///< by corner (Overlaps::near_corners); or empty: not asked for
 };
@@ -76,7 +76,7 @@ class Overlaps {
  private:
   bool separates(const PieceOfFacet& a, const PieceOfFacet& b);
   ErrorBounded side(const PieceOfFacet& piece, std::size_t k, const NearCorner& p) const;
-  ErrorBounded beyond(TriangleId facet, const NearCorner& p) const;
+  ErrorBounded beyond(FacetId facet, const NearCorner& p) const;
   Sign nearer(const PieceOfFacet& a, const PieceOfFacet& b, std::size_t corner, bool is_of_a);
   Sides sides(const PieceOfFacet& a, const PieceOfFacet& b, bool are_of_a);
   std::optional<Sides> near_sides(const PieceOfFacet& a, const PieceOfFacet& b);

@@ -86,7 +86,7 @@ Sides WholeOverlaps::sides(const Whole& plane, const Whole& corners) {
   Sides found;
   // As Overlaps has it, corners of the plane's triangle are in it, and others are looked at.
   for (const VertexId v : corners.ring) {
-    if (projected_.mesh().has_corner(plane.facet, v)) continue;
+    if (projected_.mesh().has_corner(first_triangle(plane.facet), v)) continue;
     const ErrorBounded x = plane.filter(projected_.point(v));
     if (x.is_certain()) ++exact_.counts().filter;
     const Sign s = x.is_certain() ? sign_of(x.value) : exact_.side_beyond_filter(plane.plane, projected_.point(v));

@@ -32,7 +32,7 @@ class WholeOverlaps {
 
  private:
   struct Whole {
-    TriangleId facet;
+    FacetId facet;
     std::span<const VertexId> ring;
     Sign inner = Sign::zero;               // of O along its sides, within
     const ImageTriangle* image = nullptr;  // if there is one

@@ -297,7 +297,7 @@ std::vector<PaintedPolygon> painted_polygons(const SceneView& scene, const Paint
   std::vector<PaintedPolygon> polygons(order.pieces.size());
   tbb::parallel_for(std::size_t{0}, polygons.size(), [&](std::size_t k) {
     const OrderedPiece& piece = order.pieces[k];
-    polygons[k].face = scene.mesh().face_of[piece.facet].value;
+    polygons[k].face = scene.mesh().face_of[first_triangle(piece.facet)].value;
     for (const PieceCorner& corner : order.corners_of(piece))
       polygons[k].corners.push_back(exact_point(scene.mesh(), scene.view(), piece.facet, corner));
   });

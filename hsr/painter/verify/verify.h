@@ -67,6 +67,7 @@ struct Verdict {
 };
 
 /// The pieces of an order, to be verified as anyone's. Exact: yes.
+/// @throws PreconditionError if the order is not of this scene
 std::vector<PaintedPolygon> painted_polygons(const SceneView& scene, const PaintersOrder& order);
 
 struct VerifyOptions {

@@ -2,8 +2,7 @@
 #include <cstdio>
 
 #include "cube.h"
-#include "hsr/check/fragment_check.h"
-#include "hsr/check/order_check.h"
+#include "hsr/check/sample_checks.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "hsr/view/view.h"

@@ -4,8 +4,7 @@
 #include "geometry/mesh.h"
 #include "hsr/io/read/read.h"
 #include "hsr/io/write/json.h"
-#include "hsr/io/write/png.h"
-#include "hsr/io/write/svg.h"
+#include "hsr/io/write/write.h"
 
 int main() {
   const hsr::Model model = hsr::read_model("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
@@ -13,7 +12,7 @@ int main() {
   const hsr::View view = hsr::named_view("front", hsr::centre(mesh));
   const hsr::VisibleLines lines = hsr::visible_lines(mesh, view);
   const hsr::Drawing drawing = hsr::draw(mesh, view, lines);
-  const std::string svg = hsr::svg(drawing), png = hsr::png(drawing, hsr::PixelSize{40, 30});
+  const std::string svg = hsr::written(drawing, "svg"), png = hsr::written(drawing, "png", {.width = 40, .height = 30});
   const std::string json = hsr::lines_json(mesh, view, lines);
   std::printf("%zu bytes of SVG, %zu of PNG, %zu of JSON\n", svg.size(), png.size(), json.size());
   return svg.find("<svg") != std::string::npos && png.rfind("\x89PNG", 0) == 0 && json.find("hsr-lines/1") != std::string::npos

@@ -5,6 +5,7 @@
 #include "tests/io/read/small_files.h"
 
 using namespace hsr;
+using namespace hsr::internal;
 using namespace hsr::test;
 
 namespace {

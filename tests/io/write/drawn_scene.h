@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "hsr/coordinates/segments.h"
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/regions.h"

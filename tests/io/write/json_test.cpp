@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "hsr/coordinates/segments.h"
+#include "hsr/coordinates/coordinates.h"
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/mesh_json.h"
 #include "hsr/lines/visible_lines.h"

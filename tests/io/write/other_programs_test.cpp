@@ -14,6 +14,7 @@
 // over: packages.txt names those that tests/run installs, packages-long.txt those that only the long tests need.
 
 using namespace hsr;
+using namespace hsr::internal;
 
 namespace {
 
