@@ -19,8 +19,8 @@
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/json.h"
-#include "hsr/io/write/svg.h"
 #include "hsr/io/write/png.h"
+#include "hsr/io/write/svg.h"
 #include "hsr/io/write/write.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
@@ -136,6 +136,7 @@ class OrderCommand {
     if (const std::string note = a_.page.adopt_unit(scene_.model, request_.drawing); !note.empty()) context_.note(note);
     find_order();
     note_coincident_faces();
+    note_wires();
     check();
     write();
     if (!is_right_) throw CheckFailed();
@@ -145,7 +146,9 @@ class OrderCommand {
   void find_order();
   PaintersOrder depth_sorted();
   PaintersOrder by_tree();
+  bool is_opaque() const;
   void note_coincident_faces();
+  void note_wires();
   void check();
   void write();
   std::string bytes_of(Format format);
@@ -200,16 +203,28 @@ PaintersOrder OrderCommand::by_tree() {
   return order;
 }
 
+bool OrderCommand::is_opaque() const {
+  const std::vector<Colour>& colours = scene_.model.palette;
+  return a_.opacity == 1 && std::all_of(colours.begin(), colours.end(), [](const Colour& c) { return c[3] == 255; });
+}
+
 /// Which of them is painted later was the user's to say. Through transparent faces those behind are seen, too.
 void OrderCommand::note_coincident_faces() {
   if (a_.scene.asks_for_coplanar() || context_.is_quiet()) return;
-  const std::vector<Colour>& colours = scene_.model.palette;
-  const bool is_opaque =
-      a_.opacity == 1 && std::all_of(colours.begin(), colours.end(), [](const Colour& c) { return c[3] == 255; });
   const std::string text = context_.report.timed("coincident faces", [&] {
-    return coincident_note(*prepared_, scene_.model, is_opaque ? Coincidence::seen : Coincidence::all);
+    return coincident_note(*prepared_, scene_.model, is_opaque() ? Coincidence::seen : Coincidence::all);
   });
   if (!text.empty()) context_.note(text);
+}
+
+void OrderCommand::note_wires() {
+  const bool are_there = std::any_of(scene_.mesh.edges.begin(), scene_.mesh.edges.end(), [](const Edge& e) { return e.wire; });
+  if (!are_there || !request_.lines.classes[static_cast<std::size_t>(EdgeClass::wire)]) return;
+  const auto is_json = [](const Output& o) { return o.format == Format::json; };
+  if (std::any_of(request_.outputs.begin(), request_.outputs.end(), is_json))
+    context_.note("the pieces in JSON are of faces: wires are not among them");
+  if (!is_opaque())
+    context_.note("wires are drawn where nothing lies before them, and not where they are seen through something");
 }
 
 void OrderCommand::check() {

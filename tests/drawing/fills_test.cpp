@@ -193,7 +193,7 @@ TEST_CASE("no pixel within a surface is lighter or darker than its colours", "[d
     }
 }
 
-TEST_CASE("see-through neighbours of one colour show no seam", "[drawing][fills][layers]") {
+TEST_CASE("see-through neighbours of one colour show no seam", "[drawing][fills][layers][D21]") {
   const scenes::TestScene scene = fans();
   const Mesh mesh = scene.mesh();
   const std::vector<Colour> black(scene.polygons.size(), Colour{0, 0, 0, 255});
@@ -215,7 +215,7 @@ TEST_CASE("see-through neighbours of one colour show no seam", "[drawing][fills]
   }
 }
 
-TEST_CASE("lines between see-through pieces are covered by what is painted later", "[drawing][fills][layers]") {
+TEST_CASE("lines between see-through pieces are covered by what is painted later", "[drawing][fills][layers][D21]") {
   const scenes::TestScene scene = fans();
   const Mesh mesh = scene.mesh();
   const std::vector<Colour> black(scene.polygons.size(), Colour{0, 0, 0, 255});
