@@ -111,16 +111,18 @@ std::vector<PaperPoint> PaperPolygons::tent(std::uint32_t side) const {
   return is_plain_[sides_[side].owner] != 0 ? squeezed(side) : below_others(side);
 }
 
-/// The polygon itself, squeezed towards the side.
+/// The polygon itself, each corner halfway towards the middle half of the side: what lies between two points of a convex polygon
+/// belongs to it.
 std::vector<PaperPoint> PaperPolygons::squeezed(std::uint32_t side) const {
   const PaperSide& s = sides_[side];
   const Vector along = unit_along(s), inside = {-turn_[s.owner] * along.y, turn_[s.owner] * along.x};
+  const double whole = length(minus(s.to, s.from));
   std::vector<PaperPoint> top;
   for (std::uint32_t k = before_[side]; k != after_[side]; k = before_[k]) {
-    const PaperPoint& corner = sides_[k].from;
-    const Vector to = minus(corner, s.from);
-    const double height = to.x * inside.x + to.y * inside.y;
-    if (height >= 2) top.push_back(moved(corner, inside, -height / 2));
+    const Vector to = minus(sides_[k].from, s.from);
+    if (to.x * inside.x + to.y * inside.y < 2) continue;
+    const double foot = std::clamp(to.x * along.x + to.y * along.y, whole / 4, 3 * whole / 4);
+    top.push_back({s.from.x + std::llround((to.x + foot * along.x) / 2), s.from.y + std::llround((to.y + foot * along.y) / 2)});
   }
   return top;
 }

@@ -52,6 +52,9 @@ int shown_at(const Fills& fills, double x, double y) {
 constexpr std::int64_t cell = 5000;
 constexpr int cells = 6;
 
+/// Everything leans, so that corners overhang the sides of their polygons.
+PaperPoint leaning(const PaperPoint& p) { return {p.x + p.y, p.y}; }
+
 /// A sheet of triangles, beside one of squares whose corners lie between theirs, and within it a frame around a hole that another
 /// fill closes. In an order by chance.
 Fills sheet(unsigned seed, double opacity = 1) {
@@ -77,6 +80,9 @@ Fills sheet(unsigned seed, double opacity = 1) {
     polygons.push_back({outer, hole});
     polygons.push_back({{hole.rbegin(), hole.rend()}});
   }
+  for (auto& polygon : polygons)
+    for (auto& ring : polygon)
+      for (PaperPoint& p : ring) p = leaning(p);
   std::shuffle(polygons.begin(), polygons.end(), random);
   Fills fills;
   for (const auto& polygon : polygons) add(fills, polygon, opacity);
@@ -91,7 +97,7 @@ struct Samples {
 /// @param corners where pixels are hardest
 Samples discs(const Fills& fills, const std::vector<PaperPoint>& corners, double radius) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> x(radius, (cells + 2) * cell - radius), y(radius, cells * cell - radius);
+  std::uniform_real_distribution<double> x(2 * radius, (cells + 2) * cell - 2 * radius), y(radius, cells * cell - radius);
   Samples samples;
   const auto look_at = [&](double u, double v) {
     std::vector<std::array<double, 2>> around = {{u, v}};
@@ -103,9 +109,12 @@ Samples discs(const Fills& fills, const std::vector<PaperPoint>& corners, double
     ++samples.all;
     if (!is_covered) ++samples.open;
   };
-  for (int k = 0; k < 500; ++k) look_at(x(random), y(random));
+  for (int k = 0; k < 500; ++k) {
+    const double v = y(random);
+    look_at(x(random) + v, v);
+  }
   for (const PaperPoint& p : corners)
-    if (p.x > 100 && p.y > 100 && p.x < (cells + 2) * cell - 100 && p.y < cells * cell - 100)
+    if (p.x - p.y > 100 && p.y > 100 && p.x - p.y < (cells + 2) * cell - 100 && p.y < cells * cell - 100)
       look_at(static_cast<double>(p.x) + 3.3, static_cast<double>(p.y) - 1.7);
   return samples;
 }
@@ -117,7 +126,7 @@ TEST_CASE("fills reach beneath what is painted later beside them, and the pictur
     reach_beneath(reaching);
     REQUIRE(reaching.fills.size() == plain.fills.size());
     std::mt19937 random(seed);
-    std::uniform_real_distribution<double> x(-cell, (cells + 3) * cell), y(-cell, (cells + 1) * cell);
+    std::uniform_real_distribution<double> x(-cell, (2 * cells + 3) * cell), y(-cell, (cells + 1) * cell);
     std::size_t differing = 0;
     for (int k = 0; k < 3000; ++k) {
       const double u = x(random), v = y(random);
