@@ -12,17 +12,6 @@ namespace hsr::internal {
 
 namespace {
 
-void append_path(std::string& out, std::span<const PaperPoint> points) {
-  const char* operation = " m\n";
-  for (const PaperPoint& p : points) {
-    append_coordinate(out, p.x);
-    out += ' ';
-    append_coordinate(out, p.y);
-    out += operation;
-    operation = " l\n";
-  }
-}
-
 /// Continuous, whatever the pen: what is painted over is not dashed as well.
 void append_stroke(std::string& out, std::span<const PaperPoint> points, bool closed, Pen pen) {
   pen.dashes.clear();
@@ -79,17 +68,24 @@ void append_fills(std::string& out, const Fills& fills, const Pens& pens,
     opacity = name_of_opacity(to);
     out += opacity + " gs\n";
   };
+  std::string contents;  // of the sheet at hand
+  PaperFrame frame = {};
+  bool is_sheet = false;
   for_each_painted(
       fills,
       [&](std::span<const Fill> together) {
         set_opacity(together[0].opacity);
-        if (together.size() == 1) {
-          append_fill(out, fills, together[0]);
-          return;
-        }
-        std::string contents;
-        for (const Fill& fill : together) append_fill(contents, fills, fill);
-        out += sheet(contents, frame_around(fills, together));
+        frame = frame_around(fills, together);
+        contents.clear();
+        is_sheet = true;
+      },
+      [&](const Fill& fill, double fill_opacity) {
+        if (!is_sheet) set_opacity(fill_opacity);
+        append_fill(is_sheet ? contents : out, fills, fill);
+      },
+      [&] {
+        out += sheet(contents, frame);
+        is_sheet = false;
       },
       [&](const FillLine& line) {
         set_opacity(1);

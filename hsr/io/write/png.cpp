@@ -57,22 +57,21 @@ void draw_line(cairo_t* c, std::span<const PaperPoint> points, bool closed) {
 
 void paint_fills(cairo_t* c, const Fills& fills, const Pens& pens) {
   cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
-  const auto paint = [&](const Fill& fill, double opacity) {
-    cairo_set_source_rgba(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0, opacity);
-    for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
-    cairo_fill(c);
-  };
+  double opacity_of_sheet = 1;
   for_each_painted(
       fills,
       [&](std::span<const Fill> sheet) {
-        if (sheet.size() == 1) {
-          paint(sheet[0], sheet[0].opacity);
-          return;
-        }
+        opacity_of_sheet = sheet[0].opacity;
         cairo_push_group(c);
-        for (const Fill& fill : sheet) paint(fill, 1);
+      },
+      [&](const Fill& fill, double opacity) {
+        cairo_set_source_rgba(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0, opacity);
+        for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
+        cairo_fill(c);
+      },
+      [&] {
         cairo_pop_group_to_source(c);
-        cairo_paint_with_alpha(c, sheet[0].opacity);
+        cairo_paint_with_alpha(c, opacity_of_sheet);
       },
       [&](const FillLine& line) {
         const Pen& pen = pens.of(false, line.edge_class);

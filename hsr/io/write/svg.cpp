@@ -101,31 +101,28 @@ void append_fills(std::string& out, const Fills& fills, const Pens& pens, const 
   out += "<g id=\"" + prefix +
          "fills\" class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-linejoin=\"round\" "
          "stroke-linecap=\"round\">\n";
-  const auto append_fill = [&](const Fill& fill, double opacity) {
-    objects.begin(out, "fill", fill.object);
-    out += "<path d=\"";
-    append_rings(out, fills, fill);
-    out += "\" fill=\"";
-    append_colour(out, fill.colour);
-    if (opacity < 1) {
-      out += "\" fill-opacity=\"";
-      append_length(out, std::round(opacity * 1000) / 1000);
-    }
-    append_faces(out, {fills.faces.data() + fill.first_face, fills.faces.data() + fill.end_face});
-    out += "\"/>\n";
-  };
   for_each_painted(
       fills,
       [&](std::span<const Fill> sheet) {
-        if (sheet.size() == 1) {
-          append_fill(sheet[0], sheet[0].opacity);
-          return;
-        }
         objects.end(out);
         out += "<g class=\"sheet\" opacity=\"";
         append_length(out, std::round(sheet[0].opacity * 1000) / 1000);
         out += "\">\n";
-        for (const Fill& fill : sheet) append_fill(fill, 1);
+      },
+      [&](const Fill& fill, double opacity) {
+        objects.begin(out, "fill", fill.object);
+        out += "<path d=\"";
+        append_rings(out, fills, fill);
+        out += "\" fill=\"";
+        append_colour(out, fill.colour);
+        if (opacity < 1) {
+          out += "\" fill-opacity=\"";
+          append_length(out, std::round(opacity * 1000) / 1000);
+        }
+        append_faces(out, {fills.faces.data() + fill.first_face, fills.faces.data() + fill.end_face});
+        out += "\"/>\n";
+      },
+      [&] {
         objects.end(out);
         out += "</g>\n";
       },

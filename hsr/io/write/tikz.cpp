@@ -99,27 +99,22 @@ void append_line(std::string& out, const Drawing& drawing, const Polyline& p, co
 void append_fills(std::string& out, const Fills& fills) {
   if (fills.fills.empty()) return;
   out += "\\begin{scope}[hsr fill]\n";
-  const auto append_fill = [&](const Fill& fill, double opacity) {
-    out += "\\definecolor{hsr fill}{RGB}{";
-    for (std::size_t k = 0; k < 3; ++k) out += (k == 0 ? "" : ",") + std::to_string(fill.colour[k]);
-    out += "}\\path[fill=hsr fill";
-    if (opacity < 1) out += ", fill opacity=" + length(std::round(opacity * 1000) / 1000);
-    out += "] ";
-    for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r)
-      if (!fills.ring(r).empty()) append_path(out, fills.ring(r), true);
-    out += ";\n";
-  };
   for_each_painted(
       fills,
       [&](std::span<const Fill> sheet) {
-        if (sheet.size() == 1) {
-          append_fill(sheet[0], sheet[0].opacity);
-          return;
-        }
         out += "\\begin{scope}[transparency group, opacity=" + length(std::round(sheet[0].opacity * 1000) / 1000) + "]\n";
-        for (const Fill& fill : sheet) append_fill(fill, 1);
-        out += "\\end{scope}\n";
       },
+      [&](const Fill& fill, double opacity) {
+        out += "\\definecolor{hsr fill}{RGB}{";
+        for (std::size_t k = 0; k < 3; ++k) out += (k == 0 ? "" : ",") + std::to_string(fill.colour[k]);
+        out += "}\\path[fill=hsr fill";
+        if (opacity < 1) out += ", fill opacity=" + length(std::round(opacity * 1000) / 1000);
+        out += "] ";
+        for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r)
+          if (!fills.ring(r).empty()) append_path(out, fills.ring(r), true);
+        out += ";\n";
+      },
+      [&] { out += "\\end{scope}\n"; },
       [&](const FillLine& line) {
         out += "\\draw[hsr " + name_of(line) + "] ";
         append_path(out, fills.points_of(line), line.closed);
