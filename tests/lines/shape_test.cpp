@@ -467,6 +467,52 @@ TEST_CASE("many bodies that touch are drawn as one body of their shape", "[lines
   check_blocks(740'000, 2000);
 }
 
+/// The straight lines of an ink, each with what is drawn of it.
+std::set<std::string> lines_in(const std::string& ink) {
+  std::set<std::string> all;
+  for (std::size_t at = 0; at < ink.size();) {
+    std::size_t end = at;
+    do end = ink.find('\n', end) + 1;
+    while (end < ink.size() && ink[end] == ' ');
+    all.insert(ink.substr(at, end - at));
+    at = end;
+  }
+  return all;
+}
+
+std::set<std::string> without(std::set<std::string> all, const std::set<std::string>& known) {
+  for (const std::string& line : known) all.erase(line);
+  return all;
+}
+
+TEST_CASE("a box whose upper part is there a second time keeps its hidden lines", "[lines][shape][C21][C22]") {
+  Labelled box;
+  box.add_box({0, 0, 0}, {3, 3, 4});
+  Labelled twice = box;
+  twice.add_box({0, 0, 2}, {3, 3, 4});  // its walls coincide with those of the box, on the same side
+  for (const View& view : {scenes::from_direction({2, -3, 1}), scenes::from_eye({9, -12, 7}, {1, 1, 2})}) {
+    box.scene.view = twice.scene.view = view;
+    INFO(twice.ink());
+    CHECK(without(lines_in(box.ink()), lines_in(twice.ink())).empty());
+  }
+}
+
+TEST_CASE("where bodies touch nothing is drawn, though one that overlaps another touches there, too",
+          "[lines][shape][C21][C22]") {
+  Labelled four;
+  four.add_box({0, 0, 0}, {10, 6, 3});
+  four.add_box({10, 0, 0}, {14, 6, 3});
+  four.add_box({0, 6, 0}, {10, 9, 3});
+  four.add_box({10, 6, 0}, {14, 9, 3});
+  Labelled more = four;
+  more.add_box({10, 1, 1}, {11, 4, 2});
+  four.scene.view = more.scene.view = scenes::from_direction({2, -3, 1});
+  CHECK(lines_in(four.ink()).size() == 12);
+  INFO(more.ink());
+  CHECK(without(lines_in(four.ink()), lines_in(more.ink())).empty());
+  CHECK(without(lines_in(more.ink()), lines_in(four.ink())).size() == 12);  // its own edges
+}
+
 /// Every face a second time, behind all others or beside its first, every other one turned over.
 Labelled stored_twice(const Labelled& x, bool beside) {
   Labelled y = without_faces(x);
