@@ -16,7 +16,7 @@ bool is_file(const OptionDescription& option) {
 std::string action(const OptionDescription& option) {
   const std::string values = fmt::format("{}", fmt::join(option.offered.values, " "));
   if (!values.empty()) return fmt::format("{} '{}'", option.offered.is_list ? "_hsr_list" : "_hsr_words", values);
-  return is_file(option) ? "_hsr_paths -f" : option.type == "DIR" ? "_hsr_paths -d" : "return";
+  return is_file(option) ? "_hsr_paths -f" : option.type == "DIR" ? "_hsr_paths -d" : ":";
 }
 
 std::string all_names(const std::vector<OptionDescription>& options) {
@@ -28,7 +28,7 @@ std::string all_names(const std::vector<OptionDescription>& options) {
 
 /// The function of one verb: the value of the option before it, or else the name of an option or an argument without one.
 std::string verb_function(const VerbDescription& verb) {
-  std::string text = fmt::format("_hsr_{}() {{\n  case $before in\n", verb.name), argument = "return";
+  std::string text = fmt::format("_hsr_{}() {{\n  case $before in\n", verb.name), argument = ":";
   for (const OptionDescription& option : verb.options) {
     if (option.names.empty()) argument = action(option);
     if (option.names.empty() || option.type.empty()) continue;
@@ -47,9 +47,9 @@ _hsr_words() {
 
 # The last of several words with commas between.
 _hsr_list() {
-  local done=
-  [[ $cur == *,* ]] && done=${cur%,*},
-  COMPREPLY=($(compgen -P "$done" -W "$1" -- "${cur##*,}"))
+  local head=
+  [[ $cur == *,* ]] && head=${cur%,*},
+  COMPREPLY=($(compgen -P "$head" -W "$1" -- "${cur##*,}"))
 }
 
 _hsr_paths() {

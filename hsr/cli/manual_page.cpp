@@ -184,7 +184,8 @@ std::string manual_page(const CommandDescription& command) {
   for (const VerbDescription& verb : command.verbs) text += ".SS " + roff(verb.name) + "\n" + examples(verb.footer);
   const std::string status = "Exit status: ", footer = command.footer.substr(0, command.footer.find('\n'));
   text += ".SH EXIT STATUS\n" + roff(footer.rfind(status, 0) == 0 ? footer.substr(status.size()) : footer) + "\n";
-  text += ".SH SEE ALSO\n" + bold("inkscape") + "(1), " + bold("rsvg-convert") + "(1)\n";
+  text += ".SH SEE ALSO\nconventions.md, installed in share/doc/" + roff(command.name) +
+          ": what the results mean, rule by rule.\n.br\n" + bold("inkscape") + "(1), " + bold("rsvg-convert") + "(1)\n";
   return text;
 }
 
