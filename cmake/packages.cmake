@@ -16,15 +16,19 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
-set(about "Every decision about what hides what is exact, for any input, however degenerate: no cracks, stray slivers or missing edges.")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own, its first line
+set(about "Every decision about what hides what is exact, for any input, however
+degenerate: no cracks, stray slivers or missing edges.")
 
 set(CPACK_COMPONENTS_ALL command core raster check io)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME hsr)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_COMMAND_DESCRIPTION "vector drawings of polygon models with hidden lines removed
-The command hsr draws STL, OBJ, PLY, OFF and glTF models with hidden lines removed, dashed or under filled faces, as SVG, PDF, EPS,
-DXF, TikZ, HPGL, PNG or JSON. ${about}")
+The command hsr draws STL, OBJ, PLY, OFF and glTF models with hidden lines
+removed, dashed or under filled faces, as SVG, PDF, EPS, DXF, TikZ, HPGL, PNG
+or JSON.
+${about}")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libhsr-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
@@ -32,8 +36,9 @@ set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
   "libgmp-dev, libtbb-dev, libcairo2-dev, libjpeg-dev, libpng-dev, zlib1g-dev, pkg-config")
 set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS "cmake, libeigen3-dev")
 set(CPACK_DEBIAN_DEV_DESCRIPTION "exact visible lines, visible fragments and painter's orders (C++)
-Headers, static libraries and CMake files of hsr, a C++20 library of visible lines, visible fragments and painter's orders of
-polygon scenes. ${about}")
+Headers, static libraries and CMake files of hsr, a C++20 library of visible
+lines, visible fragments and painter's orders of polygon scenes.
+${about}")
 
 if(TARGET hsr_eigen)
   list(APPEND CPACK_COMPONENTS_ALL eigen)
@@ -51,8 +56,10 @@ if(TARGET hsr_python)
     "${PROJECT_SOURCE_DIR}/cmake/debian/postinst;${PROJECT_SOURCE_DIR}/cmake/debian/prerm")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
   set(CPACK_DEBIAN_PYTHON_DESCRIPTION "exact visible lines, visible fragments and painter's orders (Python)
-The module hsr draws polygon models, gives visible lines, visible fragments and painter's orders as numpy arrays, and puts plots of
-matplotlib in the right order. ${about}")
+The module hsr draws polygon models, gives visible lines, visible fragments
+and painter's orders as numpy arrays, and puts plots of matplotlib in the
+right order.
+${about}")
 endif()
 
 # What Debian wants beside the installed files is added to the trees that the packages are made of.

@@ -17,6 +17,7 @@ class DisjointSets {
     parent_.resize(n);
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
+  std::size_t size() const { return parent_.size(); }
   std::uint32_t find(std::uint32_t k) {
     while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
     return k;

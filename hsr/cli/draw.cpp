@@ -53,7 +53,7 @@ struct DrawArguments {
   SceneArguments scene;
   LineArguments lines;
   bool fill = false, outline_only = false;
-  std::string merge = "none";
+  std::string merge = "none", shade = "slope";
   bool check = false;
   std::string hidden = "none";
   PageArguments page;
@@ -416,8 +416,9 @@ Drawing DrawCommand::drawn(const DrawingOptions& options) const {
     return draw(scene_.mesh, scene_.view(), lines_, options, &all);
   }
   if (!a_.fill || options.in_frame_units) return draw(scene_.mesh, scene_.view(), lines_, options);
+  const Shading shading = a_.shade == "none" ? Shading::none : Shading::slope;
   const Regions regions =
-      regions_of(*exact_, *fragments_, face_colours(scene_.model, scene_.mesh, scene_.view()), request_.merge);
+      regions_of(*exact_, *fragments_, face_colours(scene_.model, scene_.mesh, scene_.view(), shading), request_.merge);
   return draw(scene_.mesh, scene_.view(), lines_, options, &regions);
 }
 
@@ -575,8 +576,10 @@ void add_line_options(DrawArguments& a, Options& options) {
 
 void add_surface_options(DrawArguments& a, Options& options) {
   options.begin_group("Surfaces");
-  options.add_flag("--fill", a.fill,
-                   "Fill the visible parts of faces, in the file's colours or grey by their slope; JSON: with fragments");
+  options.add_flag("--fill", a.fill, "Fill the visible parts of faces, in the file's colours or grey; JSON: with fragments");
+  options.add("--shade", a.shade, "HOW", "Fills are darker by the slope of their faces, or not: slope or none")
+      .with_default_shown()
+      .one_of({"slope", "none"});
   options.add_flag(
       "--outline-only", a.outline_only,
       "Instead of lines and fills: the outline of everything, with holes, as closed rings, such as for laser cutting");

@@ -18,15 +18,13 @@
 #include "hsr/drawing/painting.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
-#include "hsr/io/write/image_png.h"
 #include "hsr/io/write/json.h"
-#include "hsr/io/write/painting_svg.h"
 #include "hsr/io/write/png.h"
+#include "hsr/io/write/svg.h"
+#include "hsr/io/write/write.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
-#include "hsr/raster/caster.h"
-#include "hsr/raster/supersampling.h"
 
 namespace hsr::cli {
 
@@ -42,7 +40,7 @@ struct OrderArguments {
   PageArguments page;
   std::string method = "depth-sort", cuts = "few";
   std::string edges = "outline,sharp,boundary,intersection,wire,material";
-  std::string crease = "30";
+  std::string crease = "30", shade = "slope";
   double opacity = 1;
   std::uint64_t seed = 1;
   bool exact = false, check = false;
@@ -52,12 +50,13 @@ struct OrderArguments {
 const char* const examples = R"(Examples:
   hsr order part.stl -o part.json                      the faces from far to near, cut only where no order is right
   hsr order part.stl -o part.svg --opacity 0.5         painted in that order; every layer is right
-  hsr order part.stl -o part.png --size 1600x1200
+  hsr order part.stl -o part.png --size 1600x1200          .pdf, .eps and .tex as well
   hsr order scene.obj -o scene.json --method naive     by the middle of each face, as most software does; may be wrong
   hsr order scene.obj -o scene.svg --check             and compared with the nearest face at each of 1024 x 1024 samples
 
-Writes each FILE, all of them or none: .json has the pieces from far to near, which 'hsr verify' reads; .svg and .png are painted
-in that order. Standard error tells what was written, and the scale of a page. Exit status 1: --check found a difference.)";
+Writes each FILE, all of them or none: .json has the pieces from far to near, which 'hsr verify' reads; .svg, .pdf, .eps,
+.tex (TikZ) and .png are painted in that order, with the lines on top; where something is seen through, or the order may be wrong,
+with the lines of each piece, which later ones cover. Standard error tells what was written, and the scale of a page. Exit status 1: --check found a difference.)";
 
 /// Each cycle of faces, and a point of each overlap in it.
 Report::Json json_of(const std::vector<PaintersCycle>& cycles, const Mesh& mesh, const View& view) {
@@ -94,26 +93,20 @@ void describe(Report& report, const DepthSort& sorted, const Mesh& mesh, const V
   if (c.cyclic_components == 0) report.leave_out("cuts in cycles", "the overlaps have no cycle");
 }
 
-/// The pieces painted one over the other, with 4 x 4 samples to a pixel.
-std::string painted_png(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours, double opacity,
-                        const DrawingOptions& options, const PixelSize& size) {
-  constexpr int samples = 4;
-  const SampleGrid grid = samples_for(scene.view(), scene.mesh(), options, samples * size.width, samples * size.height);
-  return image_png(box_filtered(paint(scene, order, grid, colours, opacity), samples));
-}
-
 /// The arguments, each found to be one that can be done.
 struct OrderRequest {
   std::vector<Output> outputs;
   LineOptions lines;
   DrawingOptions drawing;
-  PixelSize size = {1024, 1024};
+  PaintingOptions painting;
+  std::optional<PixelSize> size;
 };
 
 OrderRequest parse(const OrderArguments& a) {
   OrderRequest request;
   a.models.check();
-  request.outputs = parse_outputs(a.outputs, std::array{Format::json, Format::svg, Format::png});
+  request.outputs =
+      parse_outputs(a.outputs, std::array{Format::svg, Format::pdf, Format::eps, Format::tex, Format::png, Format::json});
   if (!(a.opacity > 0 && a.opacity <= 1))
     throw InputError(fmt::format("--opacity: found {}, expected more than 0 and at most 1", a.opacity));
   LineArguments lines;
@@ -121,6 +114,9 @@ OrderRequest parse(const OrderArguments& a) {
   lines.crease = a.crease;
   request.lines = lines.options();
   request.drawing = a.page.options();
+  request.drawing.leave_out_near = true;
+  request.painting.opacity = a.opacity;
+  request.painting.has_woven_lines = a.method == "naive" || a.method == "z-sort";
   if (!a.page.size.empty()) request.size = parse_size(a.page.size);
   return request;
 }
@@ -140,6 +136,7 @@ class OrderCommand {
     if (const std::string note = a_.page.adopt_unit(scene_.model, request_.drawing); !note.empty()) context_.note(note);
     find_order();
     note_coincident_faces();
+    note_wires();
     check();
     write();
     if (!is_right_) throw CheckFailed();
@@ -149,10 +146,13 @@ class OrderCommand {
   void find_order();
   PaintersOrder depth_sorted();
   PaintersOrder by_tree();
+  bool is_opaque() const;
   void note_coincident_faces();
+  void note_wires();
   void check();
   void write();
-  void write(const std::string& path, Format format, const std::vector<Colour>& colours);
+  std::string bytes_of(Format format);
+  const Drawing& drawing();
 
   const OrderArguments& a_;
   OrderRequest request_;
@@ -160,6 +160,7 @@ class OrderCommand {
   ViewedModel scene_;
   std::optional<SceneView> prepared_;
   PaintersOrder order_;
+  std::optional<Drawing> drawing_;  // made when a page is asked for
   bool is_right_ = true;
 };
 
@@ -202,23 +203,35 @@ PaintersOrder OrderCommand::by_tree() {
   return order;
 }
 
+bool OrderCommand::is_opaque() const {
+  const std::vector<Colour>& colours = scene_.model.palette;
+  return a_.opacity == 1 && std::all_of(colours.begin(), colours.end(), [](const Colour& c) { return c[3] == 255; });
+}
+
 /// Which of them is painted later was the user's to say. Through transparent faces those behind are seen, too.
 void OrderCommand::note_coincident_faces() {
   if (a_.scene.asks_for_coplanar() || context_.is_quiet()) return;
-  const std::vector<Colour>& colours = scene_.model.palette;
-  const bool is_opaque =
-      a_.opacity == 1 && std::all_of(colours.begin(), colours.end(), [](const Colour& c) { return c[3] == 255; });
   const std::string text = context_.report.timed("coincident faces", [&] {
-    return coincident_note(*prepared_, scene_.model, is_opaque ? Coincidence::seen : Coincidence::all);
+    return coincident_note(*prepared_, scene_.model, is_opaque() ? Coincidence::seen : Coincidence::all);
   });
   if (!text.empty()) context_.note(text);
+}
+
+void OrderCommand::note_wires() {
+  const bool are_there = std::any_of(scene_.mesh.edges.begin(), scene_.mesh.edges.end(), [](const Edge& e) { return e.wire; });
+  if (!are_there || !request_.lines.classes[static_cast<std::size_t>(EdgeClass::wire)]) return;
+  const auto is_json = [](const Output& o) { return o.format == Format::json; };
+  if (std::any_of(request_.outputs.begin(), request_.outputs.end(), is_json))
+    context_.note("the pieces in JSON are of faces: wires are not among them");
+  if (!is_opaque())
+    context_.note("wires are drawn where nothing lies before them, and not where they are seen through something");
 }
 
 void OrderCommand::check() {
   if (!a_.check) return;
   context_.progress.stage("check");
-  const SampleGrid samples =
-      samples_for(scene_.view(), scene_.mesh, request_.drawing, request_.size.width, request_.size.height);
+  const PixelSize size = request_.size.value_or(PixelSize{1024, 1024});
+  const SampleGrid samples = samples_for(scene_.view(), scene_.mesh, request_.drawing, size.width, size.height);
   const OrderCheck check =
       context_.report.timed("check", [&] { return on_samples([&] { return check_order(*prepared_, order_, samples); }); });
   context_.report.set("check", {{"samples", check.samples}, {"covered", check.covered}, {"wrong", check.wrong}});
@@ -232,33 +245,46 @@ void OrderCommand::check() {
          check.covered);
 }
 
+const Drawing& OrderCommand::drawing() {
+  const Shading shading = a_.shade == "none" ? Shading::none : Shading::slope;
+  if (!drawing_)
+    drawing_ = paint_on_page(*prepared_, order_, face_colours(scene_.model, scene_.mesh, scene_.view(), shading),
+                             request_.lines, request_.drawing, request_.painting);
+  return *drawing_;
+}
+
+std::string OrderCommand::bytes_of(Format format) {
+  if (format == Format::json)
+    return order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded,
+                      a_.scene.which_coplanar());
+  const SvgOptions captions = scene_.captions();
+  WriteOptions options;
+  options.title = captions.title;
+  options.description = captions.description;
+  if (request_.size) {
+    options.width = request_.size->width;
+    options.height = request_.size->height;
+  }
+  return written(drawing(), name_of(format), options);
+}
+
 void OrderCommand::write() {
   context_.progress.stage("writing");
   context_.report.timed("write", [&] {
-    const std::vector<Colour> colours = face_colours(scene_.model, scene_.mesh, scene_.view());
-    for (const Output& output : request_.outputs) write(output.path, output.format, colours);
+    for (const Output& output : request_.outputs) {
+      const std::string bytes = bytes_of(output.format);
+      const std::string pieces = counted(order_.pieces.size(), "piece");
+      std::string summary = output.format == Format::json ? pieces : pixel_size(bytes);
+      if (output.format != Format::json && output.format != Format::png) {
+        summary = paper_size(drawing().width, drawing().height);
+        if (!order_.pieces.empty())
+          summary += ", " + scale_text(drawing().scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
+        summary += ", " + pieces;
+      }
+      context_.write(output.path, bytes, summary);
+    }
   });
   context_.finish();
-}
-
-void OrderCommand::write(const std::string& path, Format format, const std::vector<Colour>& colours) {
-  if (format == Format::json) {
-    context_.write(
-        path,
-        order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded, a_.scene.which_coplanar()),
-        counted(order_.pieces.size(), "piece"));
-  } else if (format == Format::svg) {
-    const Painting painting = paint_on_page(*prepared_, order_, colours, request_.lines, request_.drawing);
-    std::string summary = paper_size(painting.width, painting.height);
-    if (!painting.pieces.empty())
-      summary += ", " + scale_text(painting.scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
-    context_.write(path, painting_svg(painting, a_.opacity, scene_.captions()),
-                   summary + ", " + counted(painting.pieces.size(), "piece"));
-  } else {
-    const std::string bytes =
-        on_samples([&] { return painted_png(*prepared_, order_, colours, a_.opacity, request_.drawing, request_.size); });
-    context_.write(path, bytes, pixel_size(bytes));
-  }
 }
 
 void add_order_options(OrderArguments& a, Options& options) {
@@ -285,9 +311,12 @@ void add_picture_options(OrderArguments& a, Options& options) {
   options.begin_group("Picture");
   options.add("--opacity", a.opacity, "A", "Of every face, times its own in the file; more than 0, at most 1")
       .with_default_shown();
+  options.add("--shade", a.shade, "HOW", "Faces are darker by their slope, or not: slope or none")
+      .with_default_shown()
+      .one_of({"slope", "none"});
   options
       .add("--edges", a.edges, "LIST",
-           "SVG: classes of edges to draw on the faces, or all: outline,sharp,boundary,wire,material,smooth,joint")
+           "Classes of edges to draw on the faces, or all: outline,sharp,boundary,wire,material,smooth,joint")
       .with_default_shown()
       .list_of(classes_to_choose());
   options.add("--crease", a.crease, "DEG", "An edge is sharp if its faces deviate from flat by more than this")
@@ -298,19 +327,20 @@ void add_picture_options(OrderArguments& a, Options& options) {
 
 void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<OrderArguments>();
-  Options options = command.add_verb("order", "Painter's order: the faces from far to near, as SVG, PNG or JSON", examples);
+  Options options =
+      command.add_verb("order", "Painter's order: the faces from far to near, as SVG, PDF, EPS, TikZ, PNG or JSON", examples);
   a->models.add_to(options);
   options
-      .add_one_each(
-          "-o,--output", a->outputs, "FILE",
-          "The order; its ending chooses svg, png or json; svg:- and the like write to standard output; may be repeated")
+      .add_one_each("-o,--output", a->outputs, "FILE",
+                    "The order; its ending chooses svg, pdf, eps, tex, png or json; svg:- and the like write to standard "
+                    "output; may be repeated")
       .required();
   a->models.add_objects_to(options);
   add_order_options(*a, options);
   a->view.add_to(options);
   a->scene.add_to(options);
   add_picture_options(*a, options);
-  a->page.add_to(options, "PNG: pixels, --check: samples [1024x1024]");
+  a->page.add_to(options, "PNG: pixels [150 to the inch]; --check: samples [1024x1024]");
   options.begin_group("Numbers");
   options.add_flag("--exact", a->exact, "JSON: all coordinates as strings \"p/q\"; those that are no doubles always are");
   a->common.add_threads_to(options);

@@ -11,6 +11,7 @@
 
 #include "geometry/bit_range.h"
 #include "geometry/error.h"
+#include "hsr/drawing/filled_drawing.h"
 #include "hsr/drawing/fills.h"
 #include "hsr/drawing/image_lines.h"
 #include "hsr/drawing/join.h"
@@ -18,6 +19,7 @@
 #include "hsr/drawing/overlay.h"
 #include "hsr/drawing/pen_order.h"
 #include "hsr/drawing/placement.h"
+#include "hsr/drawing/reach.h"
 #include "hsr/drawing/short_chains.h"
 #include "hsr/view/frustum.h"
 
@@ -274,6 +276,22 @@ class Collector {
 
 Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, const DrawingOptions& options,
              const Regions* regions) {
+  std::function<Fills(const Placement&)> fills;
+  if (regions != nullptr)
+    fills = [&](const Placement& place) {
+      Fills placed = placed_fills(place, *regions);
+      if (options.outline_only) return placed;
+      if (options.objects != nullptr && options.objects->are_told_apart()) tell_apart(placed, *options.objects);
+      reach_beneath(placed);
+      return placed;
+    };
+  return draw_with_fills(mesh, view, lines, nullptr, options, fills);
+}
+
+namespace internal {
+
+Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& lines, const VisibleLines* bounds,
+                        const DrawingOptions& options, const std::function<Fills(const Placement&)>& fills) {
   std::vector<std::uint32_t> seen;  // lines whose image is not a point, and that the near plane does not cut away
   for (std::uint32_t i = 0; i < lines.lines.size(); ++i)
     if (lines.lines[i].intervals() > 0) seen.push_back(i);
@@ -285,7 +303,10 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
     });
   }
 
-  const Placement place = placement(mesh, view, lines, seen, options);
+  std::vector<std::uint32_t> bounding(bounds == nullptr ? 0 : bounds->lines.size());
+  std::iota(bounding.begin(), bounding.end(), 0U);
+  const Placement place =
+      bounds == nullptr ? placement(mesh, view, lines, seen, options) : placement(mesh, view, *bounds, bounding, options);
   Drawing drawing;
   drawing.width = place.width;
   drawing.height = place.height;
@@ -295,15 +316,14 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   drawing.pens.set(options.pens);
 
   if (options.outline_only) {
-    if (regions != nullptr) add_outlines(drawing, placed_fills(place, *regions));
+    if (fills) add_outlines(drawing, fills(place));
     if (options.sort_for_pen) sort_for_pen(drawing);
     return drawing;
   }
   const std::vector<std::uint32_t> object_of_line = objects_of_lines(mesh, lines, options.objects);
   const bool tells_objects = options.objects != nullptr && options.objects->are_told_apart();
   if (tells_objects) drawing.objects = options.objects->names;
-  if (regions != nullptr) drawing.fills = placed_fills(place, *regions);
-  if (tells_objects) tell_apart(drawing.fills, *options.objects);
+  if (fills) drawing.fills = fills(place);
 
   const bool with_hidden = options.hidden != HiddenLines::none;
   if (!with_hidden)
@@ -375,5 +395,7 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
   if (options.sort_for_pen) sort_for_pen(drawing);
   return drawing;
 }
+
+}  // namespace internal
 
 }  // namespace hsr

@@ -52,22 +52,37 @@ struct Polyline {
 
 /// A part of the page in one colour.
 struct Fill {
-  Colour colour = {};
+  Colour colour = {};       ///< its own opacity is part of the next
+  double opacity = 1;       ///< more than 0, at most 1
+  std::uint32_t layer = 0;  ///< of what is seen through: fills of one layer do not overlap, and one opacity makes them a sheet
   std::uint32_t first_ring = 0, end_ring = 0, first_face = 0, end_face = 0;
   std::uint32_t object = FaceObjects::none;  ///< of Drawing::objects; none: of several
 };
 
-/// The filled parts of a drawing, which do not overlap, and the outline of all of them.
+/// A line that is painted between fills: of a painting in which one is seen through another.
+struct FillLine {
+  std::uint32_t after = 0;  ///< the fill that is painted just before
+  bool closed = false;
+  EdgeClass edge_class = EdgeClass::outline;
+  std::uint32_t first_point = 0, end_point = 0;
+};
+
+/// The filled parts of a drawing, painted in turn, each by the nonzero rule. One may reach beneath those that are painted later, so
+/// that no seam shows between them.
 struct Fills {
   std::vector<Fill> fills;
-  std::uint32_t first_outline_ring = 0;          ///< the rings from here on are the outline; even-odd
   std::vector<std::uint32_t> first_point = {0};  ///< ring r has points[first_point[r]] ... ; one more than rings
   std::vector<PaperPoint> points;
   std::vector<std::uint32_t> faces;
+  std::vector<FillLine> lines;  ///< as they are painted
+  std::vector<PaperPoint> line_points;
 
   std::uint32_t rings() const { return static_cast<std::uint32_t>(first_point.size() - 1); }
   std::span<const PaperPoint> ring(std::uint32_t r) const {
     return {points.data() + first_point[r], points.data() + first_point[r + 1]};
+  }
+  std::span<const PaperPoint> points_of(const FillLine& l) const {
+    return {line_points.data() + l.first_point, line_points.data() + l.end_point};
   }
 };
 

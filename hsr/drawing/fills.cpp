@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hsr/drawing/paper_rings.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "hsr/symbols/constructions.h"
 
@@ -47,28 +48,6 @@ class CornerPlacer {
   const Projection& projection_;
 };
 
-/// Sutherland and Hodgman's, on paper coordinates. The paper ends there: this decides nothing else.
-std::vector<std::array<Wide, 2>> clipped(std::vector<std::array<Wide, 2>> ring, const PaperFrame& frame) {
-  const std::array<Wide, 4> bound = {frame.left, -frame.right, frame.top, -frame.bottom};
-  for (std::size_t side = 0; side < 4; ++side) {
-    const std::size_t axis = side / 2;
-    const Wide sign = side % 2 == 0 ? 1 : -1;
-    const auto inside = [&](const std::array<Wide, 2>& p) { return sign * p[axis] - bound[side]; };
-    std::vector<std::array<Wide, 2>> out;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const auto &p = ring[k], &q = ring[(k + 1) % ring.size()];
-      const Wide a = inside(p), b = inside(q);
-      if (a >= 0) out.push_back(p);
-      if ((a < 0) != (b < 0)) {
-        const Wide t = a / (a - b);
-        out.push_back({p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])});
-      }
-    }
-    ring = std::move(out);
-  }
-  return ring;
-}
-
 std::vector<PaperPoint> placed_ring(const Placement& placement, std::span<const MapCorner> corners, FacetId facet) {
   const CornerPlacer placer(placement.projection);
   std::vector<PaperPoint> points;
@@ -87,13 +66,9 @@ std::vector<PaperPoint> placed_ring(const Placement& placement, std::span<const 
     std::vector<std::array<Wide, 2>> ring;
     ring.reserve(at.size());
     for (const HomogeneousPoint& p : at) ring.push_back({p.x.middle / p.w.middle, p.y.middle / p.w.middle});
-    for (const auto& p : clipped(std::move(ring), *placement.frame))
-      points.push_back(
-          {static_cast<std::int64_t>(std::round(p[0] * 1000)), static_cast<std::int64_t>(std::round(p[1] * 1000))});
+    points = clipped(std::move(ring), *placement.frame);
   }
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  while (points.size() > 1 && points.back() == points.front()) points.pop_back();
-  if (points.size() < 3) points.clear();
+  drop_repeated(points);
   return points;
 }
 
@@ -103,9 +78,6 @@ Fills placed_fills(const Placement& placement, const Regions& regions) {
   const std::size_t rings = regions.first_corner.size() - 1;
   std::vector<FacetId> facet(rings);
   for (const Region& r : regions.regions) std::fill(facet.begin() + r.first_ring, facet.begin() + r.end_ring, r.facet);
-  // Any facet serves for the corners of the outline: only their images are asked for.
-  if (!regions.regions.empty())
-    std::fill(facet.begin() + regions.first_outline_ring, facet.end(), regions.regions.front().facet);
   std::vector<std::vector<PaperPoint>> placed(rings);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rings, 64), [&](const auto& range) {
     for (std::size_t r = range.begin(); r != range.end(); ++r)
@@ -118,9 +90,12 @@ Fills placed_fills(const Placement& placement, const Regions& regions) {
     fills.points.insert(fills.points.end(), ring.begin(), ring.end());
     fills.first_point.push_back(static_cast<std::uint32_t>(fills.points.size()));
   }
-  fills.first_outline_ring = regions.first_outline_ring;
   for (const Region& r : regions.regions) {
-    Fill fill{r.colour, r.first_ring, r.end_ring, static_cast<std::uint32_t>(fills.faces.size()), 0};
+    Fill fill;
+    fill.colour = r.colour;
+    fill.first_ring = r.first_ring;
+    fill.end_ring = r.end_ring;
+    fill.first_face = static_cast<std::uint32_t>(fills.faces.size());
     fills.faces.insert(fills.faces.end(), r.faces.begin(), r.faces.end());
     fill.end_face = static_cast<std::uint32_t>(fills.faces.size());
     if (!placed[r.first_ring].empty()) fills.fills.push_back(fill);

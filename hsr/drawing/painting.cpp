@@ -5,9 +5,18 @@
 
 #include <numeric>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/parallel.h"
+#include "hsr/drawing/cut_seams.h"
+#include "hsr/drawing/filled_drawing.h"
+#include "hsr/drawing/join.h"
+#include "hsr/drawing/paint_layers.h"
+#include "hsr/drawing/paper_rings.h"
+#include "hsr/drawing/paper_sides.h"
 #include "hsr/drawing/placement.h"
+#include "hsr/drawing/reach.h"
 #include "hsr/lines/edge_classifier.h"
+#include "hsr/lines/visible_lines.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/symbols/constructions.h"
 
@@ -35,33 +44,92 @@ VisibleLines all_edges(const Mesh& mesh, const ProjectedMesh& projected) {
   return all;
 }
 
-std::vector<std::uint8_t> edges_of_classes(const ViewParts& parts, const LineOptions& options) {
+/// By edge; nothing: not asked for.
+std::vector<std::optional<EdgeClass>> asked_classes(const ViewParts& parts, const LineOptions& options) {
   const ProjectedMesh& projected = parts.projected();
-  std::vector<std::uint8_t> asked(parts.mesh().edges.size(), 0);
+  std::vector<std::optional<EdgeClass>> asked(parts.mesh().edges.size());
   const EdgeClassifier classifier(projected, parts.labels(), options);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, asked.size(), 512), [&](const Range& range) {
     Predicates exact = projected.predicates();
     for (std::size_t e = range.begin(); e < range.end(); ++e) {
       const auto c = classifier(exact, EdgeId(e)).seen;
-      asked[e] = c && options.classes[static_cast<std::size_t>(*c)] ? 1 : 0;
+      if (c && options.classes[static_cast<std::size_t>(*c)]) asked[e] = c;
     }
   });
   return asked;
 }
 
+/// A side of a piece along which a line is drawn.
+struct SideLine {
+  PaperPoint from, to;
+  EdgeClass edge_class = EdgeClass::outline;
+};
+
+struct PlacedPiece {
+  std::vector<PaperPoint> ring;
+  std::vector<SideLine> lines;
+};
+
 class Placer {
  public:
-  Placer(const Mesh& mesh, const View& view, const Projection& projection)
-      : mesh_(mesh), view_(view), projection_(projection) {}
+  Placer(const Mesh& mesh, const View& view, const Placement& place)
+      : mesh_(mesh), view_(view), projection_(place.projection), frame_(place.frame) {}
 
-  PaperPoint operator()(FacetId facet, const PieceCorner& corner) const {
-    const HomogeneousPoint at = enclosed(facet, corner);
-    if (const auto known = Projection::rounded(at)) return *known;
-    return Projection::rounded(projection_.exact(exact_point(mesh_, view_, facet, corner)));
+  /// @param asked by edge: its class if it is drawn; nullptr: none is
+  PlacedPiece operator()(const OrderedPiece& piece, std::span<const PieceCorner> corners,
+                         const std::vector<std::optional<EdgeClass>>* asked) const {
+    std::vector<HomogeneousPoint> at;
+    std::vector<std::array<Wide, 2>> ring;
+    bool is_inside = true;
+    for (const PieceCorner& corner : corners) {
+      at.push_back(enclosed(piece.facet, corner));
+      const HomogeneousPoint& p = at.back();
+      ring.push_back({p.x.middle / p.w.middle, p.y.middle / p.w.middle});
+      is_inside = is_inside && (!frame_ || is_in_frame(ring.back()));
+    }
+    PlacedPiece placed;
+    if (is_inside)
+      for (std::size_t k = 0; k < corners.size(); ++k) placed.ring.push_back(rounded(piece.facet, corners[k], at[k]));
+    for (std::size_t k = 0; asked != nullptr && k < corners.size(); ++k) {
+      const std::size_t next = (k + 1) % corners.size();
+      const auto edge_class = class_of_side(corners[k], *asked);
+      if (!edge_class) continue;
+      if (is_inside)
+        placed.lines.push_back({placed.ring[k], placed.ring[next], *edge_class});
+      else
+        add_clipped(ring[k], ring[next], *edge_class, placed.lines);
+    }
+    if (!is_inside) placed.ring = clipped(std::move(ring), *frame_);
+    drop_repeated(placed.ring);
+    return placed;
   }
 
  private:
+  using Wide = Enclosure::Wide;
+
+  bool is_in_frame(const std::array<Wide, 2>& p) const {
+    return p[0] >= frame_->left && p[0] <= frame_->right && p[1] >= frame_->top && p[1] <= frame_->bottom;
+  }
+  /// Sides that cuts made are no lines.
+  std::optional<EdgeClass> class_of_side(const PieceCorner& corner, const std::vector<std::optional<EdgeClass>>& asked) const {
+    const bool is_edge = corner.side.kind == Cut::Kind::sight || corner.side.kind == Cut::Kind::line;
+    if (!corner.original || !is_edge) return {};
+    const EdgeId e = mesh_.find_edge(VertexId(corner.side.u), VertexId(corner.side.v));
+    return e.is_valid() ? asked[e.value] : std::optional<EdgeClass>();
+  }
+  void add_clipped(const std::array<Wide, 2>& from, const std::array<Wide, 2>& to, EdgeClass edge_class,
+                   std::vector<SideLine>& lines) const {
+    for (const std::vector<PaperPoint> ends = clipped({from, to}, *frame_); const PaperPoint& p : ends)
+      if (p != ends.front()) {
+        lines.push_back({ends.front(), p, edge_class});
+        return;
+      }
+  }
+  PaperPoint rounded(FacetId facet, const PieceCorner& corner, const HomogeneousPoint& at) const {
+    if (const auto known = Projection::rounded(at)) return *known;
+    return Projection::rounded(projection_.exact(exact_point(mesh_, view_, facet, corner)));
+  }
   HomogeneousPoint enclosed(FacetId facet, const PieceCorner& corner) const {
     if (corner.vertex.is_valid()) return projection_.at(corner.vertex);
     const auto& c = mesh_.triangles[first_triangle(facet)];
@@ -72,43 +140,214 @@ class Placer {
   const Mesh& mesh_;
   const View& view_;
   const Projection& projection_;
+  const std::optional<PaperFrame>& frame_;
 };
+
+/// The pieces that are painted together, as one fill.
+struct PaintedGroup {
+  std::uint32_t layer = 0;
+  double opacity = 1;
+  std::vector<std::uint32_t> pieces;  // ascending
+};
+
+/// See-through neighbours of one colour and one layer together, all others alone; in the order in which they are painted.
+class PaintedGroups {
+ public:
+  PaintedGroups(const std::vector<PlacedPiece>& pieces, const std::vector<Fill>& fills,
+                const std::vector<std::uint32_t>& layers) {
+    DisjointSets same(pieces.size());
+    join_neighbours(pieces, fills, layers, same);
+    std::vector<std::uint32_t> group_of(pieces.size());
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      const std::uint32_t first = same.find(i);
+      if (first == i) {
+        group_of[i] = static_cast<std::uint32_t>(groups.size());
+        groups.push_back({layers[i], fills[i].opacity, {}});
+      }
+      groups[group_of[first]].pieces.push_back(i);
+    }
+    std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.layer, a.opacity) < std::pair(b.layer, b.opacity);
+    });
+  }
+
+  std::vector<PaintedGroup> groups;
+
+ private:
+  static void join_neighbours(const std::vector<PlacedPiece>& pieces, const std::vector<Fill>& fills,
+                              const std::vector<std::uint32_t>& layers, DisjointSets& same) {
+    std::vector<PaperSide> sides;
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      const auto& ring = pieces[i].ring;
+      for (std::size_t k = 0; fills[i].opacity < 1 && k < ring.size(); ++k)
+        sides.push_back({ring[k], ring[(k + 1) % ring.size()], i});
+    }
+    sides = conforming(sides);
+    std::sort(sides.begin(), sides.end());
+    const auto is_same = [&](std::uint32_t i, std::uint32_t k) {
+      return layers[i] == layers[k] && fills[i].colour == fills[k].colour && fills[i].opacity == fills[k].opacity;
+    };
+    for (const PaperSide& side : sides)
+      for (auto other = std::lower_bound(sides.begin(), sides.end(), PaperSide{side.to, side.from, 0});
+           other != sides.end() && other->from == side.to && other->to == side.from; ++other)
+        if (is_same(side.owner, other->owner)) same.join(side.owner, other->owner);
+  }
+};
+
+/// Lines that are drawn from these sides on top of what is painted with them: those along which two pieces meet once, with the
+/// later one.
+void add_lines(Fills& fills, const std::vector<PlacedPiece>& pieces, const std::vector<std::uint32_t>& last_fill_of_layer,
+               const std::vector<std::uint32_t>& layers) {
+  struct Found {
+    SideLine line;
+    std::uint32_t layer;
+    auto key() const { return std::tuple(std::min(line.from, line.to), std::max(line.from, line.to), ~layer, line.edge_class); }
+  };
+  std::vector<Found> found;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (const SideLine& line : pieces[i].lines)
+      if (line.from != line.to) found.push_back({line, layers[i]});
+  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.key() < b.key(); });
+  std::vector<PaperLine> lines;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const SideLine& line = found[k].line;
+    const bool is_repeated = k > 0 && std::min(line.from, line.to) == std::min(found[k - 1].line.from, found[k - 1].line.to) &&
+                             std::max(line.from, line.to) == std::max(found[k - 1].line.from, found[k - 1].line.to);
+    if (!is_repeated)
+      lines.push_back({line.from, line.to, static_cast<std::uint32_t>(line.edge_class), last_fill_of_layer[found[k].layer]});
+  }
+  const Chains chains = join(lines);
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    const PaperLine& first = lines[chains[c].front() / 2];
+    FillLine out;
+    out.after = first.object;
+    out.closed = chains.closed[c] != 0;
+    out.edge_class = static_cast<EdgeClass>(first.style);
+    out.first_point = static_cast<std::uint32_t>(fills.line_points.size());
+    for (const std::uint32_t pass : chains[c])
+      fills.line_points.push_back((pass & 1U) != 0 ? lines[pass / 2].to : lines[pass / 2].from);
+    const std::uint32_t last = chains[c].back();
+    if (!out.closed) fills.line_points.push_back((last & 1U) != 0 ? lines[last / 2].from : lines[last / 2].to);
+    out.end_point = static_cast<std::uint32_t>(fills.line_points.size());
+    fills.lines.push_back(out);
+  }
+  std::stable_sort(fills.lines.begin(), fills.lines.end(),
+                   [](const FillLine& a, const FillLine& b) { return a.after < b.after; });
+}
+
+/// Makes the fills of a painting, step by step.
+class FillPainter {
+ public:
+  FillPainter(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours, double opacity)
+      : scene_(scene), order_(order), colours_(colours), opacity_(opacity) {}
+
+  bool is_opaque() const {
+    return opacity_ >= 1 && std::all_of(order_.pieces.begin(), order_.pieces.end(), [&](const OrderedPiece& p) {
+             return colours_[scene_.mesh().face_of[first_triangle(p.facet)].value][3] == 255;
+           });
+  }
+
+  /// @param asked by edge: those whose lines are painted with the pieces; nullptr: none
+  Fills operator()(const Placement& place, const std::vector<std::optional<EdgeClass>>* asked) const {
+    std::vector<PlacedPiece> pieces(order_.pieces.size());
+    const Placer placer(scene_.mesh(), scene_.view(), place);
+    parallel_for_each(pieces.size(),
+                      [&](std::size_t i) { pieces[i] = placer(order_.pieces[i], order_.corners_of(order_.pieces[i]), asked); });
+    std::vector<Fill> looks;  // colour and opacity by piece
+    for (const OrderedPiece& piece : order_.pieces) {
+      Fill& fill = looks.emplace_back();
+      fill.colour = colours_[scene_.mesh().face_of[first_triangle(piece.facet)].value];
+      fill.opacity = opacity_ * fill.colour[3] / 255;
+    }
+    std::vector<std::uint32_t> layers(pieces.size());
+    if (is_opaque()) {
+      std::iota(layers.begin(), layers.end(), 0U);
+      close_cuts_of(pieces);
+    } else {
+      std::vector<std::vector<PaperPoint>> rings;
+      for (const PlacedPiece& p : pieces) rings.push_back(p.ring);
+      layers = paint_layers(rings);
+    }
+    const std::vector<PaintedGroup> groups = PaintedGroups(pieces, looks, layers).groups;
+    Fills fills;
+    std::vector<std::uint32_t> last_of_layer(groups.empty() ? 0 : groups.back().layer + 1, 0);
+    for (const PaintedGroup& group : groups) {
+      const bool has_area =
+          std::any_of(group.pieces.begin(), group.pieces.end(), [&](auto i) { return !pieces[i].ring.empty(); });
+      if (has_area) append(fills, group, pieces, looks[group.pieces.front()]);
+      if (!fills.fills.empty()) last_of_layer[group.layer] = static_cast<std::uint32_t>(fills.fills.size() - 1);
+    }
+    if (asked != nullptr) add_lines(fills, pieces, last_of_layer, layers);
+    reach_beneath(fills);
+    return fills;
+  }
+
+ private:
+  void append(Fills& fills, const PaintedGroup& group, const std::vector<PlacedPiece>& pieces, const Fill& look) const {
+    Fill fill = look;
+    fill.layer = group.layer;
+    fill.first_ring = fills.rings();
+    fill.first_face = static_cast<std::uint32_t>(fills.faces.size());
+    std::vector<PaperSide> sides;
+    for (const std::uint32_t i : group.pieces) {
+      const auto& ring = pieces[i].ring;
+      for (std::size_t k = 0; k < ring.size(); ++k) sides.push_back({ring[k], ring[(k + 1) % ring.size()], i});
+      fills.faces.push_back(scene_.mesh().face_of[first_triangle(order_.pieces[i].facet)].value);
+    }
+    const auto add = [&](const std::vector<PaperPoint>& ring) {
+      fills.points.insert(fills.points.end(), ring.begin(), ring.end());
+      fills.first_point.push_back(static_cast<std::uint32_t>(fills.points.size()));
+    };
+    if (group.pieces.size() == 1) {
+      add(pieces[group.pieces.front()].ring);
+    } else {
+      for (const auto& ring : united_rings(conforming(sides))) add(ring);
+    }
+    const auto begin = fills.faces.begin() + fill.first_face;
+    std::sort(begin, fills.faces.end());
+    fills.faces.erase(std::unique(begin, fills.faces.end()), fills.faces.end());
+    fill.end_ring = fills.rings();
+    fill.end_face = static_cast<std::uint32_t>(fills.faces.size());
+    fills.fills.push_back(fill);
+  }
+
+  void close_cuts_of(std::vector<PlacedPiece>& pieces) const {
+    std::vector<std::vector<PaperPoint>> rings;
+    std::vector<std::uint32_t> facets;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      rings.push_back(std::move(pieces[i].ring));
+      facets.push_back(order_.pieces[i].facet.value);
+    }
+    close_cuts(rings, facets);
+    for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].ring = std::move(rings[i]);
+  }
+
+  const SceneView& scene_;
+  const PaintersOrder& order_;
+  const std::vector<Colour>& colours_;
+  double opacity_;
+};
+
+/// Those that nothing hides.
+VisibleLines lines_on_top(const SceneView& scene, LineOptions options, bool only_wires) {
+  if (only_wires)
+    for (std::size_t c = 0; c < options.classes.size(); ++c)
+      options.classes[c] = options.classes[c] && c == static_cast<std::size_t>(EdgeClass::wire);
+  return visible_lines(scene, options);
+}
 
 }  // namespace
 
-Painting paint_on_page(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours,
-                       const LineOptions& lines, const DrawingOptions& options) {
-  const Mesh& mesh = scene.mesh();
-  const View& view = scene.view();
-  const ProjectedMesh& projected = scene.parts().projected();
-  const VisibleLines all = all_edges(mesh, projected);
-  std::vector<std::uint32_t> drawn(all.lines.size());
-  std::iota(drawn.begin(), drawn.end(), 0U);
-  const Placement place = placement(mesh, view, all, drawn, options);
-  Painting painting;
-  painting.width = place.width;
-  painting.height = place.height;
-  painting.scale = place.scale;
-  painting.fits = place.fits;
-  painting.frame = place.frame;
-  const std::vector<std::uint8_t> asked = edges_of_classes(scene.parts(), lines);
-  painting.points.resize(order.corners.size());
-  painting.sides.resize(order.corners.size());
-  painting.pieces.resize(order.pieces.size());
-  const Placer placer(mesh, view, place.projection);
-  parallel_for_each(order.pieces.size(), [&](std::size_t i) {
-    const OrderedPiece& piece = order.pieces[i];
-    const FaceId face = mesh.face_of[first_triangle(piece.facet)];
-    painting.pieces[i] = {face.value, colours[face.value], piece.first_corner, piece.end_corner};
-    for (std::uint32_t k = piece.first_corner; k < piece.end_corner; ++k) {
-      const PieceCorner& corner = order.corners[k];
-      painting.points[k] = placer(piece.facet, corner);
-      const bool is_edge = corner.side.kind == Cut::Kind::sight || corner.side.kind == Cut::Kind::line;
-      const EdgeId e = corner.original && is_edge ? mesh.find_edge(VertexId(corner.side.u), VertexId(corner.side.v)) : EdgeId();
-      painting.sides[k] = !corner.original ? SideOf::cut : e.is_valid() && asked[e.value] != 0 ? SideOf::line : SideOf::face;
-    }
-  });
-  return painting;
+Drawing paint_on_page(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours,
+                      const LineOptions& lines, const DrawingOptions& options, const PaintingOptions& painting) {
+  const FillPainter painter(scene, order, colours, painting.opacity);
+  const bool is_woven = painting.has_woven_lines || !painter.is_opaque();
+  std::vector<std::optional<EdgeClass>> asked;
+  if (is_woven) asked = asked_classes(scene.parts(), lines);
+  const VisibleLines on_top = lines_on_top(scene, lines, is_woven);
+  const VisibleLines bounds = all_edges(scene.mesh(), scene.parts().projected());
+  return draw_with_fills(scene.mesh(), scene.view(), on_top, &bounds, options,
+                         [&](const Placement& place) { return painter(place, is_woven ? &asked : nullptr); });
 }
 
 }  // namespace hsr

@@ -69,44 +69,60 @@ std::vector<std::uint32_t> groups_of(MapPredicates& map, const VisibleFragments&
 
 }  // namespace
 
+namespace {
+
+/// Of each region that fragments make together, the faces that they belong to.
+std::vector<std::vector<std::uint32_t>> faces_of_regions(const Mesh& mesh, const VisibleFragments& fragments,
+                                                         std::span<const std::uint32_t> group, const Rings& rings) {
+  std::map<std::uint32_t, std::size_t> region_of;  // its owner
+  for (std::size_t r = 0; r < rings.owner_of_region.size(); ++r) region_of[rings.owner_of_region[r]] = r;
+  std::vector<std::vector<std::uint32_t>> faces(rings.owner_of_region.size());
+  for (std::size_t k = 0; k < group.size(); ++k)
+    faces[region_of.at(rings.region_owner[k])].push_back(mesh.face_of[first_triangle(fragments.fragments[group[k]].facet)].value);
+  for (std::vector<std::uint32_t>& of : faces) {
+    std::sort(of.begin(), of.end());
+    of.erase(std::unique(of.begin(), of.end()), of.end());
+  }
+  return faces;
+}
+
+}  // namespace
+
 Regions regions_of(const SceneView& scene, const VisibleFragments& fragments, const std::vector<Colour>& colours, Merge merge) {
   const Mesh& mesh = scene.mesh();
   Regions out;
   if (fragments.fragments.empty()) return out;
-  MapPredicates map(scene.parts().projected());
   const auto colour_of = [&](const Fragment& f) { return colours[mesh.face_of[first_triangle(f.facet)].value]; };
   if (merge == Merge::none) {
     out.first_corner = fragments.first_corner;
     out.corners = fragments.corners;
     for (const Fragment& f : fragments.fragments)
       out.regions.push_back({colour_of(f), f.facet, {mesh.face_of[first_triangle(f.facet)].value}, f.first_ring, f.end_ring});
-  } else {
-    const std::vector<std::uint32_t> group = groups_of(map, fragments, colours, merge);
-    std::vector<std::uint32_t> order(group.size());
-    for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
-    std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return group[i] < group[j]; });
-    for (std::size_t i = 0; i < order.size();) {
-      std::vector<MapSide> sides;
-      std::vector<std::uint32_t> faces;
-      const Fragment& first = fragments.fragments[order[i]];
-      for (const std::uint32_t g = group[order[i]]; i < order.size() && group[order[i]] == g; ++i) {
-        append_sides(fragments, fragments.fragments[order[i]], sides);
-        faces.push_back(mesh.face_of[first_triangle(fragments.fragments[order[i]].facet)].value);
-      }
-      std::sort(faces.begin(), faces.end());
-      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-      const Rings rings = link_rings(map, sides);
-      const auto base = static_cast<std::uint32_t>(out.first_corner.size() - 1);
-      append_rings(rings, out);
-      for (std::size_t k = 0; k + 1 < rings.first_ring.size(); ++k)
-        out.regions.push_back(
-            {colour_of(first), first.facet, faces, base + rings.first_ring[k], base + rings.first_ring[k + 1]});
+    return out;
+  }
+  MapPredicates map(scene.parts().projected());
+  const std::vector<std::uint32_t> group = groups_of(map, fragments, colours, merge);
+  std::vector<std::uint32_t> order(group.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return group[i] < group[j]; });
+  for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
+    std::vector<MapSide> sides;
+    std::vector<std::uint32_t> owners;
+    for (; end < order.size() && group[order[end]] == group[order[i]]; ++end) {
+      append_sides(fragments, fragments.fragments[order[end]], sides);
+      owners.resize(sides.size(), static_cast<std::uint32_t>(end - i));
+    }
+    const Rings rings = link_rings(map, sides, owners);
+    const auto base = static_cast<std::uint32_t>(out.first_corner.size() - 1);
+    append_rings(rings, out);
+    std::vector<std::vector<std::uint32_t>> faces =
+        faces_of_regions(mesh, fragments, std::span(order).subspan(i, end - i), rings);
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      const Fragment& first = fragments.fragments[order[i + rings.owner_of_region[k]]];
+      out.regions.push_back(
+          {colour_of(first), first.facet, std::move(faces[k]), base + rings.first_ring[k], base + rings.first_ring[k + 1]});
     }
   }
-  std::vector<MapSide> sides;
-  for (const Fragment& f : fragments.fragments) append_sides(fragments, f, sides);
-  out.first_outline_ring = static_cast<std::uint32_t>(out.first_corner.size() - 1);
-  append_rings(link_rings(map, sides), out);
   return out;
 }
 

@@ -25,16 +25,15 @@ struct Region {
 
 struct Regions {
   std::vector<Region> regions;
-  std::uint32_t first_outline_ring = 0;           ///< from here on: the rings around all that is filled
   std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
   std::vector<MapCorner> corners;
 };
 
-/// The fragments as regions of colour, united with their neighbours as asked for, and the outline of all of them together.
+/// The fragments as regions of colour, united with their neighbours as asked for, each with the faces that it is made of.
 ///
 /// @param colours by FaceId
-/// Exact: yes. Cost: that of link_rings() for all sides together, for the outline; coplanar: and of the pairs of facets whose
-/// boxes touch.
+/// Exact: yes. Cost: none: O(n); else that of link_rings() for the sides of one colour or plane together; coplanar: and of the
+/// pairs of facets whose boxes touch.
 Regions regions_of(const SceneView& scene, const VisibleFragments& fragments, const std::vector<Colour>& colours, Merge merge);
 /// Of a scene that nothing else looks at.
 inline Regions regions_of(const Mesh& mesh, const View& view, const VisibleFragments& fragments,

@@ -20,7 +20,7 @@ constexpr std::uint32_t none = 0xffffffffU;
 struct Piece {
   MapLine line;
   bool reversed;
-  std::uint32_t from, to;
+  std::uint32_t from, to, owner;
 };
 
 /// A closed way: pieces of it in corners_ from `begin` to `end`.
@@ -95,7 +95,8 @@ class RingLinker::Linker {
   MapPredicates& map_;
   std::vector<const MapPoint*> end_points_;  // of both ends of each side
   std::vector<MapPlace> end_places_;
-  DisjointSets same_;  // of these ends, those at one point
+  DisjointSets owners_;  // those of one region
+  DisjointSets same_;    // of these ends, those at one point
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> lowest_, number_;  // by the end that stands for a point: the end of the lowest symbol; the point
   std::vector<MapPoint> points_;
@@ -134,6 +135,8 @@ void RingLinker::Linker::clear() {
   rings_.corners.clear();
   rings_.first_corner.assign(1, 0);
   rings_.first_ring.assign(1, 0);
+  rings_.owner_of_region.clear();
+  rings_.region_owner.clear();
 }
 
 /// Whether three points certainly lie on no line.
@@ -151,6 +154,9 @@ void RingLinker::Linker::find_points(std::span<const PlacedSide> sides) {
     end_places_.push_back(s.from);
     end_places_.push_back(s.to);
   }
+  std::uint32_t owners = 0;
+  for (const PlacedSide& s : sides) owners = std::max(owners, s.owner + 1);
+  owners_.reset(owners);
   const std::size_t n = end_points_.size();
   sort_by_x(by_x_, end_places_);
   same_.reset(n);
@@ -183,7 +189,7 @@ void RingLinker::Linker::find_points(std::span<const PlacedSide> sides) {
   }
   const auto number_of = [&](std::size_t end) { return number_[same_.find(static_cast<std::uint32_t>(end))]; };
   for (std::size_t k = 0; k < sides.size(); ++k) {
-    const Piece piece{sides[k].side.line, sides[k].side.reversed, number_of(2 * k), number_of(2 * k + 1)};
+    const Piece piece{sides[k].side.line, sides[k].side.reversed, number_of(2 * k), number_of(2 * k + 1), sides[k].owner};
     if (piece.from != piece.to) ends_.push_back(piece);
   }
   sort_by_x(by_x_, places_);
@@ -219,10 +225,10 @@ void RingLinker::Linker::cut_sides() {
     });
     std::uint32_t from = side.from;
     for (const std::uint32_t i : inside_) {
-      pieces_.push_back({side.line, side.reversed, from, i});
+      pieces_.push_back({side.line, side.reversed, from, i, side.owner});
       from = i;
     }
-    pieces_.push_back({side.line, side.reversed, from, side.to});
+    pieces_.push_back({side.line, side.reversed, from, side.to, side.owner});
   }
 }
 
@@ -240,8 +246,10 @@ void RingLinker::Linker::cancel() {
     // Of those each way the first by name.
     int ways = 0;
     const Piece *up = nullptr, *down = nullptr;
+    const std::uint32_t owner = pieces_[by_ends_[i].second].owner;
     for (; i < by_ends_.size() && by_ends_[i].first == ends; ++i) {
       const Piece& p = pieces_[by_ends_[i].second];
+      owners_.join(owner, p.owner);
       const bool is_up = p.from < p.to;
       ways += is_up ? 1 : -1;
       const Piece*& first = is_up ? up : down;
@@ -470,12 +478,15 @@ void RingLinker::Linker::make_result() {
       rings_.first_corner.push_back(static_cast<std::uint32_t>(rings_.corners.size()));
     }
   };
+  // What bounds a region from several sides is one polygon, or several that were joined across a side, or by what lies between.
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     add(regions_[r]);
+    rings_.owner_of_region.push_back(owners_.find(pieces_[pieces_of(loops_[regions_[r].begin]).front()].owner));
     for (std::size_t h = 0; h < holes_.size(); ++h)
       if (region_of_hole_[h] == r) add(holes_[h]);
     rings_.first_ring.push_back(static_cast<std::uint32_t>(rings_.first_corner.size() - 1));
   }
+  for (std::uint32_t k = 0; k < owners_.size(); ++k) rings_.region_owner.push_back(owners_.find(k));
 }
 
 RingLinker::RingLinker(MapPredicates& map) : linker_(std::make_unique<Linker>(map)) {}
@@ -483,10 +494,11 @@ RingLinker::~RingLinker() = default;
 
 const Rings& RingLinker::link(std::span<const PlacedSide> sides) { return linker_->link(sides); }
 
-Rings link_rings(MapPredicates& map, std::span<const MapSide> sides) {
+Rings link_rings(MapPredicates& map, std::span<const MapSide> sides, std::span<const std::uint32_t> owners) {
   std::vector<PlacedSide> placed;
   placed.reserve(sides.size());
-  for (const MapSide& s : sides) placed.push_back({s, map.place(s.from), map.place(s.to)});
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    placed.push_back({sides[k], map.place(sides[k].from), map.place(sides[k].to), owners.empty() ? 0 : owners[k]});
   return RingLinker(map).link(placed);
 }
 

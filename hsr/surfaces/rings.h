@@ -14,12 +14,15 @@ struct Rings {
   std::vector<MapCorner> corners;
   std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
   std::vector<std::uint32_t> first_ring = {0};    ///< region k has the rings first_ring[k] ... ; one more than regions
+  std::vector<std::uint32_t> owner_of_region;     ///< the least of those whose sides bound it, or lie within
+  std::vector<std::uint32_t> region_owner;        ///< by owner: owner_of_region of the region that it is part of
 };
 
 /// A side and the places of its ends in some coordinates of the image, in which turns are as they are seen.
 struct PlacedSide {
   MapSide side;
   MapPlace from, to;
+  std::uint32_t owner = 0;  ///< the polygon that it belongs to: those that end up in one region are told
 };
 
 /// Links the sides of a part of the plane into the rings that bound it. One object per thread, for many parts.
@@ -49,6 +52,7 @@ class RingLinker {
 };
 
 /// Links the sides of one part of the plane: a RingLinker that is used once.
-Rings link_rings(MapPredicates& map, std::span<const MapSide> sides);
+/// @param owners by side; empty: not told apart
+Rings link_rings(MapPredicates& map, std::span<const MapSide> sides, std::span<const std::uint32_t> owners = {});
 
 }  // namespace hsr::internal

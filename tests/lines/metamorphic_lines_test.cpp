@@ -38,7 +38,7 @@ std::vector<SeenEdge> seen(const TestScene& scene, const LineOptions& options = 
   const auto key = [](const SeenEdge& e) { return std::tuple(e.cuts, e.starts_hidden); };
   const auto first = std::find_if(all.begin(), all.end(), [](const SeenEdge& e) { return !e.a.is_valid(); });
   for (auto e = first; e != all.end(); ++e) {
-    e->s = e->t = TriangleId(0);
+    e->s = e->t = FacetId(0);
     e->from = e->to = {};
     *e = std::min(*e, turned(*e), [&](const SeenEdge& x, const SeenEdge& y) { return key(x) < key(y); });
   }

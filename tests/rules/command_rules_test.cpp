@@ -104,7 +104,7 @@ TEST_CASE("an order with corners that no double holds survives its file", "[rule
   CHECK(run("verify " + order) == 0);
 }
 
-TEST_CASE("fills lie under the lines, in the file's colours or in greys by the slope of the face", "[rules][D8]") {
+TEST_CASE("fills lie under the lines, in the file's colours or light grey, darker by the slope of the face", "[rules][D8]") {
   const Directory d;
   const std::string grey = write(d / "cube.obj", cube);
   REQUIRE(run("draw " + grey + " --fill --view iso -o " + (d / "a.svg")) == 0);
@@ -124,8 +124,13 @@ TEST_CASE("fills lie under the lines, in the file's colours or in greys by the s
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
             "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\n"
             "property uchar green\nproperty uchar blue\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 200 10 30\n");
-  REQUIRE(run("draw " + red + " --fill --view top -o " + (d / "b.svg")) == 0);
+  REQUIRE(run("draw " + red + " --fill --shade none --view top -o " + (d / "b.svg")) == 0);
   CHECK(contents(d / "b.svg").find("fill=\"#c80a1e\"") != std::string::npos);
+  // The light comes from the upper left of the viewer: which this face is turned to by 36 degrees: it has 0.9 of its colour.
+  REQUIRE(run("draw " + red + " --fill --view top -o " + (d / "b.svg")) == 0);
+  CHECK(contents(d / "b.svg").find("fill=\"#b3091b\"") != std::string::npos);
+  REQUIRE(run("draw " + grey + " --fill --shade none --view iso -o " + (d / "a.svg")) == 0);
+  CHECK(contents(d / "a.svg").find("fill=\"#c8c8c8\"") != std::string::npos);
 }
 
 /// A grey board, and on it red and blue copper in the same plane, which cross.

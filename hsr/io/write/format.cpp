@@ -6,12 +6,12 @@
 
 namespace hsr::internal {
 
-namespace {
-
-const char* name_of(Format f) {
+const char* name_of(Format format) {
   static constexpr const char* names[] = {"svg", "pdf", "eps", "dxf", "tex", "hpgl", "png", "json", "csv"};
-  return names[static_cast<std::size_t>(f)];
+  return names[static_cast<std::size_t>(format)];
 }
+
+namespace {
 
 /// One of those expected, or an InputError that says what was found instead.
 Format chosen(const std::string& name, const std::string& said, const std::string& found, std::span<const Format> expected) {

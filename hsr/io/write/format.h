@@ -8,6 +8,8 @@ namespace hsr::internal {
 /// What a result can be written as; tex: LaTeX with TikZ; csv: the table of error against run time.
 enum class Format { svg, pdf, eps, dxf, tex, hpgl, png, json, csv };
 
+const char* name_of(Format format);  ///< "svg"
+
 /// The format that a file name's ending chooses, one of those expected.
 /// The ending .plt means hpgl, too.
 /// @throws InputError for another ending

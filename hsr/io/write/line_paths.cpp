@@ -7,8 +7,6 @@
 
 namespace hsr::internal {
 
-namespace {
-
 void append_path(std::string& out, std::span<const PaperPoint> points) {
   const char* operation = " m\n";
   for (const PaperPoint& p : points) {
@@ -19,8 +17,6 @@ void append_path(std::string& out, std::span<const PaperPoint> points) {
     operation = " l\n";
   }
 }
-
-}  // namespace
 
 void append_pen(std::string& out, const Pen& pen) {
   for (std::size_t k = 0; k < 3; ++k) {

@@ -2,6 +2,8 @@
 
 #include <zlib.h>
 
+#include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -11,7 +13,6 @@
 #include "hsr/io/write/line_paths.h"
 #include "hsr/io/write/painted_paths.h"
 #include "hsr/io/write/svg_text.h"
-#include "hsr/io/write/underlay.h"
 #include "hsr/io/write/utf8.h"
 
 namespace hsr::internal {
@@ -164,7 +165,14 @@ class PdfPage {
  public:
   PdfPage(PdfFile& file, const Drawing& drawing) : file_(file), layers_(file, drawing.objects) {
     append_page_space(contents_, drawing.height);
-    if (!drawing.fills.fills.empty()) paint_fills(drawing);
+    if (!drawing.fills.fills.empty()) {
+      layers_.begin(contents_, "fill");
+      append_fills(contents_, drawing.fills, drawing.pens,
+                   [&](const std::string& contents, const PaperFrame& box) { return sheet(contents, box); });
+      opacities_[name_of_opacity(1)] = 1;
+      layers_.end(contents_);
+      for (const Fill& fill : drawing.fills.fills) opacities_[name_of_opacity(fill.opacity)] = fill.opacity;
+    }
     for (const Layer& layer : layers_of(drawing)) {
       layers_.begin(contents_, layer.name());
       append_pen(contents_, layer.pen);
@@ -179,37 +187,40 @@ class PdfPage {
   const std::string& contents() const { return contents_; }
   const PdfLayers& layers() const { return layers_; }
   std::string resources() const {
-    const std::string out = "<< /Properties << " + layers_.properties() + ">> ";
-    return underlay_ == 0 ? out + ">>" : out + "/XObject << /Underlay " + reference(underlay_) + ">> >>";
+    std::string out = "<< /Properties << " + layers_.properties() + ">> ";
+    if (!sheets_.empty()) out += "/XObject << ";
+    for (std::size_t k = 0; k < sheets_.size(); ++k) out += "/S" + std::to_string(k) + " " + reference(sheets_[k]);
+    if (!sheets_.empty()) out += ">> ";
+    if (opacities_.empty()) return out + ">>";
+    out += "/ExtGState << ";
+    for (const auto& [name, opacity] : opacities_) {
+      out += name + " << /ca ";
+      append_length(out, std::round(opacity * 1000) / 1000);
+      out += " >> ";
+    }
+    return out + ">> >>";
   }
 
  private:
-  /// As the SVG has them: under the fills, and cut to the outline of all, the same with pens of their own colours.
-  void paint_fills(const Drawing& drawing) {
-    std::string bordered;
-    append_fill_paths(bordered, drawing.fills, "B*");
-    underlay_ = file_.reserve();
-    std::string box = "[0 0 ";
-    append_length(box, drawing.width);
-    box += ' ';
-    append_length(box, drawing.height);
-    file_.write_stream(underlay_, "/Type /XObject /Subtype /Form /BBox " + box + "] ", bordered);
-    layers_.begin(contents_, "fill");
-    contents_ += "q\n";
-    append_fill_clip(contents_, drawing.fills);
-    for (const double width : underlay_widths) {
-      append_length(contents_, width);
-      contents_ += " w /Underlay Do\n";
+  /// A transparency group, which the page takes as one object.
+  std::string sheet(const std::string& contents, const PaperFrame& bounds) {
+    std::string box = "[";
+    for (const double x : {bounds.left, bounds.top, bounds.right, bounds.bottom}) {
+      append_length(box, x);
+      box += ' ';
     }
-    contents_ += "Q\n";
-    append_fill_paths(contents_, drawing.fills, "f*");
-    layers_.end(contents_);
+    sheets_.push_back(file_.reserve());
+    file_.write_stream(sheets_.back(),
+                       "/Type /XObject /Subtype /Form /Group << /S /Transparency /CS /DeviceRGB >> /BBox " + box + "] ",
+                       contents);
+    return "/S" + std::to_string(sheets_.size() - 1) + " Do\n";
   }
 
   PdfFile& file_;
   std::string contents_;
   PdfLayers layers_;
-  std::size_t underlay_ = 0;
+  std::vector<std::size_t> sheets_;
+  std::map<std::string, double> opacities_;
 };
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "geometry/error.h"
 #include "hsr/io/write/dashes.h"
 #include "hsr/io/write/layers.h"
-#include "hsr/io/write/underlay.h"
 
 namespace hsr::internal {
 
@@ -50,26 +49,36 @@ void add_ring(cairo_t* c, std::span<const PaperPoint> ring) {
   cairo_close_path(c);
 }
 
-/// As the SVG has them: with a pen of their own colours within the outline of all, then as they are.
-void paint_fills(cairo_t* c, const Fills& fills) {
-  if (fills.fills.empty()) return;
-  cairo_set_fill_rule(c, CAIRO_FILL_RULE_EVEN_ODD);
-  for (const double width : {underlay_widths[0], underlay_widths[1], underlay_widths[2], 0.0}) {
-    const bool is_underlay = width > 0;
-    cairo_save(c);
-    cairo_set_line_width(c, width);
-    if (is_underlay) {
-      for (std::uint32_t r = fills.first_outline_ring; r < fills.rings(); ++r) add_ring(c, fills.ring(r));
-      cairo_clip(c);
-    }
-    for (const Fill& fill : fills.fills) {
-      cairo_set_source_rgb(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0);
-      for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
-      if (is_underlay) cairo_stroke_preserve(c);
-      cairo_fill(c);
-    }
-    cairo_restore(c);
-  }
+void draw_line(cairo_t* c, std::span<const PaperPoint> points, bool closed) {
+  for (const PaperPoint& p : points) cairo_line_to(c, static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000);
+  if (closed) cairo_close_path(c);
+  cairo_stroke(c);
+}
+
+void paint_fills(cairo_t* c, const Fills& fills, const Pens& pens) {
+  cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
+  double opacity_of_sheet = 1;
+  for_each_painted(
+      fills,
+      [&](std::span<const Fill> sheet) {
+        opacity_of_sheet = sheet[0].opacity;
+        cairo_push_group(c);
+      },
+      [&](const Fill& fill, double opacity) {
+        cairo_set_source_rgba(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0, opacity);
+        for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
+        cairo_fill(c);
+      },
+      [&] {
+        cairo_pop_group_to_source(c);
+        cairo_paint_with_alpha(c, opacity_of_sheet);
+      },
+      [&](const FillLine& line) {
+        const Pen& pen = pens.of(false, line.edge_class);
+        cairo_set_source_rgb(c, pen.colour[0] / 255.0, pen.colour[1] / 255.0, pen.colour[2] / 255.0);
+        cairo_set_line_width(c, pen.width);
+        draw_line(c, fills.points_of(line), line.closed);
+      });
 }
 
 void draw_layer(cairo_t* c, const Drawing& drawing, const Layer& layer) {
@@ -120,7 +129,7 @@ std::string png(const Drawing& drawing, std::optional<PixelSize> size) {
   cairo_translate(c.get(), (pixels.width - scale * drawing.width) / 2, (pixels.height - scale * drawing.height) / 2);
   cairo_scale(c.get(), scale, scale);
   cairo_set_line_join(c.get(), CAIRO_LINE_JOIN_ROUND);
-  paint_fills(c.get(), drawing.fills);
+  paint_fills(c.get(), drawing.fills, drawing.pens);
   cairo_set_source_rgb(c.get(), 0, 0, 0);
   for (const Layer& layer : layers_of(drawing)) draw_layer(c.get(), drawing, layer);
   expect_success(cairo_status(c.get()));

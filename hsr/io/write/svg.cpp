@@ -1,6 +1,7 @@
 #include "hsr/io/write/svg.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <span>
 #include <string>
@@ -11,7 +12,6 @@
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/layers.h"
 #include "hsr/io/write/svg_text.h"
-#include "hsr/io/write/underlay.h"
 
 namespace hsr::internal {
 
@@ -78,43 +78,57 @@ void append_faces(std::string& out, std::span<const std::uint32_t> faces) {
   }
 }
 
-/// The fills, and under them again, with pens of their own colours, cut to the outline of all: what the pens add lies under the
-/// fills, but where two meet within a pixel.
-void append_fills(std::string& out, const Fills& fills, const std::string& prefix, ObjectGroups& objects) {
-  if (fills.fills.empty()) return;
-  out += "<clipPath id=\"" + prefix + "outline\"><path clip-rule=\"evenodd\" d=\"";
-  for (std::uint32_t r = fills.first_outline_ring; r < fills.rings(); ++r) {
+void append_rings(std::string& out, const Fills& fills, const Fill& fill) {
+  for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
     if (fills.ring(r).empty()) continue;
     append_points(out, fills.ring(r));
     out += 'Z';
   }
-  out += "\"/></clipPath>\n<g class=\"underlay\" clip-path=\"url(#" + prefix + "outline)\">\n";
-  for (const double width : underlay_widths) {
-    out += "<use href=\"#" + prefix + "fills\" xlink:href=\"#" + prefix + "fills\" stroke-width=\"";
-    append_length(out, width);
-    out += "\"/>\n";
-  }
-  out +=
-      "</g>\n<g class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-width=\"0\">"
-      "<g id=\"" +
-      prefix + "fills\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n";
-  for (const Fill& fill : fills.fills) {
-    objects.begin(out, "fill", fill.object);
-    out += "<path d=\"";
-    for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
-      if (fills.ring(r).empty()) continue;
-      append_points(out, fills.ring(r));
-      out += 'Z';
-    }
-    out += "\" fill=\"";
-    append_colour(out, fill.colour);
-    out += "\" stroke=\"";
-    append_colour(out, fill.colour);
-    append_faces(out, {fills.faces.data() + fill.first_face, fills.faces.data() + fill.end_face});
-    out += "\"/>\n";
-  }
+}
+
+void append_fill_line(std::string& out, const Fills& fills, const FillLine& line, const Pen& pen) {
+  out += "<path d=\"";
+  append_points(out, fills.points_of(line));
+  out += line.closed ? "Z\" fill=\"none\" stroke=\"" : "\" fill=\"none\" stroke=\"";
+  append_colour(out, pen.colour);
+  out += "\" stroke-width=\"";
+  append_length(out, pen.width);
+  out += "\"/>\n";
+}
+
+void append_fills(std::string& out, const Fills& fills, const Pens& pens, const std::string& prefix, ObjectGroups& objects) {
+  if (fills.fills.empty()) return;
+  out += "<g id=\"" + prefix +
+         "fills\" class=\"fill\" inkscape:groupmode=\"layer\" inkscape:label=\"fill\" stroke-linejoin=\"round\" "
+         "stroke-linecap=\"round\">\n";
+  for_each_painted(
+      fills,
+      [&](std::span<const Fill> sheet) {
+        objects.end(out);
+        out += "<g class=\"sheet\" opacity=\"";
+        append_length(out, std::round(sheet[0].opacity * 1000) / 1000);
+        out += "\">\n";
+      },
+      [&](const Fill& fill, double opacity) {
+        objects.begin(out, "fill", fill.object);
+        out += "<path d=\"";
+        append_rings(out, fills, fill);
+        out += "\" fill=\"";
+        append_colour(out, fill.colour);
+        if (opacity < 1) {
+          out += "\" fill-opacity=\"";
+          append_length(out, std::round(opacity * 1000) / 1000);
+        }
+        append_faces(out, {fills.faces.data() + fill.first_face, fills.faces.data() + fill.end_face});
+        out += "\"/>\n";
+      },
+      [&] {
+        objects.end(out);
+        out += "</g>\n";
+      },
+      [&](const FillLine& line) { append_fill_line(out, fills, line, pens.of(false, line.edge_class)); });
   objects.end(out);
-  out += "</g></g>\n";
+  out += "</g>\n";
 }
 
 /// What a line has instead of its layer's dashes.
@@ -180,10 +194,10 @@ void check_id_prefix(const std::string& prefix) {
 
 std::string svg(const Drawing& drawing, const SvgOptions& options) {
   std::string out;
-  append_svg_start(out, drawing.width, drawing.height, options, !drawing.fills.fills.empty());
+  append_svg_start(out, drawing.width, drawing.height, options);
   const std::string& prefix = options.id_prefix;
   ObjectGroups objects(drawing.objects, prefix);
-  append_fills(out, drawing.fills, prefix, objects);
+  append_fills(out, drawing.fills, drawing.pens, prefix, objects);
   for (const Layer& layer : layers_of(drawing)) {
     append_layer_start(out, prefix, layer);
     for (const Polyline& p : layer.polylines) {

@@ -75,9 +75,8 @@ void append_colour(std::string& out, const Colour& colour) {
   }
 }
 
-void append_svg_start(std::string& out, double width, double height, const SvgOptions& options, bool links) {
+void append_svg_start(std::string& out, double width, double height, const SvgOptions& options) {
   out += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" ";
-  if (links) out += "xmlns:xlink=\"http://www.w3.org/1999/xlink\" ";
   out += "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"";
   append_length(out, width);
   out += "mm\" height=\"";

@@ -18,7 +18,7 @@ void append_rounded_length(std::string& out, double mm);  ///< to 0.0001 mm
 void append_text(std::string& out, const std::string& text);
 void append_points(std::string& out, std::span<const PaperPoint> points);  ///< "Mx y x y"
 void append_colour(std::string& out, const Colour& colour);                ///< "#rrggbb"
-/// The first element, title and description. @param links declares xlink
-void append_svg_start(std::string& out, double width, double height, const SvgOptions& options, bool links = false);
+/// The first element, title and description.
+void append_svg_start(std::string& out, double width, double height, const SvgOptions& options);
 
 }  // namespace hsr::internal

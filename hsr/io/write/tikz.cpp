@@ -1,14 +1,18 @@
 #include "hsr/io/write/tikz.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "hsr/io/write/dashes.h"
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/layers.h"
 #include "hsr/io/write/svg_text.h"
-#include "hsr/io/write/underlay.h"
 
 namespace hsr::internal {
 
 namespace {
+
+std::string name_of(const FillLine& line) { return Layer{false, line.edge_class, {}, {}}.name(); }
 
 std::string length(double mm) {
   std::string out;
@@ -92,31 +96,40 @@ void append_line(std::string& out, const Drawing& drawing, const Polyline& p, co
   out += ";\n";
 }
 
-void append_rings(std::string& out, const Fills& fills, std::uint32_t first, std::uint32_t end) {
-  for (std::uint32_t r = first; r < end; ++r)
-    if (!fills.ring(r).empty()) append_path(out, fills.ring(r), true);
-}
-
-void append_fills(std::string& out, const Fills& fills, const std::string& draw) {
-  for (const Fill& fill : fills.fills) {
-    out += "\\definecolor{hsr fill}{RGB}{";
-    for (std::size_t k = 0; k < 3; ++k) out += (k == 0 ? "" : ",") + std::to_string(fill.colour[k]);
-    out += "}\\path[even odd rule, fill=hsr fill" + draw + "] ";
-    append_rings(out, fills, fill.first_ring, fill.end_ring);
-    out += ";\n";
-  }
-}
-
-/// As the SVG has them: under the fills, and cut to the outline of all, the same with pens of their own colours.
-void append_filled_scopes(std::string& out, const Fills& fills) {
+void append_fills(std::string& out, const Fills& fills) {
   if (fills.fills.empty()) return;
-  out += "\\begin{scope}[hsr fill]\n\\begin{scope}[line join=round, even odd rule]\n\\clip ";
-  append_rings(out, fills, fills.first_outline_ring, fills.rings());
-  out += ";\n";
-  for (const double width : underlay_widths) append_fills(out, fills, ", draw=hsr fill, line width=" + length(width) + "mm");
+  out += "\\begin{scope}[hsr fill]\n";
+  for_each_painted(
+      fills,
+      [&](std::span<const Fill> sheet) {
+        out += "\\begin{scope}[transparency group, opacity=" + length(std::round(sheet[0].opacity * 1000) / 1000) + "]\n";
+      },
+      [&](const Fill& fill, double opacity) {
+        out += "\\definecolor{hsr fill}{RGB}{";
+        for (std::size_t k = 0; k < 3; ++k) out += (k == 0 ? "" : ",") + std::to_string(fill.colour[k]);
+        out += "}\\path[fill=hsr fill";
+        if (opacity < 1) out += ", fill opacity=" + length(std::round(opacity * 1000) / 1000);
+        out += "] ";
+        for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r)
+          if (!fills.ring(r).empty()) append_path(out, fills.ring(r), true);
+        out += ";\n";
+      },
+      [&] { out += "\\end{scope}\n"; },
+      [&](const FillLine& line) {
+        out += "\\draw[hsr " + name_of(line) + "] ";
+        append_path(out, fills.points_of(line), line.closed);
+        out += ";\n";
+      });
   out += "\\end{scope}\n";
-  append_fills(out, fills, "");
-  out += "\\end{scope}\n";
+}
+
+/// The layers, and those that the lines between fills would be in.
+std::vector<Layer> styled_layers(const Drawing& drawing, const std::vector<Layer>& layers) {
+  std::vector<Layer> all = layers;
+  for (const FillLine& line : drawing.fills.lines)
+    if (std::none_of(all.begin(), all.end(), [&](const Layer& l) { return l.name() == name_of(line); }))
+      all.push_back({false, line.edge_class, drawing.pens.of(false, line.edge_class), {}});
+  return all;
 }
 
 }  // namespace
@@ -125,10 +138,10 @@ std::string tikz(const Drawing& drawing) {
   const std::vector<Layer> layers = layers_of(drawing);
   std::string out = document_start(drawing);
   out += "\\hsrstyle{fill}{}\n";
-  for (const Layer& layer : layers) append_style(out, layer);
+  for (const Layer& layer : styled_layers(drawing, layers)) append_style(out, layer);
   out += "\\hsrbegin\n\\begin{tikzpicture}[x=1mm,y=-1mm]\n\\useasboundingbox (0,0) rectangle (" + length(drawing.width) + "," +
          length(drawing.height) + ");\n";
-  append_filled_scopes(out, drawing.fills);
+  append_fills(out, drawing.fills);
   for (const Layer& layer : layers) {
     out += "\\begin{scope}[hsr " + layer.name() + "]\n";
     ObjectComments objects(drawing.objects);

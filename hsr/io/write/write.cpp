@@ -8,7 +8,6 @@
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/hpgl.h"
 #include "hsr/io/write/image_png.h"
-#include "hsr/io/write/painting_svg.h"
 #include "hsr/io/write/pdf.h"
 #include "hsr/io/write/png.h"
 #include "hsr/io/write/svg.h"
@@ -24,6 +23,7 @@ SvgOptions captions(const WriteOptions& options) {
   SvgOptions captions;
   captions.title = options.title;
   captions.description = options.description;
+  captions.id_prefix = options.id_prefix;
   return captions;
 }
 
@@ -52,10 +52,6 @@ std::string written(const Drawing& drawing, const std::string& format, const Wri
     default:
       return svg(drawing, captions(options));
   }
-}
-
-std::string written(const Painting& painting, double opacity, const WriteOptions& options) {
-  return painting_svg(painting, opacity, captions(options));
 }
 
 std::string written(const Image<Colour>& image) { return image_png(image); }

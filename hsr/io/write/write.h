@@ -3,7 +3,6 @@
 #include <string>
 
 #include "hsr/drawing/drawing.h"
-#include "hsr/drawing/painting.h"
 #include "hsr/image.h"
 #include "hsr/model.h"
 
@@ -13,6 +12,7 @@ namespace hsr {
 struct WriteOptions {
   std::string title = {};        ///< SVG, PDF and EPS; any text
   std::string description = {};  ///< SVG: of the view, say
+  std::string id_prefix = {};    ///< SVG: before each id, so that those of several files in one page do not collide
 
   int width = 0, height = 0;  ///< PNG: pixels that the page is scaled to fit and centred in; 0: 150 dots to the inch
 
@@ -25,13 +25,10 @@ struct WriteOptions {
 /// of threads, on any day.
 ///
 /// Each has a layer, or what the format has instead, for each visibility and class of lines that occurs, hidden ones first. DXF takes
-/// a drawing that is made with DrawingOptions::in_frame_units, and is in units of the model, whatever the page. HPGL has no fills.
-/// @throws InputError for another name, or where the page or the picture is too large for the format or for memory
+/// a drawing that is made with DrawingOptions::in_frame_units, and is in units of the model, whatever the page. DXF and HPGL have no
+/// fills, and EPS none that are seen through.
+/// @throws InputError for another name, for EPS with fills that are seen through, or where the page or the picture is too large for the format or for memory
 std::string written(const Drawing& drawing, const std::string& format, const WriteOptions& options = {});
-
-/// A painting order as SVG: every piece in turn, its lines on top of it, so that later pieces cover both. No seam shows between opaque
-/// pieces. @param opacity of all pieces, times their own
-std::string written(const Painting& painting, double opacity = 1, const WriteOptions& options = {});
 
 /// A picture as PNG: 8 bits each of red, green, blue and opacity, sRGB.
 /// @throws InputError if the picture is empty, or too large for the format or for memory

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -46,6 +47,14 @@ class ExactPicture {
       const bool is_thin = s.is_hidden || s.edge_class == EdgeClass::smooth || s.edge_class == EdgeClass::joint;
       strokes_.push_back({placed(s.from), placed(s.to), is_thin ? 0.125 : 0.25, s.is_hidden});
     }
+    const std::vector<Colour>& colours = scene.colours;
+    for (const PlacedPolygon& polygon : polygons(scene.scene, scene.fragments)) {
+      Area& area = areas_.emplace_back();
+      area.colour = colours[polygon.face.value];
+      for (const auto& ring : polygon.rings)
+        for (std::size_t k = 0; k < ring.size(); ++k)
+          area.sides.push_back({placed(ring[k]), placed(ring[(k + 1) % ring.size()])});
+    }
   }
 
   /// @param dots pixels to the millimetre @param margin of edges and rounding, mm @param filled the fills are to be seen, too
@@ -65,6 +74,11 @@ class ExactPicture {
     Point2 a, b;
     double half_width;
     bool is_hidden;
+  };
+
+  struct Area {
+    Colour colour;
+    std::vector<std::array<Point2, 2>> sides;
   };
 
   static double distance(const Point2& p, const Point2& a, const Point2& b) {
@@ -96,21 +110,15 @@ class ExactPicture {
       }
   }
 
-  /// The colour at p, by the even-odd rule; false: near a border.
+  /// The colour of the visible face at p; false: near a border of one.
   bool find_fill(const Point2& p, double margin, Colour& colour) const {
-    const Fills& fills = drawing_.fills;
-    for (const Fill& fill : fills.fills) {
+    for (const Area& area : areas_) {
       bool is_inside = false;
-      for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
-        const auto ring = fills.ring(r);
-        for (std::size_t k = 0; k < ring.size(); ++k) {
-          const PaperPoint &i = ring[k], &j = ring[(k + 1) % ring.size()];
-          const Point2 a = {double(i.x) / 1000, double(i.y) / 1000}, b = {double(j.x) / 1000, double(j.y) / 1000};
-          if (distance(p, a, b) < margin) return false;
-          if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) is_inside = !is_inside;
-        }
+      for (const auto& [a, b] : area.sides) {
+        if (distance(p, a, b) < margin) return false;
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) is_inside = !is_inside;
       }
-      if (is_inside) colour = fill.colour;
+      if (is_inside) colour = area.colour;
     }
     return true;
   }
@@ -159,6 +167,7 @@ class ExactPicture {
 
   const Drawing& drawing_;
   std::vector<Stroke> strokes_;
+  std::vector<Area> areas_;
 };
 
 }  // namespace hsr

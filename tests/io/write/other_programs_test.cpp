@@ -3,12 +3,16 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "hsr/drawing/painting.h"
 #include "hsr/io/write/dxf.h"
 #include "hsr/io/write/eps.h"
 #include "hsr/io/write/hpgl.h"
 #include "hsr/io/write/pdf.h"
 #include "hsr/io/write/svg.h"
 #include "hsr/io/write/tikz.h"
+#include "hsr/painter/bsp/bsp.h"
+#include "hsr/painter/sort/depth_sort.h"
+#include "hsr/raster/caster.h"
 
 // What hsr writes, read by programs that are not ours, against the exact answer. A program that is missing is told of and passed
 // over: packages.txt names those that tests/run installs, packages-long.txt those that only the long tests need.
@@ -110,6 +114,59 @@ TEST_CASE("A lost hole, a pen that is too wide, a lost dash and a swapped layer 
         }).lines > 1000);
   CHECK(wrong_with([](Drawing& d) { d.polylines.pop_back(); }).lines > 10);
   CHECK(wrong_with([](Drawing& d) { std::swap(d.fills.fills.front().colour, d.fills.fills.back().colour); }).areas > 1000);
+}
+
+TEST_CASE("Other programs show a painting order as the exact drawing is", "[write][others][D21]") {
+  const DrawnScene scene;
+  LineOptions lines;
+  lines.classes.fill(true);
+  DrawingOptions page = scene.page();
+  page.hidden = HiddenLines::none;
+  const BspTree tree(scene.mesh);
+  for (const PaintersOrder& order : {depth_sort(scene.scene).order, tree.order(scene.scene)}) {
+    const Drawing drawing = paint_on_page(scene.scene, order, scene.colours, lines, page);
+    for (const Renderer& r : renderers)
+      if (is_there(r.program)) check_right(r, scene, drawing);
+  }
+}
+
+TEST_CASE("Other programs show all layers of what is seen through", "[write][others][D21]") {
+  const DrawnScene scene;
+  LineOptions no_lines;
+  no_lines.classes = {};
+  DrawingOptions page = scene.page();
+  page.hidden = HiddenLines::none;
+  const PaintersOrder order = depth_sort(scene.scene).order;
+  const PaperRectangle all = paper_rectangle(scene.mesh, scene.view);
+  const double x = (all.left + all.right) / 2, y = (all.bottom + all.top) / 2,
+               half_width = DrawnScene::width / 2 / DrawnScene::scale, half_height = DrawnScene::height / 2 / DrawnScene::scale;
+  const SampleGrid grid =
+      sample_grid(scene.view, PaperRectangle{x - half_width, x + half_width, y - half_height, y + half_height}, 1524, 1016);
+  for (const double opacity : {0.3, 0.8}) {
+    const Image<Colour> exact = paint(scene.scene, order, grid, scene.colours, opacity);
+    const Drawing drawing = paint_on_page(scene.scene, order, scene.colours, no_lines, page, {.opacity = opacity});
+    for (const Renderer& r : renderers) {
+      if (r.format == std::string("eps") || !is_there(r.program)) continue;
+      CAPTURE(r.program, opacity);
+      const RenderedPage picture = rendered(r, bytes_of(drawing, r.format));
+      int seen = 0, wrong = 0;
+      for (int j = 1; j + 1 < picture.height; ++j)
+        for (int i = 1; i + 1 < picture.width; ++i) {
+          bool is_inner = true;  // no border runs through the pixel or beside it
+          for (int k = 0; k < 9; ++k) is_inner = is_inner && exact.at(i + k % 3 - 1, j + k / 3 - 1) == exact.at(i, j);
+          if (!is_inner) continue;
+          ++seen;
+          for (std::size_t k = 0; k < 3; ++k)
+            if (std::abs(int(picture.at(i, j)[k]) - int(exact.at(i, j)[k])) > 3) {
+              ++wrong;
+              break;
+            }
+        }
+      CHECK(seen > 1000000);
+      CHECK(wrong < 700);  // fine seams between layers of one surface
+    }
+  }
+  CHECK_THROWS_AS(eps(paint_on_page(scene.scene, order, scene.colours, no_lines, page, {.opacity = 0.5})), InputError);
 }
 
 TEST_CASE("A PDF is sound, has a layer for each visibility and class, and the page in points", "[write][others][D12]") {
