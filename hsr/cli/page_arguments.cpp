@@ -31,6 +31,9 @@ void PageArguments::add_pens_to(Options& options) {
       "dashed, dotted, chain, or mm such as 3-0.75; any may be missing. Else ISO 128 for the page: 0.5 and 0.25 mm on A4 to "
       "A2");
   options.add("--pens", pens_file, "FILE", "Pens, one NAME=MM:COLOUR:DASH to a line, # for comments; --pen counts more");
+}
+
+void PageArguments::add_sort_to(Options& options) {
   options
       .add("--sort", sort, "HOW",
            "pen: each layer's lines in an order for short ways with the pen up, joined where one begins at the end of "
