@@ -323,7 +323,8 @@ void add_picture_options(OrderArguments& a, Options& options) {
   options
       .add("--edges", a.edges, "LIST",
            "Classes of edges to draw on the faces, or all: outline,sharp,boundary,wire,material,smooth,joint")
-      .with_default_shown();
+      .with_default_shown()
+      .list_of(classes_to_choose());
   options.add("--crease", a.crease, "DEG", "An edge is sharp if its faces deviate from flat by more than this")
       .with_default_shown();
 }
