@@ -2,10 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "hsr/cli/command_description.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the name that CLI11 has
 class App;
@@ -17,22 +20,29 @@ namespace hsr::cli {
 /// An option that was declared, to say more of it.
 class Option {
  public:
-  explicit Option(CLI::Option* option) : option_(option) {}
+  Option(CLI::Option* option, OfferedValues& offered) : option_(option), offered_(&offered) {}
   Option& required();
   Option& with_default_shown();
   /// Refuses other values.
   Option& one_of(const std::vector<std::string>& values);
+  /// Offers these values to complete, and refuses no others.
+  Option& such_as(const std::vector<std::string>& values);
+  /// The same of a list with commas between.
+  Option& list_of(const std::vector<std::string>& values);
   /// One argument may have several values.
   Option& separated_by(char separator);
 
  private:
   CLI::Option* option_;
+  OfferedValues* offered_;
 };
+
+using OfferedByOption = std::map<const CLI::Option*, OfferedValues>;
 
 /// The options of a verb. This and CommandLine hide CLI11 from the verbs, since it takes seconds to compile.
 class Options {
  public:
-  explicit Options(CLI::App* verb) : verb_(verb) {}
+  Options(CLI::App* verb, OfferedByOption& offered) : verb_(verb), offered_(&offered) {}
 
   /// The heading in --help over the options that follow.
   void begin_group(const std::string& name) { group_ = name; }
@@ -62,8 +72,10 @@ class Options {
  private:
   template <class Value>
   Option add_value(const std::string& names, Value& value, const std::string& type, const std::string& help);
+  Option declared(CLI::Option* option);
 
   CLI::App* verb_;
+  OfferedByOption* offered_;
   std::string group_ = "Options";
 };
 
@@ -77,12 +89,18 @@ class CommandLine {
 
   /// @param footer what --help of the verb ends with
   Options add_verb(const std::string& name, const std::string& description, const std::string& footer);
+  /// A verb that --help does not name, for the build.
+  Options add_hidden_verb(const std::string& name, const std::string& description);
+  /// What --help says.
+  CommandDescription description() const;
   /// Does what the arguments ask for: runs a verb, or prints help or the version.
   /// @throws InputError in one line for arguments that are no use of the command; and what the verb throws
   void run(int argc, char** argv);
 
  private:
   std::unique_ptr<CLI::App> app_;
+  std::string version_;
+  OfferedByOption offered_;
 };
 
 }  // namespace hsr::cli

@@ -19,4 +19,7 @@ void add_order(CommandLine& command, UnfinishedFiles& unfinished);
 void add_stability(CommandLine& command, UnfinishedFiles& unfinished);
 void add_verify(CommandLine& command, UnfinishedFiles& unfinished);
 
+/// Verbs of the build that --help does not name: `manual` prints the manual page, `completion bash` a script for that shell.
+void add_manual(CommandLine& command);
+
 }  // namespace hsr::cli

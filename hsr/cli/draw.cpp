@@ -616,6 +616,7 @@ void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
   add_surface_options(*a, options);
   a->page.add_to(options, "PNG: pixels [150 to the inch]; --check and csv: samples");
   a->page.add_pens_to(options);
+  a->page.add_sort_to(options);
   options.add("--dxf", a->dxf_release, "RELEASE", "DXF: r12, which everything reads, or 2000, with line weights")
       .with_default_shown()
       .one_of({"r12", "2000"});

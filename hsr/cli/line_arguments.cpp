@@ -2,11 +2,18 @@
 
 namespace hsr::cli {
 
+std::vector<std::string> classes_to_choose() {
+  std::vector<std::string> names = {"all"};
+  names.insert(names.end(), edge_class_names.begin(), edge_class_names.end());
+  return names;
+}
+
 void LineArguments::add_to(Options& options) {
   options.begin_group("Lines");
   options
       .add("--edges", edges, "LIST", "Classes to draw, or all: outline,sharp,boundary,intersection,wire,material,smooth,joint")
-      .with_default_shown();
+      .with_default_shown()
+      .list_of(classes_to_choose());
   options
       .add("--crease", crease, "DEG",
            "An edge is sharp if its faces deviate from flat by more than this; exactly this angle is smooth")

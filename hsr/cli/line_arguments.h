@@ -1,12 +1,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "hsr/cli/command_line.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/scene/scene.h"
 
 namespace hsr::cli {
+
+/// What --edges takes, several of them with commas between: all, or the names of classes.
+std::vector<std::string> classes_to_choose();
 
 /// The options that say which lines are looked for, and how.
 struct LineArguments {

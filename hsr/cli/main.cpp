@@ -62,6 +62,7 @@ int main(int argc, char** argv) {
   hsr::cli::add_verify(command, unfinished);
   hsr::cli::add_compare(command, unfinished);
   hsr::cli::add_stability(command, unfinished);
+  hsr::cli::add_manual(command);
   try {
     command.run(argc, argv);
     std::cout.flush();

@@ -40,7 +40,7 @@ struct OrderArguments {
   PageArguments page;
   std::string method = "depth-sort", cuts = "few";
   std::string edges = "outline,sharp,boundary,intersection,wire,material";
-  std::string crease = "30", shade = "slope";
+  std::string crease = "30", shade = "slope", id_prefix;
   double opacity = 1;
   std::uint64_t seed = 1;
   bool exact = false, check = false;
@@ -116,6 +116,7 @@ OrderRequest parse(const OrderArguments& a) {
   request.drawing = a.page.options();
   request.drawing.leave_out_near = true;
   request.painting.opacity = a.opacity;
+  check_id_prefix(a.id_prefix);
   request.painting.has_woven_lines = a.method == "naive" || a.method == "z-sort";
   if (!a.page.size.empty()) request.size = parse_size(a.page.size);
   return request;
@@ -132,6 +133,8 @@ class OrderCommand {
     context_.report.set("view", cli::json_of(scene_.view()));
     prepared_ = scene_.prepared({.coplanar = a_.scene.which_coplanar()});
     request_.drawing.field_of_view = scene_.chosen.field_of_view;
+    objects_ = objects_of(scene_.model);
+    request_.drawing.objects = &objects_;
     context_.say_notes_of(scene_);
     if (const std::string note = a_.page.adopt_unit(scene_.model, request_.drawing); !note.empty()) context_.note(note);
     find_order();
@@ -158,6 +161,7 @@ class OrderCommand {
   OrderRequest request_;
   CommandContext context_;
   ViewedModel scene_;
+  FaceObjects objects_;
   std::optional<SceneView> prepared_;
   PaintersOrder order_;
   std::optional<Drawing> drawing_;  // made when a page is asked for
@@ -258,9 +262,11 @@ std::string OrderCommand::bytes_of(Format format) {
     return order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded,
                       a_.scene.which_coplanar());
   const SvgOptions captions = scene_.captions();
+  const std::string scale = scale_in_title(drawing(), request_.drawing, a_.page);
   WriteOptions options;
-  options.title = captions.title;
-  options.description = captions.description;
+  options.title = captions.title + (format == Format::svg ? "" : scale);
+  options.description = captions.description + scale;
+  options.id_prefix = a_.id_prefix;
   if (request_.size) {
     options.width = request_.size->width;
     options.height = request_.size->height;
@@ -317,7 +323,8 @@ void add_picture_options(OrderArguments& a, Options& options) {
   options
       .add("--edges", a.edges, "LIST",
            "Classes of edges to draw on the faces, or all: outline,sharp,boundary,wire,material,smooth,joint")
-      .with_default_shown();
+      .with_default_shown()
+      .list_of(classes_to_choose());
   options.add("--crease", a.crease, "DEG", "An edge is sharp if its faces deviate from flat by more than this")
       .with_default_shown();
 }
@@ -340,6 +347,8 @@ void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
   a->scene.add_to(options);
   add_picture_options(*a, options);
   a->page.add_to(options, "PNG: pixels [150 to the inch]; --check: samples [1024x1024]");
+  a->page.add_pens_to(options);
+  options.add("--id-prefix", a->id_prefix, "TEXT", "SVG: what each id begins with, for several files in one document");
   options.begin_group("Numbers");
   options.add_flag("--exact", a->exact, "JSON: all coordinates as strings \"p/q\"; those that are no doubles always are");
   a->common.add_threads_to(options);

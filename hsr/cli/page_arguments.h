@@ -23,6 +23,7 @@ struct PageArguments {
   /// @param size_help what --size is the size of
   void add_to(Options& options, const std::string& size_help);
   void add_pens_to(Options& options);
+  void add_sort_to(Options& options);
   /// @throws InputError naming the option
   DrawingOptions options() const;
   /// Puts the unit of the model into the options, where none was given. @returns a note if that made a difference, or nothing

@@ -1,6 +1,6 @@
 #include "study/stability.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <memory>
 
@@ -139,9 +139,11 @@ void add_stability(CommandLine& command, UnfinishedFiles& unfinished) {
   Options options =
       command.add_verb("stability", "Stiff and extreme scenes: where each method and arithmetic breaks", examples);
   options.add("-o,--output", a->directory, "DIR", "The directory of the results; made if it is not there").required();
-  std::string names;
-  for (const StabilityFamily& f : stability_families()) names += (names.empty() ? "" : ", ") + std::string(f.name);
-  options.add("--family", a->families, "NAME", "Only these: " + names).separated_by(',');
+  std::vector<std::string> families;
+  for (const StabilityFamily& f : stability_families()) families.push_back(f.name);
+  options.add("--family", a->families, "NAME", fmt::format("Only these: {}", fmt::join(families, ", ")))
+      .separated_by(',')
+      .list_of(families);
   options.add("--size", a->size, "N", "Samples each way").with_default_shown();
   options.add_flag("--quick", a->quick, "Fewer values of each knob, within a minute");
   a->common.add_quiet_to(options, "Say nothing but what is wrong");

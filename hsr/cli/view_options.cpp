@@ -4,8 +4,9 @@ namespace hsr::cli {
 
 void ViewOptions::add_to(Options& options) {
   options.begin_group("View");
-  options.add("--view", name, "NAME",
-              "front, back, left, right, top, bottom or iso [iso]; camera:NAME: a camera of a glTF file");
+  options
+      .add("--view", name, "NAME", "front, back, left, right, top, bottom or iso [iso]; camera:NAME: a camera of a glTF file")
+      .such_as({"front", "back", "left", "right", "top", "bottom", "iso"});
   options.add("--eye", eye, "X,Y,Z", "Perspective from this point");
   options.add("--target", target, "X,Y,Z", "The point looked at [centre of the bounding box]");
   options.add("--direction", direction, "X,Y,Z", "Parallel view; the direction points toward the viewer");

@@ -107,6 +107,29 @@ TEST_CASE("the outline alone is closed rings in each format, without fills", "[c
   check_refused(run("draw " + model + " --outline-only -o " + (d / "a.json")), {"--outline-only", "json"});
 }
 
+TEST_CASE("a painting order has the pages and the pens of a drawing", "[cli][order][D15][D20][D21]") {
+  const Directory d;
+  const std::string model = write(d / "boxes.obj", boxes);
+  const std::string pens = " --pen visible=0.35:red --scale 1:1 --page A5 --id-prefix left_ -q -o ";
+  REQUIRE(run("order " + model + pens + (d / "o.svg")).status == 0);
+  REQUIRE(run("draw " + model + pens + (d / "d.svg")).status == 0);
+  const std::string order = contents(d / "o.svg"), drawing = contents(d / "d.svg");
+  // The same lines on the same page, over the pieces.
+  const std::string lines = drawing.substr(drawing.find("<g id=\"left_visible"));
+  CHECK(count(lines, "stroke=\"#ff0000\"") > 0);
+  CHECK(order.find(lines) != std::string::npos);
+  CHECK(order.substr(0, order.find(">")) == drawing.substr(0, drawing.find(">")));
+  CHECK(count(order, "Z\" fill=\"#") > 0);
+  // A rod over a plate: what nothing lies before is drawn, and a file of pieces says that it has no wires.
+  const std::string rod = write(d / "rod.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 2\nv 3 3 2\nf 1 2 3 4\nl 5 6\n");
+  const Outcome wires = run("order " + rod + " --view top --edges wire -o " + (d / "w.svg") + " -o " + (d / "w.json"));
+  CHECK(wires.status == 0);
+  CHECK(count(contents(d / "w.svg"), "visible wire") > 0);
+  CHECK(wires.text.find("wires are not among them") != std::string::npos);
+  CHECK(run("order " + rod + " --view top --opacity 0.5 -o " + (d / "w.svg")).text.find("nothing lies before them") !=
+        std::string::npos);
+}
+
 TEST_CASE("ids of an SVG begin as asked for, and all that refers to them", "[cli][D20]") {
   const Directory d;
   const std::string model = write(d / "boxes.obj", boxes);

@@ -1,0 +1,28 @@
+# Run by cpack before it packs: what Debian's policy wants of each package beside the files that are installed. Manual pages and
+# changelogs are compressed without a date.
+function(compress file)
+  execute_process(COMMAND gzip -9nf ${file} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(READ ${CPACK_HSR_SOURCE_DIR}/LICENSE licence)
+string(REGEX REPLACE "^.*Copyright \\(c\\) ([^\n]*)\n\n(.*[^\n])\n*$" "\\1" holders "${licence}")
+string(REGEX REPLACE "^.*Copyright \\(c\\) ([^\n]*)\n\n(.*[^\n])\n*$" "\\2" licence "${licence}")
+string(REPLACE "\n\n" "\n.\n" licence "${licence}")
+string(REPLACE "\n" "\n " licence " ${licence}")
+
+foreach(pair IN ITEMS command=hsr dev=libhsr-dev python=python3-hsr)
+  string(REGEX MATCH "(.*)=(.*)" pair ${pair})
+  set(root ${CPACK_TEMPORARY_DIRECTORY}/${CMAKE_MATCH_1}${CPACK_PACKAGING_INSTALL_PREFIX})
+  set(doc ${root}/share/doc/${CMAKE_MATCH_2})
+  if(EXISTS ${root})
+    configure_file(${CPACK_HSR_SOURCE_DIR}/cmake/debian/copyright.in ${doc}/copyright @ONLY)
+    configure_file(${CPACK_HSR_SOURCE_DIR}/cmake/debian/changelog.in ${doc}/changelog.Debian @ONLY)
+    configure_file(${CPACK_HSR_SOURCE_DIR}/CHANGELOG.md ${doc}/changelog COPYONLY)
+    compress(${doc}/changelog.Debian)
+    compress(${doc}/changelog)
+    file(GLOB pages ${root}/share/man/man1/*.1)
+    foreach(page IN LISTS pages)
+      compress(${page})
+    endforeach()
+  endif()
+endforeach()
