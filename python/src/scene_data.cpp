@@ -97,7 +97,7 @@ std::shared_ptr<SceneData> joined(const std::vector<std::shared_ptr<SceneData>>&
 std::shared_ptr<SceneData> selected(const std::shared_ptr<SceneData>& data, const std::vector<std::string>& only,
                                     const std::vector<std::string>& hide, const std::vector<std::string>& ghost) {
   Model model = data->model();
-  select(model, {only, hide, ghost});
+  internal::select(model, {only, hide, ghost});
   return std::make_shared<SceneData>(std::move(model));
 }
 
