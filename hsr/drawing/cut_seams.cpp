@@ -24,6 +24,7 @@ class CutCloser {
  public:
   CutCloser(std::vector<Ring>& rings, std::span<const std::uint32_t> facets) : rings_(rings), facets_(facets) {
     std::vector<ImageBox> boxes;
+    boxes.reserve(rings.size());
     for (const Ring& ring : rings) boxes.push_back(box_of(ring));
     tree_ = BoxTree(boxes);
   }

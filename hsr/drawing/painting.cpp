@@ -265,6 +265,7 @@ class FillPainter {
       close_cuts_of(pieces);
     } else {
       std::vector<std::vector<PaperPoint>> rings;
+      rings.reserve(pieces.size());
       for (const PlacedPiece& p : pieces) rings.push_back(p.ring);
       layers = paint_layers(rings);
     }
