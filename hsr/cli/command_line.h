@@ -46,6 +46,8 @@ class Options {
 
   /// The heading in --help over the options that follow.
   void begin_group(const std::string& name) { group_ = name; }
+  /// Options that the help does not show.
+  void begin_hidden_group() { group_.clear(); }
 
   /// Stores what is found in `value`, which must live until the verb has run.
   /// @param names "-o,--output", or "MODEL" for an argument without a name

@@ -189,7 +189,7 @@ void add_compare(CommandLine& command, UnfinishedFiles& unfinished) {
       command.add_verb("compare", "All methods on one scene: error against run time, pictures, an HTML page", examples);
   a->models.add_to(options);
   options.add("-o,--output", a->directory, "DIR", "The directory of the results; made if it is not there").required();
-  a->models.add_objects_to(options);
+  a->models.add_objects_without_ghosts_to(options);
   a->view.add_to(options);
   a->scene.add_to(options);
   options.begin_group("Runs");

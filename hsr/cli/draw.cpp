@@ -610,7 +610,6 @@ void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
           "write to standard output; may be repeated")
       .required();
   a->models.add_objects_to(options);
-  a->models.add_ghosts_to(options);
   a->view.add_to(options);
   a->scene.add_to(options);
   add_line_options(*a, options);

@@ -31,19 +31,31 @@ void ModelArguments::add_with_order_to(Options& options) {
       .one_of({"json", "obj", "off", "ply", "stl", "gltf", "glb"});
 }
 
-void ModelArguments::add_objects_to(Options& options) {
+void ModelArguments::add_choice_to(Options& options) {
   options.begin_group("Objects");
   options.add_one_each("--only", objects.only, "NAME",
                        "No other objects than this one, as the file names it, or a file that names none; may be repeated");
   options.add_one_each("--hide", objects.hide, "NAME", "This object is not there; may be repeated");
 }
 
-void ModelArguments::add_ghosts_to(Options& options) {
+void ModelArguments::add_objects_to(Options& options) {
+  add_choice_to(options);
   options.add_one_each("--ghost", objects.ghost, "NAME",
                        "The lines of this object are drawn, and it hides nothing; may be repeated");
 }
 
+void ModelArguments::add_objects_without_ghosts_to(Options& options) {
+  add_choice_to(options);
+  shows_ghosts_ = false;
+  options.begin_hidden_group();
+  options.add_one_each("--ghost", objects.ghost, "NAME", "Refused");
+}
+
 void ModelArguments::check() const {
+  if (!shows_ghosts_ && !objects.ghost.empty())
+    throw InputError(
+        "--ghost: found \"" + objects.ghost.front() +
+        "\", expected it with hsr draw only: here faces are shown, and of a ghost there are only lines; --hide leaves it out");
   const auto of_input = std::count(models.begin(), models.end(), "-");
   if (of_input > 1) throw InputError("-: found twice among the models, expected standard input once");
   if (of_input == 0 && !from.empty())

@@ -19,17 +19,22 @@ struct ModelArguments {
   void add_to(Options& options);
   /// The same for models or a painting order.
   void add_with_order_to(Options& options);
-  /// --only and --hide.
+  /// --only, --hide and --ghost.
   void add_objects_to(Options& options);
-  /// And --ghost, for verbs that draw lines.
-  void add_ghosts_to(Options& options);
+  /// --only and --hide, for verbs that show faces: a ghost has none, and check() refuses it.
+  void add_objects_without_ghosts_to(Options& options);
 
-  /// @throws InputError where standard input is asked for twice, or its format is given and it is not read
+  /// @throws InputError where standard input is asked for twice, or its format is given and it is not read, or a ghost is not shown
   void check() const;
   /// One model of all of them, with the objects that are wanted.
   /// @param unit, up_axis what holds for all models; empty: what each of them says, else mm and z
   /// @throws InputError as readers, joined() and select() do
   Model read(const std::string& unit, const std::string& up_axis) const;
+
+ private:
+  void add_choice_to(Options& options);
+
+  bool shows_ghosts_ = true;
 };
 
 }  // namespace hsr::cli

@@ -341,7 +341,7 @@ void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
                     "The order; its ending chooses svg, pdf, eps, tex, png or json; svg:- and the like write to standard "
                     "output; may be repeated")
       .required();
-  a->models.add_objects_to(options);
+  a->models.add_objects_without_ghosts_to(options);
   add_order_options(*a, options);
   a->view.add_to(options);
   a->scene.add_to(options);

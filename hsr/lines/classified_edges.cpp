@@ -4,14 +4,77 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
+#include <utility>
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/parallel.h"
 #include "hsr/lines/edge_parts.h"
+#include "hsr/lines/inside_bodies.h"
 #include "hsr/lines/near_parts.h"
 #include "hsr/view/frustum.h"
 
 namespace hsr::internal {
+
+namespace {
+
+struct FoundInBlock {
+  std::vector<RequestedPart> parts;  // of edges that have several, or whose class depends on more
+  std::vector<EdgeId> may_go_on;     // whole edges
+  std::vector<CoincidentFaces> log;
+  std::vector<std::pair<EdgeId, std::vector<EdgePart>>> undecided;  // until the log is complete
+  DecisionCounts decisions;
+};
+
+std::vector<std::span<const CoincidentFaces>> logs_of(const std::vector<FoundInBlock>& blocks) {
+  std::vector<std::span<const CoincidentFaces>> logs;
+  for (const FoundInBlock& b : blocks) logs.emplace_back(b.log);
+  return logs;
+}
+
+/// Whether bodies touch all around a part of an edge: its faces must lead to where they do, and it must lie inside of bodies, since
+/// two that overlap have faces that coincide on the outside, too.
+TouchingRegions::Verdict verdict(const ProjectedMesh& projected, EdgeId id, const EdgePart& part, const CoincidentFaces& around,
+                                 TouchingRegions& regions, const InsideBodies& inside) {
+  using Verdict = TouchingRegions::Verdict;
+  const Verdict by_faces = regions.verdict(around);
+  if (by_faces != Verdict::touch) return by_faces;
+  const Edge& edge = projected.mesh().edges[id];
+  const auto point = [&](const Cut& cut) {
+    const auto p = exact_point(projected.mesh(), inside.view(), SupportingLine{edge.a, edge.b, {}}, cut);
+    return Point3{p[0].to_double(), p[1].to_double(), p[2].to_double()};
+  };
+  const std::size_t faces = around.sets.front().size();
+  const bool is_inside = faces % 2 == 0 && inside.contain_middle(point(part.from), point(part.to), faces / 2);
+  return is_inside ? Verdict::touch : Verdict::in_doubt;
+}
+
+/// Parts whose classes wait for the log, now that it is complete; neighbours that are alike become one.
+void decide_parts(const ProjectedMesh& projected, EdgeId id, std::vector<EdgePart>& parts,
+                  const std::vector<CoincidentFaces>& log, TouchingRegions& regions, const InsideBodies& inside) {
+  using Verdict = TouchingRegions::Verdict;
+  for (EdgePart& p : parts) {
+    const std::optional<EdgeClass> in_doubt = std::exchange(p.found.in_doubt, std::nullopt);
+    if (!p.found.is_undecided()) continue;
+    const Verdict around = verdict(projected, id, p, log[p.found.alike - 1], regions, inside);
+    p.found.alike = PartClass::decided;
+    if (around == Verdict::apart) continue;
+    p.found.behind.reset();
+    if (around == Verdict::in_doubt) p.found.seen = in_doubt;
+    if (around == Verdict::touch && p.found.seen) p.found.hidden = EdgeClass::smooth;
+    p.found = with_wire(projected.mesh().edges[id], p.found);
+  }
+  std::vector<EdgePart> all;
+  for (const EdgePart& p : parts) {
+    if (!all.empty() && all.back().found == p.found)
+      all.back().to = p.to;
+    else
+      all.push_back(p);
+  }
+  parts = std::move(all);
+}
+
+}  // namespace
 
 /// Finds the classes of edges in a row. One object for each block of edges.
 struct ClassifiedEdges::Finder {
@@ -20,37 +83,60 @@ struct ClassifiedEdges::Finder {
   const Occluders* occluders;
   bool with_behind;
   const NearParts* near;
+  FoundInBlock& block;
   TriangleOcclusion occlusion{classifier.projected()};
-  std::vector<RequestedPart> parts = {};  // of edges that have several, or anything behind
-  std::vector<EdgeId> may_go_on = {};     // whole edges
 
   bool is_requested(const std::optional<EdgeClass>& c) const { return c && options.classes[static_cast<std::size_t>(*c)]; }
 
-  /// The class of a whole edge, or nothing: none that is wanted, or it has parts.
+  /// The class of a whole edge, or nothing: none that is wanted, or it has parts, or it is undecided.
   std::optional<EdgeClass> find(EdgeId id, bool has_contact) {
-    std::vector<EdgePart> found;
-    if (near != nullptr && !classifier.projected().mesh().triangles_at(id).empty())
-      found = near->of_edge(occlusion, id);
-    else if (has_contact)
-      found = edge_parts(classifier, occlusion, id, *occluders);
-    else if (const EdgePart whole = whole_edge(classifier, occlusion, id); !whole.found.behind) {
-      if (whole.found.may_go_on) may_go_on.push_back(id);
-      return wanted(id, whole.found.seen);
-    } else
-      found.push_back(whole);
-    const bool is_whole = found.size() == 1;
-    if (!is_whole) {
-      for (const EdgePart& p : found)
-        if (const auto c = wanted(id, p.found.seen)) parts.push_back({id, *c, false, p.from, p.to});
-    } else if (found.front().found.behind) {
-      if (const auto c = wanted(id, found.front().found.seen)) parts.push_back({id, *c});
-    }
-    if (is_whole && found.front().found.may_go_on && !found.front().found.behind) may_go_on.push_back(id);
-    if (with_behind) add_behind(id, found);
-    return is_whole && !found.front().found.behind ? wanted(id, found.front().found.seen) : std::nullopt;
+    if (near == nullptr && !has_contact)
+      if (const EdgePart whole = whole_edge(classifier, occlusion, id, log()); !whole.found.depends_on_more())
+        return take_whole(id, whole.found);
+    std::vector<EdgePart> parts = parts_of(id, has_contact);
+    if (std::none_of(parts.begin(), parts.end(), [](const EdgePart& p) { return p.found.is_undecided(); }))
+      return take(id, parts);
+    block.undecided.emplace_back(id, std::move(parts));
+    return std::nullopt;
+  }
+  std::optional<EdgeClass> decide(EdgeId id, std::vector<EdgePart>& parts, TouchingRegions& regions,
+                                  const InsideBodies& inside) {
+    decide_parts(classifier.projected(), id, parts, block.log, regions, inside);
+    return take(id, parts);
+  }
+  /// Logs what coincides along an edge, and no more.
+  std::optional<EdgeClass> only_log(EdgeId id, bool has_contact) {
+    parts_of(id, has_contact);
+    return std::nullopt;
   }
 
  private:
+  std::vector<CoincidentFaces>* log() { return with_behind ? &block.log : nullptr; }
+  std::vector<EdgePart> parts_of(EdgeId id, bool has_contact) {
+    if (near != nullptr && !classifier.projected().mesh().triangles_at(id).empty()) return near->of_edge(occlusion, id, log());
+    if (has_contact) return edge_parts(classifier, occlusion, id, *occluders, log());
+    return {whole_edge(classifier, occlusion, id, log())};
+  }
+  std::optional<EdgeClass> take_whole(EdgeId id, const PartClass& found) {
+    if (found.may_go_on) block.may_go_on.push_back(id);
+    return wanted(id, found.seen);
+  }
+  std::optional<EdgeClass> take(EdgeId id, const std::vector<EdgePart>& found) {
+    const PartClass& first = found.front().found;
+    const bool is_whole = found.size() == 1;
+    if (is_whole && !first.depends_on_more()) return take_whole(id, first);
+    for (const EdgePart& p : found) {
+      const auto seen = wanted(id, p.found.seen);
+      if (!seen && !is_requested(p.found.hidden)) continue;
+      // What is not wanted of it is left out when it is known what is hidden.
+      block.parts.push_back({id, seen ? *seen : *p.found.seen, false, p.found.hidden});
+      if (is_whole) continue;
+      block.parts.back().from = p.from;
+      block.parts.back().to = p.to;
+    }
+    if (with_behind) add_behind(id, found);
+    return std::nullopt;
+  }
   std::optional<EdgeClass> wanted(EdgeId id, std::optional<EdgeClass> c) const {
     if (!c && options.diagonals && classifier.projected().mesh().edges[id].diagonal) c = EdgeClass::smooth;
     return is_requested(c) ? c : std::nullopt;
@@ -62,9 +148,9 @@ struct ClassifiedEdges::Finder {
       last = &p;
       if (!is_requested(p.found.behind)) continue;
       if (goes_on)
-        parts.back().to = p.to;
+        block.parts.back().to = p.to;
       else
-        parts.push_back({id, *p.found.behind, true, p.from, p.to});
+        block.parts.push_back({id, *p.found.behind, true, {}, p.from, p.to});
     }
   }
 };
@@ -72,11 +158,10 @@ struct ClassifiedEdges::Finder {
 namespace {
 
 /// Edges that lead to a sharp one over others of their kind are sharp, too.
-void go_on(const Mesh& mesh, const std::vector<std::vector<EdgeId>>& may_go_on,
-           const std::vector<std::vector<RequestedPart>>& parts, std::vector<std::uint8_t>& edge_classes) {
+void go_on(const Mesh& mesh, const std::vector<FoundInBlock>& blocks, std::vector<std::uint8_t>& edge_classes) {
   DisjointSets chains(mesh.points.size());
-  for (const auto& block : may_go_on)
-    for (const EdgeId e : block) chains.join(mesh.edges[e].a.value, mesh.edges[e].b.value);
+  for (const FoundInBlock& block : blocks)
+    for (const EdgeId e : block.may_go_on) chains.join(mesh.edges[e].a.value, mesh.edges[e].b.value);
   std::vector<std::uint8_t> is_sharp(mesh.points.size(), 0);  // by root
   const auto mark = [&](EdgeId e) {
     for (const VertexId v : {mesh.edges[e].a, mesh.edges[e].b}) is_sharp[chains.find(v.value)] = 1;
@@ -84,11 +169,11 @@ void go_on(const Mesh& mesh, const std::vector<std::vector<EdgeId>>& may_go_on,
   constexpr auto sharp = static_cast<std::uint8_t>(EdgeClass::sharp);
   for (std::size_t e = 0; e < edge_classes.size(); ++e)
     if (edge_classes[e] == sharp) mark(EdgeId(e));
-  for (const auto& block : parts)
-    for (const RequestedPart& p : block)
+  for (const FoundInBlock& block : blocks)
+    for (const RequestedPart& p : block.parts)
       if (p.edge_class == EdgeClass::sharp && !p.is_behind) mark(p.edge);
-  for (const auto& block : may_go_on)
-    for (const EdgeId e : block)
+  for (const FoundInBlock& block : blocks)
+    for (const EdgeId e : block.may_go_on)
       if (is_sharp[chains.find(mesh.edges[e].a.value)] != 0) edge_classes[e.value] = sharp;
 }
 
@@ -96,32 +181,43 @@ void go_on(const Mesh& mesh, const std::vector<std::vector<EdgeId>>& may_go_on,
 
 ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOptions& options, const ViewFrustum* outside,
                                  const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind,
-                                 const NearParts* near) {
+                                 const NearParts* near, const InsideBodies* inside) {
   using Range = tbb::blocked_range<std::size_t>;
   const Mesh& mesh = classifier.projected().mesh();
   constexpr std::uint8_t none = 0xff;
   std::vector<std::uint8_t> edge_classes(mesh.edges.size(), none);
-  std::vector<DecisionCounts> counts((mesh.edges.size() + edges_of_block - 1) / edges_of_block);
-  std::vector<std::vector<RequestedPart>> parts(counts.size());
-  std::vector<std::vector<EdgeId>> may_go_on(counts.size());
-  tbb::parallel_for(Range(0, counts.size(), 1), [&](const Range& range) {
-    for (std::size_t block = range.begin(); block < range.end(); ++block) {
-      Finder finder{classifier, options, occluders, with_behind, near};
-      const std::size_t end = std::min((block + 1) * edges_of_block, mesh.edges.size());
-      for (std::size_t e = block * edges_of_block; e < end; ++e) {
-        const EdgeId id(e);
-        if (mesh.edges[id].is_only_of_ghosts() || (outside != nullptr && outside->contains(mesh.edges[id]))) continue;
-        if (const auto c = finder.find(id, !has_contact.empty() && has_contact[e] != 0))
-          edge_classes[e] = static_cast<std::uint8_t>(*c);
+  std::vector<FoundInBlock> blocks((mesh.edges.size() + edges_of_block - 1) / edges_of_block);
+  const auto visit = [&](bool is_outside, std::optional<EdgeClass> (Finder::*find)(EdgeId, bool)) {
+    tbb::parallel_for(Range(0, blocks.size(), 1), [&](const Range& range) {
+      for (std::size_t block = range.begin(); block < range.end(); ++block) {
+        Finder finder{classifier, options, occluders, with_behind, near, blocks[block]};
+        const std::size_t end = std::min((block + 1) * edges_of_block, mesh.edges.size());
+        for (std::size_t e = block * edges_of_block; e < end; ++e) {
+          const EdgeId id(e);
+          if (mesh.edges[id].is_only_of_ghosts()) continue;
+          if ((outside != nullptr && outside->contains(mesh.edges[id])) != is_outside) continue;
+          if (const auto c = (finder.*find)(id, !has_contact.empty() && has_contact[e] != 0))
+            edge_classes[e] = static_cast<std::uint8_t>(*c);
+        }
+        blocks[block].decisions += finder.occlusion.exact().counts();
       }
-      parts[block] = std::move(finder.parts);
-      may_go_on[block] = std::move(finder.may_go_on);
-      counts[block] = finder.occlusion.exact().counts();
+    });
+  };
+  visit(false, &Finder::find);
+  if (std::any_of(blocks.begin(), blocks.end(), [](const FoundInBlock& b) { return !b.undecided.empty(); })) {
+    // What is outside the picture may be where a body ends in the open.
+    if (outside != nullptr) visit(true, &Finder::only_log);
+    TouchingRegions regions(logs_of(blocks));
+    for (FoundInBlock& b : blocks) {
+      Finder finder{classifier, options, occluders, with_behind, near, b};
+      for (auto& [id, parts] : b.undecided)
+        if (const auto c = finder.decide(id, parts, regions, *inside)) edge_classes[id.value] = static_cast<std::uint8_t>(*c);
+      std::stable_sort(b.parts.begin(), b.parts.end(),
+                       [](const RequestedPart& x, const RequestedPart& y) { return x.edge < y.edge; });
     }
-  });
-  for (const DecisionCounts& c : counts) decisions += c;
-  if (options.crease_goes_on && options.classes[static_cast<std::size_t>(EdgeClass::sharp)])
-    go_on(mesh, may_go_on, parts, edge_classes);
+  }
+  for (const FoundInBlock& b : blocks) decisions += b.decisions;
+  if (options.crease_goes_on && options.classes[static_cast<std::size_t>(EdgeClass::sharp)]) go_on(mesh, blocks, edge_classes);
   edges = parallel_collect<EdgeId>(edge_classes.size(), [&](std::size_t begin, std::size_t end, std::vector<EdgeId>& part) {
     for (std::size_t e = begin; e < end; ++e)
       if (edge_classes[e] != none) part.emplace_back(e);
@@ -129,7 +225,8 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
   classes.resize(edges.size());
   parallel_for_each(edges.size(), [&](std::size_t i) { classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]); });
   std::vector<RequestedPart> several;
-  for (const auto& block : parts) several.insert(several.end(), block.begin(), block.end());
+  for (const FoundInBlock& b : blocks) several.insert(several.end(), b.parts.begin(), b.parts.end());
+  has_hidden_classes = std::any_of(several.begin(), several.end(), [](const RequestedPart& p) { return p.hidden.has_value(); });
   if (!several.empty()) list_parts(several);
   find_boxes(classifier.projected());
 }
@@ -187,7 +284,7 @@ void ClassifiedEdges::add_ghosts(const ProjectedMesh& projected, const EdgeClass
   first_ghost_ = edges.size();
   LineOptions without_diagonals = options;
   without_diagonals.diagonals = false;
-  const ClassifiedEdges ghosts(among_ghosts, without_diagonals, outside, nullptr, {}, false, nullptr);
+  const ClassifiedEdges ghosts(among_ghosts, without_diagonals, outside, nullptr, {}, false, nullptr, nullptr);
   for (std::size_t i = 0; i < ghosts.edges.size(); ++i) {
     const Edge& e = of_ghosts.edges[ghosts.edges[i]];
     edges.push_back(mesh.find_edge(e.a, e.b));

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hsr/lines/edge_classifier.h"
@@ -13,6 +14,7 @@
 
 namespace hsr::internal {
 
+class InsideBodies;
 class NearParts;
 class ViewFrustum;
 
@@ -23,7 +25,8 @@ constexpr std::size_t edges_of_block = 512;
 struct RequestedPart {
   EdgeId edge;
   EdgeClass edge_class = EdgeClass::smooth;
-  bool is_behind = false;  ///< what touches the seen surface there from behind
+  bool is_behind = false;                ///< what touches the seen surface there from behind
+  std::optional<EdgeClass> hidden = {};  ///< the class where it is hidden, if that is another
   Cut from{Cut::Kind::start}, to{Cut::Kind::end};
 };
 
@@ -34,6 +37,8 @@ struct ClassifiedEdges {
   std::vector<EdgeId> edges;
   std::vector<EdgeClass> classes;
   std::vector<ImageBox> boxes;
+  /// Whether the class of some depends on whether it is hidden there.
+  bool has_hidden_classes = false;
   /// By edge of the list: 1 if it is hidden all along and its image is no point. Empty if this is known of none.
   std::vector<std::uint8_t> hidden;
   DecisionCounts decisions;
@@ -43,9 +48,10 @@ struct ClassifiedEdges {
   /// @param has_contact by edge: whether it may lie in one of these triangles or along its border; empty if none does
   /// @param with_behind whether what touches the seen surface from behind is wanted: it is hidden all along
   /// @param near finds the classes of all edges, within a tolerance; nullptr: they are exact
+  /// @param inside tells where bodies touch, if what is behind is wanted
   ClassifiedEdges(const EdgeClassifier& classifier, const LineOptions& options, const ViewFrustum* outside,
                   const Occluders* occluders, const std::vector<std::uint8_t>& has_contact, bool with_behind,
-                  const NearParts* near);
+                  const NearParts* near, const InsideBodies* inside);
   /// The given edges from end to end, without finding their classes.
   ClassifiedEdges(const ProjectedMesh& projected, std::vector<EdgeId> ascending);
 

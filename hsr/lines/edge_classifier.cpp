@@ -1,5 +1,6 @@
 #include "hsr/lines/edge_classifier.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/vector3.h"
@@ -14,15 +15,12 @@ struct EdgeClassifier::Around {
 
 namespace {
 
-/// Whether several faces coincide in a half-plane that is not on top: where two bodies touch, nothing is to be seen of it.
-bool is_inside(const HalfPlane& h, const HalfPlane* nearest) { return h.is_shared && (h.side == Sign::zero || &h != nearest); }
-
-/// Whether a surface goes on through the edge as this half-plane and its opposite, with others on both sides of it. Where bodies
-/// touch counts here: sheets that pass through each other are two, though one of them is stored twice.
+/// Whether a surface goes on through the edge as this half-plane and its opposite, with others on both sides of it. Bodies that
+/// touch pierce nothing.
 bool is_pierced(const HalfPlanes& half_planes, const HalfPlane& h) {
   bool goes_on = false, positive = false, negative = false;
   for (const HalfPlane& other : half_planes.all()) {
-    if (&other == &h) continue;
+    if (&other == &h || other.is_contact) continue;
     const Sign s = half_planes.side(h, other);
     goes_on = goes_on || s == Sign::zero;  // each half-plane is there once
     positive = positive || s == Sign::positive;
@@ -36,6 +34,9 @@ bool is_pierced(const HalfPlanes& half_planes, const HalfPlane& h) {
 PartClass with_wire(const Edge& edge, PartClass found) {
   const bool is_plain = !found.seen || found.seen == EdgeClass::smooth || found.seen == EdgeClass::joint;
   if (edge.wire && is_plain) found.seen = EdgeClass::wire;
+  const bool is_plain_where_hidden = found.hidden == EdgeClass::smooth || found.hidden == EdgeClass::joint;
+  if (edge.wire && is_plain_where_hidden) found.hidden = EdgeClass::wire;
+  if (found.hidden == found.seen) found.hidden.reset();
   return found;
 }
 
@@ -59,35 +60,65 @@ EdgeClass EdgeClassifier::flat(FaceId left, FaceId right) const {
   return differ(labels_.object) ? EdgeClass::joint : EdgeClass::smooth;
 }
 
-PartClass EdgeClassifier::operator()(const HalfPlanes& half_planes, bool only_diagonal) const {
-  const std::vector<HalfPlane>& all = half_planes.all();
-  const HalfPlane *nearest[2] = {nullptr, nullptr}, *farthest[2] = {nullptr, nullptr};
-  const auto of_side = [](auto& pair, const HalfPlane& h) -> auto& { return pair[h.side == Sign::positive ? 0 : 1]; };
-  for (const HalfPlane& h : all) {
+/// @param contacts how the half-planes in which bodies touch count, or may touch: those in which more faces coincide than
+///   `surface` count only where they are the nearest on their side, if they count only on top
+PartClass EdgeClassifier::class_of(const HalfPlanes& half_planes, bool only_diagonal, Contacts contacts,
+                                   std::size_t surface) const {
+  const auto side_of = [](auto& pair, const HalfPlane& h) -> auto& { return pair[h.side == Sign::positive ? 0 : 1]; };
+  const HalfPlane *nearest[2] = {nullptr, nullptr}, *farthest[2] = {nullptr, nullptr}, *front = nullptr, *back = nullptr;
+  std::size_t count = 0;
+  for (const HalfPlane& h : half_planes.all()) {
+    if (contacts == Contacts::left_out && h.is_contact) continue;
+    ++count;
     if (h.side == Sign::zero) continue;
-    auto& best = of_side(nearest, h);
-    if (best == nullptr || half_planes.is_nearer(h, *best)) best = &h;
+    auto& first = side_of(nearest, h);
+    if (first == nullptr || half_planes.is_nearer(h, *first)) first = &h;
   }
-  if ((nearest[0] == nullptr) != (nearest[1] == nullptr) && (only_diagonal || all.size() > 1)) return {EdgeClass::outline, {}};
-  if (only_diagonal || all.empty()) return {};
-  if (all.size() == 1) return {EdgeClass::boundary, {}};
-  if (nearest[0] == nullptr) return {EdgeClass::smooth, {}};
-
-  const HalfPlane *front = nullptr, *back = nullptr;
-  for (const HalfPlane& h : all) {
-    if (is_inside(h, of_side(nearest, h))) continue;
+  if ((nearest[0] == nullptr) != (nearest[1] == nullptr) && (only_diagonal || count > 1)) return {EdgeClass::outline};
+  if (only_diagonal || count == 0) return {};
+  if (count == 1) return {EdgeClass::boundary};
+  if (nearest[0] == nullptr) return {EdgeClass::smooth};
+  for (const HalfPlane& h : half_planes.all()) {
+    if (contacts == Contacts::left_out && h.is_contact) continue;
+    const bool is_on_top = h.side != Sign::zero && &h == side_of(nearest, h);
+    if (contacts == Contacts::only_on_top && h.faces() > surface && !is_on_top) continue;
     if (h.side == Sign::zero) {
       (h.is_front ? front : back) = &h;
       continue;
     }
-    auto& last = of_side(farthest, h);
+    auto& last = side_of(farthest, h);
     if (last == nullptr || half_planes.is_nearer(*last, h)) last = &h;
   }
   const auto seen = more_than_flat(half_planes, {nearest[0], nearest[1], front});
-  if (seen) return {seen, {}};
+  if (seen) return {seen};
   const bool may_go_on = crease_.goes_on_degrees < crease_.degrees &&
                          half_planes.deviation_from_flat(*nearest[0], *nearest[1]) > crease_.goes_on_degrees;
   return {flat(nearest[0]->face, nearest[1]->face), more_than_flat(half_planes, {farthest[0], farthest[1], back}), may_go_on};
+}
+
+PartClass EdgeClassifier::operator()(HalfPlanes& half_planes, bool only_diagonal, std::vector<CoincidentFaces>* log) const {
+  const Touching touching = mark_contacts(half_planes);
+  std::size_t least = half_planes.all().empty() ? 1 : half_planes.all().front().faces();
+  for (const HalfPlane& h : half_planes.all()) least = std::min(least, h.faces());
+  PartClass found =
+      class_of(half_planes, only_diagonal, touching == Touching::open ? Contacts::only_on_top : Contacts::count, least);
+  if (touching == Touching::nothing) return found;
+  if (log != nullptr) {
+    log->push_back({touching, {}});
+    for (const HalfPlane& h : half_planes.all()) {
+      const bool tells = touching == Touching::bodies ? h.is_contact : touching == Touching::alike || !goes_on(half_planes, h);
+      if (h.faces() > 1 && tells) log->back().sets.push_back(h.coincident);
+    }
+  }
+  if (touching == Touching::alike) {
+    found.alike = log != nullptr ? static_cast<std::uint32_t>(log->size()) : PartClass::decided;
+    found.in_doubt = class_of(half_planes, only_diagonal, Contacts::only_on_top, least / 2).seen;
+  }
+  if (touching != Touching::bodies) return found;
+  const PartClass hidden = class_of(half_planes, only_diagonal, Contacts::left_out);
+  found.behind = hidden.behind;
+  if (hidden.seen != found.seen) found.hidden = hidden.seen.value_or(EdgeClass::smooth);
+  return found;
 }
 
 /// An edge of two faces on opposite sides whose angle is far enough from the crease: found without any exact sign. Nothing: to be
@@ -116,18 +147,19 @@ std::optional<PartClass> EdgeClassifier::at_a_glance(EdgeId id) const {
     const Mesh& mesh = projected_.mesh();
     return PartClass{flat(mesh.face_of[triangles[0]], mesh.face_of[triangles[1]]), {}, flatness < crease_.goes_on_cosine};
   }
-  if (flatness < crease_.cosine - 1e-6) return PartClass{EdgeClass::sharp, {}};
+  if (flatness < crease_.cosine - 1e-6) return PartClass{EdgeClass::sharp};
   return std::nullopt;
 }
 
-PartClass EdgeClassifier::operator()(Predicates& exact, EdgeId id, std::span<const EdgeContact> contacts) const {
+PartClass EdgeClassifier::operator()(Predicates& exact, EdgeId id, std::span<const EdgeContact> contacts,
+                                     std::vector<CoincidentFaces>* log) const {
   if (exact.arithmetic() == Arithmetic::staged && contacts.empty())
     if (const auto found = at_a_glance(id)) return *found;
   const Edge& edge = projected_.mesh().edges[id];
   ExactHalfPlanes half_planes(projected_, exact, edge);
   for (const TriangleId t : projected_.mesh().triangles_at(id)) half_planes.add(t);
   for (const EdgeContact& c : contacts) half_planes.add(c);
-  return with_wire(edge, (*this)(half_planes, edge.diagonal && !edge.of_face));
+  return with_wire(edge, (*this)(half_planes, edge.diagonal && !edge.of_face, log));
 }
 
 }  // namespace hsr::internal

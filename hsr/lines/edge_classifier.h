@@ -8,6 +8,7 @@
 #include "hsr/lines/crease.h"
 #include "hsr/lines/half_planes.h"
 #include "hsr/lines/line_options.h"
+#include "hsr/lines/touching_bodies.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/scene.h"
 
@@ -17,9 +18,21 @@ namespace hsr::internal {
 struct PartClass {
   std::optional<EdgeClass> seen;
   /// What touches the seen surface there from behind, if that makes an edge: intersection or sharp. It is hidden.
-  std::optional<EdgeClass> behind;
+  std::optional<EdgeClass> behind = {};
   /// Whether it would be sharp if it led to something sharp: it is over the second crease and not over the first.
   bool may_go_on = false;
+  /// The class where it is hidden, if that is another: without the half-planes in which bodies touch.
+  std::optional<EdgeClass> hidden = {};
+  /// Not 0: equally many faces coincide all around, and bodies touch there if the entry of this number of a log, from 1, says so; or
+  /// that is decided, or not wanted.
+  std::uint32_t alike = 0;
+  /// Undecided: the class if it is in doubt whether bodies touch there.
+  std::optional<EdgeClass> in_doubt = {};
+  static constexpr std::uint32_t decided = 0xffffffffU;
+
+  bool is_undecided() const { return alike != 0 && alike != decided; }
+
+  bool depends_on_more() const { return behind || hidden || alike != 0; }
 
   friend bool operator==(const PartClass&, const PartClass&) = default;
 };
@@ -39,12 +52,16 @@ class EdgeClassifier {
 
   const ProjectedMesh& projected() const { return projected_; }
   /// The class of an edge, or of the part of it where it has these contacts.
-  PartClass operator()(Predicates& exact, EdgeId edge, std::span<const EdgeContact> contacts = {}) const;
+  /// @param log takes what coincides there; nullptr: hidden parts are not wanted
+  PartClass operator()(Predicates& exact, EdgeId edge, std::span<const EdgeContact> contacts = {},
+                       std::vector<CoincidentFaces>* log = nullptr) const;
   /// The class of a part along which these half-planes are. @param only_diagonal of a face that is cut into triangles
-  PartClass operator()(const HalfPlanes& half_planes, bool only_diagonal) const;
+  PartClass operator()(HalfPlanes& half_planes, bool only_diagonal, std::vector<CoincidentFaces>* log) const;
 
  private:
   struct Around;
+  enum class Contacts : std::uint8_t { count, only_on_top, left_out };
+  PartClass class_of(const HalfPlanes& half_planes, bool only_diagonal, Contacts contacts, std::size_t surface = 1) const;
   std::optional<PartClass> at_a_glance(EdgeId id) const;
   std::optional<EdgeClass> more_than_flat(const HalfPlanes& half_planes, const Around& around) const;
   EdgeClass flat(FaceId left, FaceId right) const;

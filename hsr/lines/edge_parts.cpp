@@ -57,11 +57,15 @@ std::vector<Contact> contacts_of(const ProjectedMesh& projected, TriangleOcclusi
 
 }  // namespace
 
-EdgePart whole_edge(const EdgeClassifier& classifier, TriangleOcclusion& occlusion, EdgeId edge) {
-  EdgePart part{classifier(occlusion.exact(), edge), {Cut::Kind::start, 0, 0, 0}, {Cut::Kind::end, 0, 0, 0}};
-  if (!part.found.behind) return part;
+EdgePart whole_edge(const EdgeClassifier& classifier, TriangleOcclusion& occlusion, EdgeId edge,
+                    std::vector<CoincidentFaces>* log) {
+  const std::size_t logged = log == nullptr ? 0 : log->size();
+  EdgePart part{classifier(occlusion.exact(), edge, {}, log), {Cut::Kind::start, 0, 0, 0}, {Cut::Kind::end, 0, 0, 0}};
+  const bool is_logged = log != nullptr && log->size() > logged;
+  if (!part.found.depends_on_more() && !is_logged) return part;
   if (!occlusion.start(edge)) {
-    part.found.behind.reset();
+    if (is_logged) log->pop_back();
+    part.found = {part.found.seen};
     return part;
   }
   part.from = occlusion.first().cut;
@@ -70,10 +74,10 @@ EdgePart whole_edge(const EdgeClassifier& classifier, TriangleOcclusion& occlusi
 }
 
 std::vector<EdgePart> edge_parts(const EdgeClassifier& classifier, TriangleOcclusion& occlusion, EdgeId edge,
-                                 const Occluders& occluders) {
-  if (!occlusion.start(edge)) return {whole_edge(classifier, occlusion, edge)};
+                                 const Occluders& occluders, std::vector<CoincidentFaces>* log) {
+  if (!occlusion.start(edge)) return {whole_edge(classifier, occlusion, edge, nullptr)};
   const std::vector<Contact> contacts = contacts_of(classifier.projected(), occlusion, edge, occluders);
-  if (contacts.empty()) return {whole_edge(classifier, occlusion, edge)};
+  if (contacts.empty()) return {whole_edge(classifier, occlusion, edge, log)};
   const auto is_before = [&](const Breakpoint& x, const Breakpoint& y) { return occlusion.order(x, y) == Sign::negative; };
   std::vector<Breakpoint> places = {occlusion.first(), occlusion.last()};
   for (const Contact& c : contacts) {
@@ -88,7 +92,7 @@ std::vector<EdgePart> edge_parts(const EdgeClassifier& classifier, TriangleOcclu
     here.clear();
     for (const Contact& c : contacts)
       if (!is_before(places[k], c.from) && !is_before(c.to, places[k + 1])) here.push_back(c.contact);
-    const PartClass found = classifier(occlusion.exact(), edge, here);
+    const PartClass found = classifier(occlusion.exact(), edge, here, log);
     if (!parts.empty() && parts.back().found == found)
       parts.back().to = places[k + 1].cut;
     else

@@ -24,7 +24,7 @@ void ExactHalfPlanes::add(const EdgeContact& contact) {
 }
 
 void ExactHalfPlanes::add(TriangleId triangle, VertexId apex, Sign side) {
-  HalfPlane added{triangle, apex, side, false, false, projected_.mesh().face_of[triangle]};
+  HalfPlane added{triangle, apex, side, false, projected_.mesh().face_of[triangle]};
   for (HalfPlane& h : all_) {
     if (!coincide(h, added)) continue;
     share(h, added.face);

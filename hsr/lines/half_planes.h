@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -19,8 +20,11 @@ struct HalfPlane {
   Sign side;            ///< of the edge's view plane: positive, to the left of a -> b; zero: seen edge-on
   /// Seen edge-on: whether it starts toward the eye. An edge that is seen as a point has none that do.
   bool is_front = false;
-  bool is_shared = false;  ///< several faces coincide in it
-  FaceId face;             ///< of these the one that is on top
+  FaceId face;                          ///< the one that is on top of those that coincide in it
+  std::vector<FaceId> coincident = {};  ///< these, ascending; empty: there is one
+  bool is_contact = false;              ///< bodies touch in it (mark_contacts)
+
+  std::size_t faces() const { return coincident.empty() ? 1 : coincident.size(); }
 };
 
 /// A triangle that contains a part of an edge, and is not at it.
@@ -37,6 +41,7 @@ class HalfPlanes {
   HalfPlanes& operator=(const HalfPlanes&) = delete;
 
   const std::vector<HalfPlane>& all() const { return all_; }
+  std::vector<HalfPlane>& all() { return all_; }
 
   /// On which side of the plane of one of them another starts; zero: both are in one plane.
   virtual Sign side(const HalfPlane& plane, const HalfPlane& other) const = 0;
@@ -50,7 +55,8 @@ class HalfPlanes {
 
   /// Another face in a half-plane that is known.
   void share(HalfPlane& known, FaceId other) const {
-    known.is_shared = true;
+    if (known.coincident.empty()) known.coincident.push_back(known.face);
+    known.coincident.insert(std::upper_bound(known.coincident.begin(), known.coincident.end(), other), other);
     if (ties_.is_above(other, known.face)) known.face = other;
   }
 

@@ -63,7 +63,7 @@ void NearHalfPlanes::add(TriangleId triangle, const Point3& into, double reach) 
     return;
   }
   angles_.push_back({turn, reach, {facet}});
-  all_.push_back({triangle, {}, Sign::zero, false, false, mesh_.face_of[triangle]});
+  all_.push_back({triangle, {}, Sign::zero, false, mesh_.face_of[triangle]});
   const double across = std::sin(turn);
   if (std::fabs(across) > slack(reach)) all_.back().side = sign_of(across);
   all_.back().is_front = all_.back().side == Sign::zero && std::cos(turn) > 0;

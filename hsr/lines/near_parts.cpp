@@ -30,12 +30,12 @@ std::vector<NearParts::Contact> NearParts::contacts(const Point3& a, const Point
 
 /// The class at a parameter of the line, by the faces that are near there; nothing: none is.
 std::optional<PartClass> NearParts::class_at(const Point3& a, const Point3& b, double at, const std::vector<Contact>& near,
-                                             bool only_diagonal) const {
+                                             bool only_diagonal, std::vector<CoincidentFaces>* log) const {
   NearHalfPlanes half_planes(mesh_, view_, a, b, sum(a, at, minus(b, a)), tolerance_, projected_.ties());
   for (const Contact& c : near)
     if (c.from <= at && at <= c.to) half_planes.add(c.triangle);
   if (half_planes.all().empty()) return std::nullopt;
-  return classifier_(half_planes, only_diagonal);
+  return classifier_(half_planes, only_diagonal, log);
 }
 
 /// Where the border of a triangle crosses the edge, by name; nothing where that is not near the parameter `at`.
@@ -56,8 +56,8 @@ void NearParts::add_place(TriangleOcclusion& occlusion, EdgeId id, TriangleId tr
     places.push_back(place);
 }
 
-std::vector<EdgePart> NearParts::of_edge(TriangleOcclusion& occlusion, EdgeId id) const {
-  if (!occlusion.start(id)) return {whole_edge(classifier_, occlusion, id)};
+std::vector<EdgePart> NearParts::of_edge(TriangleOcclusion& occlusion, EdgeId id, std::vector<CoincidentFaces>* log) const {
+  if (!occlusion.start(id)) return {whole_edge(classifier_, occlusion, id, nullptr)};
   const Edge& edge = mesh_.edges[id];
   const Point3 &a = mesh_.points[edge.a], &b = mesh_.points[edge.b];
   const double length = length_of(minus(b, a));
@@ -76,7 +76,7 @@ std::vector<EdgePart> NearParts::of_edge(TriangleOcclusion& occlusion, EdgeId id
     // Of places nearer to one another than the tolerance, and to an end, one is enough.
     const bool is_short = (to.t - from.t) * length <= 2 * tolerance_;
     if (is_short && (k < places.size() || !parts.empty())) continue;
-    const auto around = class_at(a, b, (from.t + to.t) / 2, near, edge.diagonal && !edge.of_face);
+    const auto around = class_at(a, b, (from.t + to.t) / 2, near, edge.diagonal && !edge.of_face, log);
     const PartClass found = around ? with_wire(edge, *around) : classifier_(occlusion.exact(), id);
     if (!parts.empty() && parts.back().found == found)
       parts.back().to = to.cut;
@@ -89,7 +89,12 @@ std::vector<EdgePart> NearParts::of_edge(TriangleOcclusion& occlusion, EdgeId id
 }
 
 PartClass NearParts::of_intersection(const Point3& from, const Point3& to) const {
-  return class_at(from, to, 0.5, contacts(from, to), false).value_or(PartClass{EdgeClass::intersection, {}});
+  std::vector<CoincidentFaces> log;
+  PartClass found = class_at(from, to, 0.5, contacts(from, to), false, &log).value_or(PartClass{EdgeClass::intersection});
+  if (found.hidden) found.seen = found.hidden;
+  // Nothing passes through anything else: what bends here has its edges, and these know whether bodies touch in all of it.
+  if (found.alike != 0 && found.seen != EdgeClass::intersection) found.seen = EdgeClass::smooth;
+  return found;
 }
 
 }  // namespace hsr::internal

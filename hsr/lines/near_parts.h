@@ -29,7 +29,7 @@ class NearParts {
         tolerance_(tolerance) {}
 
   /// As edge_parts().
-  std::vector<EdgePart> of_edge(TriangleOcclusion& occlusion, EdgeId edge) const;
+  std::vector<EdgePart> of_edge(TriangleOcclusion& occlusion, EdgeId edge, std::vector<CoincidentFaces>* log) const;
   /// The class of a line in which two faces pierce each other, between these ends.
   PartClass of_intersection(const Point3& from, const Point3& to) const;
 
@@ -39,7 +39,7 @@ class NearParts {
   };
   std::vector<Contact> contacts(const Point3& a, const Point3& b) const;
   std::optional<PartClass> class_at(const Point3& a, const Point3& b, double at, const std::vector<Contact>& near,
-                                    bool only_diagonal) const;
+                                    bool only_diagonal, std::vector<CoincidentFaces>* log) const;
   void add_place(TriangleOcclusion& occlusion, EdgeId edge, TriangleId triangle, std::size_t side, double at, double length,
                  std::vector<Breakpoint>& places) const;
 

@@ -14,7 +14,9 @@
 #include "hsr/lines/appel.h"
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/convex_body.h"
+#include "hsr/lines/hidden_classes.h"
 #include "hsr/lines/image_mask.h"
+#include "hsr/lines/inside_bodies.h"
 #include "hsr/lines/near_parts.h"
 #include "hsr/lines/roberts.h"
 #include "hsr/scene/line_filter.h"
@@ -98,9 +100,10 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
   std::optional<NearParts> near;
   if (options.tolerance > 0) near.emplace(classifier, parts_.view(), parts_.space_tree(), options.tolerance);
   if (near) classify_intersections(*near);
+  const InsideBodies inside(parts_, options.tolerance);
   requested_.emplace(classifier, options, outside_ ? &*outside_ : nullptr, containing,
                      intersections_ == nullptr ? std::vector<std::uint8_t>() : intersections_->has_contact,
-                     parts_.options().hidden_lines, near ? &*near : nullptr);
+                     parts_.options().hidden_lines, near ? &*near : nullptr, &inside);
   add_ghosts();
   if (requested_->edges.size() < mesh.edges.size())
     say("edges", of(mesh.edges.size() - requested_->edges.size(), mesh.edges.size(),
@@ -309,7 +312,7 @@ VisibleLines Plan::run() const {
     for (Line& line : all.lines)
       if (line.is_intersection()) line.edge_class = segment_classes_[line.intersection];
   all.plan = outcome_;
-  return all;
+  return with_hidden_classes(parts_.mesh(), parts_.view(), *requested_, options_, std::move(all));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ struct AlphaBuffer {
 /// The alpha-buffer: a z-buffer that keeps what lies behind, and so the painter's algorithm for each pixel. Each sample has a
 /// list of its layers; these are sorted by depth, and their colours laid over one another from far to near, on white.
 ///
-///   (1) the colours of a painter's order (paint(), painted_order.h), to the byte, where doubles tell the layers and the depths
+///   (1) the colours of a painter's order (paint(), caster.h), to the byte, where doubles tell the layers and the depths
 ///       of a sample as they are; of equal depths the one on top is in front
 ///   (2) the same for any order of the triangles, but for equal depths
 ///

@@ -29,8 +29,36 @@ bool has_decimals(const Mesh& mesh, double scale) {
   });
 }
 
+/// The digits of a number as a whole one, if it has no more than so many significant decimal digits; else 0.
+double whole_digits(double x, int digits) {
+  const int shift = digits - 1 - static_cast<int>(std::floor(std::log10(x)));
+  if (std::abs(shift) > 22) return 0;  // a power of ten that is no double
+  const double scale = std::pow(10, std::abs(shift));
+  const double whole = std::round(shift >= 0 ? x * scale : x / scale);
+  return (shift >= 0 ? whole / scale : whole * scale) == x ? whole : 0;
+}
+
+/// What the last of so many significant digits is worth in the largest coordinate, if "%g" (six) or "%e" (seven) may have written the
+/// file: no coordinate has more, most of those that are not short have just so many, and in small ones the last is worth less by two
+/// powers of ten or more, as in a file of so many decimals it never is. Else 0.
+double unit_of_digits(const Mesh& mesh, double most, int digits) {
+  std::size_t full = 0, partial = 0;
+  for (const Point3& p : mesh.points)
+    for (int axis = 0; axis < 3; ++axis) {
+      if (p[axis] == 0) continue;
+      const double whole = whole_digits(std::fabs(p[axis]), digits);
+      if (whole == 0) return 0;
+      const bool is_full = std::fmod(whole, 10) != 0, is_short = std::fmod(whole, 1000) == 0;
+      full += is_full ? 1U : 0U;
+      partial += is_full || is_short ? 0U : 1U;
+    }
+  const double unit = std::pow(10, std::floor(std::log10(most)) + 1 - digits);
+  return full > 2 * partial && !has_decimals(mesh, 10 / unit) ? unit : 0;
+}
+
 /// How far noise moves a coordinate: sixteen units in the last place of the largest one, of floats if all coordinates are floats; or
-/// two of the last decimals that the file has, if these are five to nine.
+/// two of the last decimals that the file has, if these are five to nine; or two of the last of six or seven significant digits of
+/// the largest one.
 double noise_of_coordinates(const Mesh& mesh) {
   double most = 0;
   bool are_floats = true;
@@ -40,7 +68,10 @@ double noise_of_coordinates(const Mesh& mesh) {
       are_floats = are_floats && static_cast<double>(static_cast<float>(p[axis])) == p[axis];
     }
   const double in_last_place = 16 * std::ldexp(most, are_floats ? -23 : -52);
-  if (are_floats || has_decimals(mesh, 1e4)) return in_last_place;
+  if (are_floats) return in_last_place;
+  for (const int digits : {6, 7})
+    if (const double unit = unit_of_digits(mesh, most, digits); unit > 0) return std::max(in_last_place, 2 * unit);
+  if (has_decimals(mesh, 1e4)) return in_last_place;
   for (const int digits : {5, 6, 7, 8, 9})
     if (has_decimals(mesh, std::pow(10, digits))) return std::max(in_last_place, 2 * std::pow(10, -digits));
   return in_last_place;

@@ -14,7 +14,7 @@ struct InputNoise {
 };
 
 /// Looks for noise of a few units in the last place of the largest coordinate (of floats, if all coordinates are floats), or in the
-/// last of five to nine decimals.
+/// last of five to nine decimals, or of six or seven significant digits.
 ///
 /// Not exact, it only proposes: distances are doubles. Faces in a mesh of more than 200 000 triangles are not looked at for near
 /// planes. Cost: O(n log n) in edges of one face, and in triangles.

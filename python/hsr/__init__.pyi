@@ -182,7 +182,13 @@ class Check(_Record):
     overlapping: int
     first_wrong: list[tuple[int, int, int, int]]
 
-def scene(scene: _Scene) -> Scene: ...
+def scene(
+    scene: _Scene,
+    *,
+    only: str | Sequence[str] | None = None,
+    hide: str | Sequence[str] | None = None,
+    ghost: str | Sequence[str] | None = None,
+) -> Scene: ...
 def draw(
     scene: _Scene,
     output: _Path | Sequence[_Path] | None = None,

@@ -71,7 +71,7 @@ class Scene:
         return f"<hsr.Scene {name}: {len(points)} points, {len(offsets) - 1} faces>"
 
 
-def scene(scene):
+def scene(scene, *, only=None, hide=None, ghost=None):
     """Reads or converts a scene once; what the functions of hsr take as `scene` is any of these.
 
     * the path of an OBJ, OFF, PLY, STL (each also .gz), glTF or GLB file
@@ -82,12 +82,26 @@ def scene(scene):
     * one with .points and .cells, as meshio has them: lines, triangles, quads and polygons
     * a list of any of these: the parts become objects "0", "1", ... of one scene
 
+    only, hide, ghost: names of objects, one or a list: no others are there; they are not; their lines are drawn, and they hide
+    nothing. A ghost has no fragment, and no piece in an order. Faces keep their numbers.
+
     Floats widen exactly. Raises InputError (a ValueError) for what is no scene, and names the row of what is not finite.
 
     >>> scene(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
     <hsr.Scene arrays: 3 points, 1 faces>
     """
-    return Scene(scene_data(scene))
+    data = scene_data(scene)
+    if only is None and hide is None and ghost is None:
+        return Scene(data)
+    return Scene(_core.selected(data, _names("only", only), _names("hide", hide), _names("ghost", ghost)))
+
+
+def _names(option, names):
+    names = [names] if isinstance(names, str) else list(names or [])
+    for name in names:
+        if not isinstance(name, str):
+            raise _core.InputError(f"{option}: found {name!r}, expected the name of an object")
+    return names
 
 
 def _from_faces(points, faces):

@@ -8,6 +8,7 @@
 
 #include "geometry/error.h"
 #include "hsr/io/read/read.h"
+#include "hsr/object_selection.h"
 #include "python/src/arrays.h"
 #include "python/src/work.h"
 
@@ -61,6 +62,10 @@ void append(Polygons& all, const Polygons& more, std::size_t points_before) {
   for (const std::uint32_t v : more.corners) all.corners.push_back(moved(v));
   for (std::size_t f = 0; f < more.size(); ++f) all.first.push_back(corners_before + more.first[f + 1]);
   for (const auto& s : more.segments) all.segments.push_back({moved(s[0]), moved(s[1])});
+  if (all.is_ghost.empty() && more.is_ghost.empty()) return;
+  all.is_ghost.resize(all.size() - more.size(), 0);
+  append(all.is_ghost, more.is_ghost);
+  all.is_ghost.resize(all.size(), 0);
 }
 
 /// Several models as one: each is an object of it, named by its number.
@@ -86,6 +91,14 @@ std::shared_ptr<SceneData> joined(const std::vector<std::shared_ptr<SceneData>>&
     if (k == 0 || all.unit == m.unit) all.unit = m.unit;
   }
   return std::make_shared<SceneData>(std::move(all));
+}
+
+/// Without the objects that are not wanted, and with ghosts.
+std::shared_ptr<SceneData> selected(const std::shared_ptr<SceneData>& data, const std::vector<std::string>& only,
+                                    const std::vector<std::string>& hide, const std::vector<std::string>& ghost) {
+  Model model = data->model();
+  internal::select(model, {only, hide, ghost});
+  return std::make_shared<SceneData>(std::move(model));
 }
 
 std::shared_ptr<SceneData> read(const std::string& path) {
@@ -144,6 +157,7 @@ void add_scene(py::module_& module) {
   module.def("read", &read);
   module.def("from_arrays", &from_arrays);
   module.def("joined", &joined);
+  module.def("selected", &selected);
 }
 
 }  // namespace hsr::python

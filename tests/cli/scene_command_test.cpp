@@ -1,4 +1,5 @@
 // What makes the scene of a command: several models, standard input, objects by name, ghosts, oblique views, units.
+#include <array>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -51,6 +52,16 @@ std::set<std::string> visible_edges(const json& lines) {
   return edges;
 }
 
+/// The points of all lines, in space.
+std::set<std::array<double, 3>> points_of(const json& lines) {
+  std::set<std::array<double, 3>> points;
+  for (const json& line : lines["lines"])
+    for (const char* key : {"visible_points", "hidden_points"})
+      for (const json& part : line[key])
+        for (const json& p : part) points.insert({p[0].get<double>() + 0, p[1].get<double>() + 0, p[2].get<double>() + 0});
+  return points;
+}
+
 }  // namespace
 
 TEST_CASE("several models are one scene, each an object", "[cli][O1]") {
@@ -100,6 +111,12 @@ TEST_CASE("objects are drawn, left out or ghosts by their names", "[cli][O3][O4]
   check_refused(run("draw " + model + " -o " + (d / "x.svg") + " --ghost lid"),
                 {"--ghost: found no object \"lid\"", "\"front block\"", "\"back & block\"", "\"above\""});
   check_refused(run("draw " + model + " -o " + (d / "x.svg") + " --only above --hide above"), {"above"});
+  // What shows faces says that a ghost has none.
+  for (const std::string verb : {"order", "compare"}) {
+    check_refused(run(verb + " " + model + " -o " + (d / "x.svg") + " --ghost above"),
+                  {"--ghost: found \"above\"", "hsr draw", "--hide"});
+    CHECK(run(verb + " --help").text.find("--ghost") == std::string::npos);
+  }
   // A file that names nothing is one object.
   const std::string plain = write(d / "plain.obj", cube);
   CHECK(run("draw " + plain + " -o " + (d / "x.svg") + " --ghost plain.obj").status == 0);
@@ -271,4 +288,38 @@ TEST_CASE("a drawing that is a dot on the paper says how large it is, and what w
   CHECK(note("--scale 1:100 --unit m").find("note:") == std::string::npos);
   CHECK(note("").find("note:") == std::string::npos);
   CHECK(note("--scale 2:1").find("note:") == std::string::npos);
+}
+
+TEST_CASE("each model of a scene has the unit and the up axis that its own file says", "[cli][O2][R7]") {
+  const Directory d;
+  // One triangle, (0,0,0) (0.5,0,0) (0,0.25,0), in metres and with y up.
+  const std::string sign = write(d / "sign.gltf",
+                                 R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"buffers": [{"byteLength": 36,
+"uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAPwAAAAAAAAAAAAAAAAAAgD4AAAAA"}]})");
+  // The same one, in millimetres and with z up, is beside it and 3 mm away; no double is 3 mm in metres.
+  const std::string plate = write(d / "plate.obj", "v 1000 3 0\nv 1500 3 0\nv 1000 3 250\nf 1 2 3\n");
+  const auto points = [&](const std::string& models) {
+    const Outcome o = run("draw " + models + " --edges all -q -o " + (d / "x.json"));
+    INFO(o.text);
+    REQUIRE(o.status == 0);
+    return points_of(json::parse(contents(d / "x.json")));
+  };
+  using Points = std::set<std::array<double, 3>>;
+  CHECK(points(plate + " " + sign) == Points{{1000, 3, 0}, {1500, 3, 0}, {1000, 3, 250}, {0, 0, 0}, {500, 0, 0}, {0, 0, 250}});
+  // The first model's up axis is the scene's: z up becomes y up, and what was 3 back along y is at z = -3.
+  CHECK(points(sign + " " + plate) ==
+        Points{{1000, 0, -3}, {1500, 0, -3}, {1000, 250, -3}, {0, 0, 0}, {500, 0, 0}, {0, 250, 0}});
+  // Both are the same size on paper, by the scene's unit.
+  for (const std::string& models : {plate + " " + sign, sign + " " + plate}) {
+    const Outcome o = run("draw " + models + " --view front --scale 1:10 -o " + (d / "x.svg"));
+    INFO(o.text);
+    CHECK(o.text.find("0.1 mm per unit") != std::string::npos);
+  }
+  // What is given for all is no reason to convert anything.
+  CHECK(points(plate + " " + sign + " --unit mm --up-axis z") ==
+        Points{{1000, 3, 0}, {1500, 3, 0}, {1000, 3, 250}, {0, 0, 0}, {0.5, 0, 0}, {0, 0.25, 0}});
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "tests/oracle/exact_vector.h"
@@ -14,10 +15,10 @@ namespace {
 // A half-plane that ends at the edge: the direction from the edge, square to it, into a face.
 struct HalfPlane {
   Vec into;
-  int side;            // of the edge's view plane; 0: seen edge-on
-  bool thin;           // the apex is so near to the edge's line, seen from a, that doubles may not find the direction
-  FaceId top;          // the face that is on top of those that coincide in it
-  int faces = 1;       // how many do
+  int side;    // of the edge's view plane; 0: seen edge-on
+  bool thin;   // the apex is so near to the edge's line, seen from a, that doubles may not find the direction
+  FaceId top;  // the face that is on top of those that coincide in it
+  std::vector<FaceId> faces;
   bool front = false;  // seen edge-on, and starts toward the eye
 };
 
@@ -46,27 +47,48 @@ class ClassAt {
 
   void add(const Vec& apex, FaceId face) {
     const Vec h = apex - a_;
-    HalfPlane p{square_to_edge(h), sgn(dot(along_, cross(projected_, h))), false, face};
+    HalfPlane p{square_to_edge(h), sgn(dot(along_, cross(projected_, h))), false, face, {face}};
     p.thin = dot(p.into, p.into) < Q(0x1p-60) * dot(h, h);
     if (p.side == 0) p.front = sgn(dot(p.into, square_to_edge(projected_))) > 0;
     for (HalfPlane& q : half_planes_) {
       if (!is_zero(cross(p.into, q.into)) || sgn(dot(p.into, q.into)) < 0) continue;
-      ++q.faces;
+      q.faces.push_back(face);
       q.top = coplanar_ == Coplanar::first ? std::min(q.top, face) : std::max(q.top, face);
       return;
     }
     half_planes_.push_back(std::move(p));
   }
 
-  ClassPart verdicts(double crease) const;
+  ClassPart verdicts(double crease) const { return verdicts(crease, pointers(), touching() == 'o' ? least() : any); }
+  // Of those that are alike, if it is in doubt whether bodies touch.
+  ClassPart verdicts_in_doubt(double crease) const { return verdicts(crease, pointers(), least() / 2); }
+  // What the numbers of faces tell: 'n' nothing coincides, 'b' bodies touch, 'o' they do not, 'a' all are alike.
+  char touching() const;
+  // Without the half-planes in which bodies touch.
+  ClassPart verdicts_of_surfaces(double crease) const { return verdicts(crease, surfaces(), any); }
+  // The faces that coincide in half-planes that are no surfaces of bodies that touch; where it is open, those that end there.
+  std::vector<std::vector<FaceId>> sets() const;
 
  private:
+  using Pointers = std::vector<const HalfPlane*>;
+  Pointers pointers() const {
+    Pointers all;
+    for (const HalfPlane& p : half_planes_) all.push_back(&p);
+    return all;
+  }
+  Pointers surfaces() const;
+  bool is_before(const HalfPlane& x, const HalfPlane& y) const;
+  static constexpr std::size_t any = static_cast<std::size_t>(-1);
+  std::size_t least() const;
+  bool goes_on(const HalfPlane& p) const;
+  // Half-planes with more faces than `surface` count only on top.
+  ClassPart verdicts(double crease, const Pointers& all, std::size_t surface) const;
+
   Vec square_to_edge(const Vec& h) const { return h - Q(dot(h, along_) / dot(along_, along_)) * along_; }
   // How far a half-plane is turned from the eye to its side, for comparison: whether x is turned less than y.
   bool is_nearer(const HalfPlane& x, const HalfPlane& y) const { return x.side * sgn(dot(along_, cross(x.into, y.into))) > 0; }
-  std::vector<const HalfPlane*> counted() const;
   // Intersection or sharp, or nothing.
-  std::optional<ClassVerdict> bent(const HalfPlane& left, const HalfPlane& right, const HalfPlane* edge_on,
+  std::optional<ClassVerdict> bent(const Pointers& all, const HalfPlane& left, const HalfPlane& right, const HalfPlane* edge_on,
                                    double crease) const;
   EdgeClass flat(FaceId left, FaceId right) const {
     if (!labels_.material.empty() && labels_.material[left.value] != labels_.material[right.value]) return EdgeClass::material;
@@ -81,25 +103,75 @@ class ClassAt {
   std::vector<HalfPlane> half_planes_;  // each once
 };
 
-// Those that are more than where bodies touch: several faces in a half-plane that is seen edge-on, or behind a nearer one.
-std::vector<const HalfPlane*> ClassAt::counted() const {
-  std::vector<const HalfPlane*> all;
+std::size_t ClassAt::least() const {
+  std::size_t least = any;
+  for (const HalfPlane& p : half_planes_) least = std::min(least, p.faces.size());
+  return least;
+}
+
+ClassAt::Pointers ClassAt::surfaces() const {
+  Pointers all;
+  for (const HalfPlane& p : half_planes_)
+    if (p.faces.size() == least()) all.push_back(&p);
+  return all;
+}
+
+// Whether as many faces or more are opposite.
+bool ClassAt::goes_on(const HalfPlane& p) const {
+  return std::any_of(half_planes_.begin(), half_planes_.end(), [&](const HalfPlane& q) {
+    return q.faces.size() >= p.faces.size() && is_zero(cross(p.into, q.into)) && sgn(dot(p.into, q.into)) < 0;
+  });
+}
+
+// Counter-clockwise around the edge from the first half-plane.
+bool ClassAt::is_before(const HalfPlane& x, const HalfPlane& y) const {
+  const Vec& zero = half_planes_.front().into;
+  const auto half = [&](const HalfPlane& p) {
+    const int s = sgn(dot(along_, cross(zero, p.into)));
+    return s > 0 || (s == 0 && sgn(dot(zero, p.into)) > 0) ? 0 : 1;
+  };
+  if (half(x) != half(y)) return half(x) < half(y);
+  return sgn(dot(along_, cross(x.into, y.into))) > 0;
+}
+
+char ClassAt::touching() const {
+  if (half_planes_.empty()) return 'n';
+  const Pointers of_bodies = surfaces();
+  bool coincide = false;
+  for (const HalfPlane& p : half_planes_) coincide = coincide || p.faces.size() > 1;
+  if (!coincide) return 'n';
+  if (of_bodies.size() == half_planes_.size()) return of_bodies.size() > 1 ? 'a' : 'o';
+  if (of_bodies.size() % 2 == 1) return 'o';
+  // The surfaces have an inside and an outside in turn: all others are in the one or the other.
+  std::array<bool, 2> touch = {false, false};
   for (const HalfPlane& p : half_planes_) {
-    bool touches = p.faces > 1 && p.side == 0;
-    for (const HalfPlane& q : half_planes_) touches = touches || (p.faces > 1 && p.side == q.side && is_nearer(q, p));
-    if (!touches) all.push_back(&p);
+    if (std::find(of_bodies.begin(), of_bodies.end(), &p) != of_bodies.end()) continue;
+    const auto before = std::count_if(of_bodies.begin(), of_bodies.end(), [&](const auto* s) { return is_before(*s, p); });
+    touch[static_cast<std::size_t>(before % 2)] = true;
+  }
+  return touch[0] && touch[1] ? 'o' : 'b';
+}
+
+std::vector<std::vector<FaceId>> ClassAt::sets() const {
+  const Pointers of_bodies = surfaces();
+  std::vector<std::vector<FaceId>> all;
+  for (const HalfPlane& p : half_planes_) {
+    const bool is_surface = std::find(of_bodies.begin(), of_bodies.end(), &p) != of_bodies.end();
+    if (p.faces.size() < 2 || (touching() == 'b' && is_surface) || (touching() == 'o' && goes_on(p))) continue;
+    all.push_back(p.faces);
+    std::sort(all.back().begin(), all.back().end());
   }
   return all;
 }
 
-std::optional<ClassVerdict> ClassAt::bent(const HalfPlane& left, const HalfPlane& right, const HalfPlane* edge_on,
-                                          double crease) const {
+std::optional<ClassVerdict> ClassAt::bent(const Pointers& all, const HalfPlane& left, const HalfPlane& right,
+                                          const HalfPlane* edge_on, double crease) const {
   const auto pierced = [&](const HalfPlane& x) {
     const Vec normal = cross(along_, x.into);
     bool opposite = false, above = false, below = false;
-    for (const HalfPlane& p : half_planes_) {
-      const int s = sgn(dot(normal, p.into));
-      opposite = opposite || (s == 0 && sgn(dot(x.into, p.into)) < 0);
+    for (const HalfPlane* p : touching() == 'b' ? surfaces() : all) {
+      const int s = sgn(dot(normal, p->into));
+      opposite = opposite || (s == 0 && sgn(dot(x.into, p->into)) < 0);
       above = above || s > 0;
       below = below || s < 0;
     }
@@ -115,16 +187,14 @@ std::optional<ClassVerdict> ClassAt::bent(const HalfPlane& left, const HalfPlane
   return verdict;
 }
 
-ClassPart ClassAt::verdicts(double crease) const {
+ClassPart ClassAt::verdicts(double crease, const Pointers& all, std::size_t surface) const {
   std::array<std::vector<const HalfPlane*>, 2> sides;  // left and right, those that count
   const HalfPlane *front = nullptr, *back = nullptr;
   bool has_side[2] = {false, false};
-  for (const HalfPlane& p : half_planes_)
-    if (p.side != 0) has_side[p.side > 0 ? 0 : 1] = true;
-  const std::vector<const HalfPlane*> all = counted();
   for (const HalfPlane* p : all) {
+    if (p->side != 0) has_side[p->side > 0 ? 0 : 1] = true;
     if (p->side != 0) sides[p->side > 0 ? 0 : 1].push_back(p);
-    if (p->side == 0) (p->front ? front : back) = p;
+    if (p->side == 0 && p->faces.size() <= surface) (p->front ? front : back) = p;
   }
   const auto as = [](EdgeClass c) { return ClassPart{{}, ClassVerdict{c}}; };
   const bool only_diagonal = edge_.diagonal && !edge_.of_face, one_side = has_side[0] != has_side[1];
@@ -132,7 +202,7 @@ ClassPart ClassAt::verdicts(double crease) const {
   if (only_diagonal && one_side) {
     part = as(EdgeClass::outline);
   } else if (only_diagonal) {
-  } else if (half_planes_.size() == 1) {
+  } else if (all.size() == 1) {
     part = as(EdgeClass::boundary);
   } else if (one_side) {
     part = as(EdgeClass::outline);
@@ -141,10 +211,12 @@ ClassPart ClassAt::verdicts(double crease) const {
   } else {
     for (auto& side : sides)
       std::sort(side.begin(), side.end(), [&](const HalfPlane* x, const HalfPlane* y) { return is_nearer(*x, *y); });
-    part.verdict = bent(*sides[0].front(), *sides[1].front(), front, crease);
+    for (auto& side : sides)
+      while (side.size() > 1 && side.back()->faces.size() > surface) side.pop_back();
+    part.verdict = bent(all, *sides[0].front(), *sides[1].front(), front, crease);
     const EdgeClass else_class = flat(sides[0].front()->top, sides[1].front()->top);
     const bool is_flat = !part.verdict || part.verdict->edge_class == EdgeClass::smooth;
-    if (is_flat) part.behind = bent(*sides[0].back(), *sides[1].back(), back, crease);
+    if (is_flat) part.behind = bent(all, *sides[0].back(), *sides[1].back(), back, crease);
     const bool is_near = part.verdict && part.verdict->is_near_crease;
     if (is_flat) part.verdict = ClassVerdict{else_class, is_near};
     part.verdict->flat = else_class;
@@ -195,19 +267,27 @@ bool is_within_face(const Mesh& mesh, TriangleId t, std::size_t k) {
   return true;
 }
 
-std::vector<ClassPart> class_parts(const Mesh& mesh, const View& view, const FaceLabels& labels, Coplanar coplanar, EdgeId id,
-                                   double crease, const std::optional<Interval>& beyond) {
-  const ClassAt empty(mesh, view, labels, coplanar, id);
+namespace {
+
+// A part with what the faces that coincide there tell.
+struct RawPart : ClassPart {
+  char touching = 'n';
+  std::vector<std::vector<FaceId>> sets;
+  std::optional<ClassVerdict> in_doubt = {};
+};
+
+std::vector<RawPart> raw_parts(const Mesh& mesh, EdgeId id, const ClassAt& empty, double crease,
+                               const std::optional<Interval>& beyond) {
   if (!beyond) {
     ClassAt own = empty;
     for (const TriangleId t : mesh.triangles_at(id)) own.add(Vec(mesh.points[mesh.apex(t, mesh.edges[id])]), mesh.face_of[t]);
-    ClassPart part = own.verdicts(crease);
+    RawPart part{own.verdicts(crease), 'n', {}, {}};
     part.part = {0, 1};
     part.behind.reset();
     return {part};
   }
   // A wire stays one in any face.
-  if (mesh.triangles_at(id).empty()) return {{*beyond, ClassVerdict{EdgeClass::wire}}};
+  if (mesh.triangles_at(id).empty()) return {{{*beyond, ClassVerdict{EdgeClass::wire}}, 'n', {}, {}}};
   const std::vector<Around> around = triangles_around(mesh, id);
   std::vector<Q> cuts = {beyond->from, beyond->to};
   for (const Around& x : around)
@@ -219,7 +299,7 @@ std::vector<ClassPart> class_parts(const Mesh& mesh, const View& view, const Fac
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   const Vec a(mesh.points[mesh.edges[id].a]), b(mesh.points[mesh.edges[id].b]);
-  std::vector<ClassPart> parts;
+  std::vector<RawPart> parts;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Q middle = (cuts[i] + cuts[i + 1]) / 2;
     ClassAt here = empty;
@@ -242,16 +322,133 @@ std::vector<ClassPart> class_parts(const Mesh& mesh, const View& view, const Fac
         here.add(x.corners[k], mesh.face_of[x.triangle]);
       }
     }
-    ClassPart found = here.verdicts(crease);
+    RawPart found{here.verdicts(crease), here.touching(), here.sets(), {}};
     found.part = {cuts[i], cuts[i + 1]};
-    if (!parts.empty() && parts.back().verdict == found.verdict && parts.back().behind == found.behind) {
-      parts.back().part.to = cuts[i + 1];
-      if (found.verdict && found.verdict->is_near_crease) parts.back().verdict->is_near_crease = true;
-    } else {
-      parts.push_back(std::move(found));
+    found.is_alike = found.touching == 'a';
+    if (found.is_alike) found.in_doubt = here.verdicts_in_doubt(crease).verdict;
+    if (found.touching == 'b') {
+      const ClassPart of_surfaces = here.verdicts_of_surfaces(crease);
+      found.behind = of_surfaces.behind;
+      found.hidden = of_surfaces.verdict ? *of_surfaces.verdict : ClassVerdict{EdgeClass::smooth};
     }
+    parts.push_back(std::move(found));
   }
   return parts;
+}
+
+// How many triangles a ray crosses; nothing: it touches the border of one.
+std::optional<std::size_t> crossed(const Mesh& mesh, const Vec& from, const Vec& along) {
+  std::size_t count = 0;
+  for (const auto& t : mesh.triangles) {
+    const Vec a(mesh.points[t[0]]), b(mesh.points[t[1]]), c(mesh.points[t[2]]);
+    const Vec normal = cross(b - a, c - a);
+    const Q rise = dot(normal, along), height = dot(normal, a - from);
+    if (sgn(height) == 0 && sgn(rise) != 0) continue;
+    if (sgn(rise) == 0) {
+      if (sgn(height) == 0) return std::nullopt;
+      continue;
+    }
+    const Q at = height / rise;
+    if (sgn(at) < 0) continue;
+    const Vec p = from + at * along;
+    int least = 1;
+    for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      least = std::min(least, sgn(dot(normal, cross(v - u, p - u))));
+    if (least == 0) return std::nullopt;
+    if (least > 0) ++count;
+  }
+  return count;
+}
+
+std::optional<std::size_t> crossed(const Mesh& mesh, const Vec& from, int axis, int step) {
+  for (const double slant : {0x1p-7, 0x1.8p-6, 0x1.4p-5, 0x1.cp-8}) {
+    std::array<Q, 3> along;
+    along[static_cast<std::size_t>(axis)] = step;
+    along[static_cast<std::size_t>((axis + 1) % 3)] = slant;
+    along[static_cast<std::size_t>((axis + 2) % 3)] = slant * 0.64;
+    if (const auto count = crossed(mesh, from, Vec(along[0], along[1], along[2]))) return count;
+  }
+  return std::nullopt;
+}
+
+// Whether by each of six rays an odd number of faces, each stored so many times, is between a point and the eye.
+bool is_inside(const Mesh& mesh, const View& view, const Vec& p, std::size_t copies) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int step : {-1, 1}) {
+      const auto here = crossed(mesh, p, axis, step);
+      const auto at_eye =
+          view.is_perspective() ? crossed(mesh, Vec(view.viewpoint.at), axis, step) : std::optional<std::size_t>(0);
+      if (!here || !at_eye || (*here + *at_eye) % copies != 0 || (*here + *at_eye) / copies % 2 == 0) return false;
+    }
+  return true;
+}
+
+// Bodies touch all around these parts: by painting what leads to one another, from where they do and where one ends in the open.
+void decide_alike(const Mesh& mesh, const View& view, std::vector<std::vector<RawPart>>& of_edges) {
+  using Set = std::vector<FaceId>;
+  std::set<Set> touch, open;
+  for (const auto& parts : of_edges)
+    for (const RawPart& p : parts)
+      for (const Set& s : p.sets) {
+        if (p.touching == 'b') touch.insert(s);
+        if (p.touching == 'o') open.insert(s);
+      }
+  for (std::set<Set>* painted : {&touch, &open})
+    for (bool is_more = true; is_more;) {
+      is_more = false;
+      for (const auto& parts : of_edges)
+        for (const RawPart& p : parts) {
+          if (p.touching != 'a') continue;
+          const bool is_painted =
+              std::any_of(p.sets.begin(), p.sets.end(), [&](const Set& s) { return painted->count(s) > 0; });
+          if (!is_painted) continue;
+          for (const Set& s : p.sets) is_more = painted->insert(s).second || is_more;
+        }
+    }
+  for (std::size_t e = 0; e < of_edges.size(); ++e)
+    for (RawPart& p : of_edges[e]) {
+      if (p.touching != 'a' || touch.count(p.sets.front()) == 0) continue;
+      const Vec a(mesh.points[mesh.edges[EdgeId(e)].a]), b(mesh.points[mesh.edges[EdgeId(e)].b]);
+      const Vec middle = a + Q((p.part.from + p.part.to) / 2) * (b - a);
+      const std::size_t faces = p.sets.front().size();
+      p.behind.reset();
+      if (open.count(p.sets.front()) == 0 && faces % 2 == 0 && is_inside(mesh, view, middle, faces / 2))
+        p.hidden = ClassVerdict{EdgeClass::smooth};
+      else
+        p.verdict = p.in_doubt;
+    }
+}
+
+bool is_one(const ClassPart& x, const ClassPart& y) {
+  return x.verdict == y.verdict && x.behind == y.behind && x.hidden == y.hidden && x.is_alike == y.is_alike;
+}
+
+}  // namespace
+
+std::vector<std::vector<ClassPart>> class_parts(const Mesh& mesh, const View& view, const FaceLabels& labels, Coplanar coplanar,
+                                                double crease, const std::vector<std::optional<Interval>>& beyond) {
+  std::vector<std::vector<RawPart>> raw;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+    raw.push_back(raw_parts(mesh, EdgeId(e), ClassAt(mesh, view, labels, coplanar, EdgeId(e)), crease, beyond[e]));
+  decide_alike(mesh, view, raw);
+  std::vector<std::vector<ClassPart>> all;
+  for (std::size_t e = 0; e < raw.size(); ++e) {
+    std::vector<ClassPart>& parts = all.emplace_back();
+    for (RawPart& found : raw[e]) {
+      if (mesh.edges[EdgeId(e)].wire && found.hidden &&
+          (found.hidden->edge_class == EdgeClass::smooth || found.hidden->edge_class == EdgeClass::joint))
+        found.hidden->edge_class = EdgeClass::wire;
+      if (found.hidden && found.verdict && *found.hidden == *found.verdict) found.hidden.reset();
+      if (!found.verdict) found.hidden.reset();
+      if (!parts.empty() && is_one(parts.back(), found)) {
+        parts.back().part.to = found.part.to;
+        if (found.verdict && found.verdict->is_near_crease) parts.back().verdict->is_near_crease = true;
+      } else {
+        parts.push_back(std::move(found));
+      }
+    }
+  }
+  return all;
 }
 
 }  // namespace hsr::oracle

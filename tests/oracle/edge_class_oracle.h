@@ -25,12 +25,14 @@ struct ClassPart {
   Interval part;
   std::optional<ClassVerdict> verdict;
   std::optional<ClassVerdict> behind = {};  ///< of what touches the seen surface from behind
+  std::optional<ClassVerdict> hidden = {};  ///< of what is hidden of the part, if that is another
+  bool is_alike = false;                    ///< equally many faces coincide all around
 };
 
-/// The classes along an edge by the definition, in rationals, from all triangles that contain a part of it, whoever's edge it is.
-/// @param beyond the part beyond the near plane; nothing: seen as a point, or not there. Then its own triangles alone count.
-std::vector<ClassPart> class_parts(const Mesh& mesh, const View& view, const FaceLabels& labels, Coplanar coplanar, EdgeId edge,
-                                   double crease, const std::optional<Interval>& beyond);
+/// The classes along each edge by the definition, in rationals, from all triangles that contain a part of it, whoever's edge it is.
+/// @param beyond by edge the part beyond the near plane; nothing: seen as a point, or not there. Then its own triangles alone count.
+std::vector<std::vector<ClassPart>> class_parts(const Mesh& mesh, const View& view, const FaceLabels& labels, Coplanar coplanar,
+                                                double crease, const std::vector<std::optional<Interval>>& beyond);
 
 /// Whether the side of triangle t from corner k to the next is a diagonal within a planar face.
 bool is_within_face(const Mesh& mesh, TriangleId t, std::size_t k);

@@ -155,16 +155,31 @@ std::vector<SeenEdge> seen_by_oracle(const SceneView& scene, const LineOptions& 
     }
     out.push_back(std::move(e));
   };
+  std::vector<EdgeVisibility> of_edge;
+  std::vector<std::optional<Interval>> beyond;
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
+    of_edge.push_back(oracle.visibility(EdgeId(i)));
+    beyond.push_back(of_edge.back().is_seen ? std::optional(of_edge.back().beyond) : std::nullopt);
+  }
+  const auto of_edges = class_parts(mesh, view, scene.labels(), scene.options().coplanar, options.crease, beyond);
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const EdgeId id(i);
-    const EdgeVisibility v = oracle.visibility(id);
-    const std::vector<ClassPart> parts = class_parts(mesh, view, scene.labels(), scene.options().coplanar, id, options.crease,
-                                                     v.is_seen ? std::optional(v.beyond) : std::nullopt);
+    const EdgeVisibility& v = of_edge[i];
+    const std::vector<ClassPart>& parts = of_edges[i];
     // Of each of the two, neighbours that do not differ are one.
     for (const bool is_behind : {false, true}) {
       std::optional<ClassPart> open;
       const auto end = [&] {
-        if (open) add(id, v, open->part, *open->verdict, is_behind);
+        if (open && open->hidden && !is_behind) {
+          // Each interval has the class of what is seen, or of what is hidden.
+          const EdgeVisibility of_part = within(v, open->part);
+          for (const Interval& seen : of_part.visible) add(id, v, seen, *open->verdict, false);
+          const bool is_diagonal = mesh.edges[id].diagonal && !mesh.edges[id].of_face;
+          for (const Interval& hidden : of_part.hidden)
+            if (!is_diagonal || open->hidden->edge_class != EdgeClass::smooth) add(id, v, hidden, *open->hidden, false);
+        } else if (open) {
+          add(id, v, open->part, *open->verdict, is_behind);
+        }
         open.reset();
       };
       for (const ClassPart& part : parts) {
@@ -175,7 +190,7 @@ std::vector<SeenEdge> seen_by_oracle(const SceneView& scene, const LineOptions& 
           continue;
         }
         end();
-        if (verdict) open = ClassPart{part.part, verdict};
+        if (verdict) open = ClassPart{part.part, verdict, {}, part.hidden};
       }
       end();
     }

@@ -81,6 +81,25 @@ class Forms(unittest.TestCase):
         self.assertEqual(corners[24:].tolist(), (F.reshape(-1) + 8).tolist())
         self.assertEqual(offsets.tolist(), list(range(0, 49, 4)))
 
+    def test_objects(self):
+        parts = [(V, F), Thing(vertices=V + [0, 5, 0], faces=F)]
+        seen = hsr.visible_lines(parts, "front")
+        self.assertTrue((seen.edge[seen.visible] < 8).all())
+        through = hsr.scene(parts, ghost="0")
+        lines = hsr.visible_lines(through, "front")
+        self.assertEqual(set((lines.edge[lines.visible] < 8).all(axis=1)), {True, False})
+        self.assertEqual(set(hsr.order(through, "front").face), set(hsr.order(hsr.scene(parts, hide=["0"]), "front").face))
+        self.assertTrue((hsr.fragments(through, "front").face >= 6).all())
+        self.assertTrue((hsr.visible_lines(hsr.scene(parts, only="1"), "front").edge >= 8).all())
+        # A ghost stays one as a part of another scene.
+        again = hsr.visible_lines([through, Thing(vertices=V + [0, 0, 5], faces=F)], "front")
+        seen = again.edge[again.visible]
+        self.assertTrue(((seen >= 8) & (seen < 16)).any())
+        with self.assertRaisesRegex(hsr.InputError, 'ghost: found no object "2", expected one of "0", "1"'):
+            hsr.scene(parts, ghost="2")
+        with self.assertRaisesRegex(hsr.InputError, "hide: found 1, expected the name of an object"):
+            hsr.scene(parts, hide=[1])
+
     def test_wires(self):
         scene = Thing(points=[[0, 0, 0], [0, 0, 2]], cells=[("line", [[0, 1]])])
         lines = hsr.visible_lines(scene, "front")

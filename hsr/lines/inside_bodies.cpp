@@ -1,0 +1,99 @@
+#include "hsr/lines/inside_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/predicates.h"
+#include "geometry/vector3.h"
+#include "hsr/scene/near_contact.h"
+#include "hsr/scene/space_tree.h"
+
+namespace hsr::internal {
+
+namespace {
+
+auto& coordinate(auto& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+/// Whether the segment from p to q, of which q is outside of all, crosses a triangle; nothing: it touches the border, or runs
+/// in the plane. @return false where p lies in the plane
+std::optional<bool> crosses(Predicates& exact, const Point3& p, const Point3& q, const Point3& a, const Point3& b,
+                            const Point3& c) {
+  const Plane plane = Plane::of_face(a, b, c);
+  const Sign at_p = exact.side(plane, p), at_q = exact.side(plane, q);
+  if (at_p == Sign::zero) return at_q == Sign::zero ? std::nullopt : std::optional(false);
+  if (at_p * at_q != Sign::negative) return false;
+  const Sign ab = exact.side(Plane::of_face(p, q, a), b), bc = exact.side(Plane::of_face(p, q, b), c),
+             ca = exact.side(Plane::of_face(p, q, c), a);
+  const auto is_one_of_them = [&](Sign s) { return ab == s || bc == s || ca == s; };
+  if (is_one_of_them(Sign::positive) && is_one_of_them(Sign::negative)) return false;
+  if (is_one_of_them(Sign::zero)) return std::nullopt;
+  return true;
+}
+
+}  // namespace
+
+InsideBodies::InsideBodies(const ViewParts& parts, double tolerance) : parts_(parts), tolerance_(tolerance) {
+  const auto& points = parts.mesh().points;
+  low_ = high_ = points.empty() ? Point3{} : points.front();
+  for (const Point3& p : points) {
+    bits_.add(p);
+    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
+  }
+}
+
+bool InsideBodies::contain_middle(const Point3& from, const Point3& to, std::size_t copies) const {
+  const View& view = parts_.view();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool forward : {false, true}) {
+      const auto here = crossed(from, to, axis, forward);
+      const auto at_eye =
+          view.is_perspective() ? crossed(view.viewpoint.at, view.viewpoint.at, axis, forward) : std::optional<std::size_t>(0);
+      if (!here || !at_eye) return false;
+      const std::size_t faces = *here + *at_eye;
+      if (faces % copies != 0 || faces / copies % 2 == 0) return false;
+    }
+  return true;
+}
+
+/// Nothing: each of some ways touches a border.
+std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point3& to, int axis, bool forward) const {
+  const Point3 start = sum(from, 0.5, minus(to, from));
+  const double most = norm_max(minus(high_, low_));
+  const double reach = forward ? std::max(0.0, coordinate(high_, axis) - coordinate(start, axis)) + most
+                               : std::min(0.0, coordinate(low_, axis) - coordinate(start, axis)) - most;
+  for (const double slant : {0x1p-7, 0x1.8p-6, 0x1.4p-5, 0x1.cp-8}) {
+    Point3 outside = start;
+    coordinate(outside, axis) += reach;
+    coordinate(outside, (axis + 1) % 3) += slant * std::fabs(reach);
+    coordinate(outside, (axis + 2) % 3) += 0.64 * slant * std::fabs(reach);
+    if (const auto found = crossed(from, to, outside)) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point3& to, const Point3& outside) const {
+  const Mesh& mesh = parts_.mesh();
+  const Point3 start = sum(from, 0.5, minus(to, from));
+  if (!std::isfinite(norm_max(outside))) return std::nullopt;
+  BitRange bits = bits_;
+  bits.add(start);
+  bits.add(outside);
+  Predicates exact(bits);
+  std::size_t count = 0;
+  bool is_clear = true;
+  parts_.space_tree().visit_near(start, outside, 0, [&](TriangleId t) {
+    if (!is_clear) return;
+    if (tolerance_ > 0) {
+      const auto contact = near_contact(mesh, t, from, to, tolerance_);
+      if (contact && contact->from <= 0.5 && 0.5 <= contact->to) return;
+    }
+    const auto& c = mesh.triangles[t];
+    const auto found = crosses(exact, start, outside, mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
+    is_clear = found.has_value();
+    if (found == true) ++count;
+  });
+  return is_clear ? std::optional(count) : std::nullopt;
+}
+
+}  // namespace hsr::internal
