@@ -109,7 +109,8 @@ OptionDescription described(const CLI::Option& option, const OfferedByOption& of
 std::vector<OptionDescription> described_options(const CLI::App& app, const OfferedByOption& offered) {
   std::vector<OptionDescription> all;
   for (const std::string& group : app.get_groups())
-    for (const CLI::Option* option : app.get_options([&](const CLI::Option* o) { return o->get_group() == group; }))
+    for (const CLI::Option* option :
+         app.get_options([&](const CLI::Option* o) { return !group.empty() && o->get_group() == group; }))
       all.push_back(described(*option, offered));
   return all;
 }
