@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "hsr/drawing/paint_layers.h"
+#include "hsr/drawing/paper_polygons.h"
 #include "hsr/drawing/paper_sides.h"
-#include "hsr/drawing/tent.h"
 #include "hsr/scene/box_tree.h"
 
 namespace hsr::internal {

@@ -11,8 +11,8 @@
 #include "geometry/disjoint_sets.h"
 #include "geometry/index.h"
 #include "geometry/parallel.h"
+#include "hsr/drawing/paper_polygons.h"
 #include "hsr/drawing/paper_sides.h"
-#include "hsr/drawing/tent.h"
 
 namespace hsr::internal {
 

@@ -1,4 +1,4 @@
-#include "hsr/drawing/tent.h"
+#include "hsr/drawing/paper_polygons.h"
 
 #include <algorithm>
 #include <array>
