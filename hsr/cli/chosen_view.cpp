@@ -1,5 +1,3 @@
-#include "hsr/cli/view_options.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "geometry/error.h"
 #include "hsr/cli/model_defaults.h"
 #include "hsr/cli/stored_camera.h"
+#include "hsr/cli/view_options.h"
 #include "hsr/view/view.h"
 
 namespace hsr::cli {

@@ -19,21 +19,15 @@
 #include "hsr/cli/outline_only.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
+#include "hsr/cli/page_writing.h"
 #include "hsr/cli/paper_note.h"
 #include "hsr/cli/scale_text.h"
 #include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/pen_order.h"
 #include "hsr/drawing/shading.h"
-#include "hsr/io/write/dxf.h"
-#include "hsr/io/write/eps.h"
 #include "hsr/io/write/format.h"
-#include "hsr/io/write/hpgl.h"
 #include "hsr/io/write/json.h"
-#include "hsr/io/write/pdf.h"
-#include "hsr/io/write/png.h"
-#include "hsr/io/write/svg.h"
-#include "hsr/io/write/tikz.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/input_noise.h"
 #include "hsr/surfaces/regions.h"
@@ -247,7 +241,6 @@ class DrawCommand {
   std::string note_on_size() const;
   void note_noise();
   bool wants_fragments() const { return a_.fill || a_.outline_only || a_.check || request_.wants(Format::csv); }
-  SvgOptions captions() const;
   std::string bytes_of(Format format) const;
   std::string summary_of(Format format, const std::string& bytes) const;
   std::string summary_of_page(bool has_fills) const;
@@ -480,37 +473,18 @@ void DrawCommand::write() {
   context_.finish();
 }
 
-SvgOptions DrawCommand::captions() const {
-  SvgOptions captions = scene_.captions();
-  captions.description += scale_in_title(*drawing_, request_.drawing, a_.page);
-  captions.id_prefix = a_.id_prefix;
-  return captions;
-}
-
 std::string DrawCommand::bytes_of(Format format) const {
-  switch (format) {
-    case Format::svg:
-      return svg(*drawing_, captions());
-    case Format::pdf:
-      return pdf(*drawing_, scene_.captions().title + scale_in_title(*drawing_, request_.drawing, a_.page));
-    case Format::eps:
-      return eps(*drawing_, scene_.captions().title + scale_in_title(*drawing_, request_.drawing, a_.page));
-    case Format::dxf:
-      return dxf(*model_drawing_,
-                 {a_.dxf_release == "2000" ? DxfVersion::r2000 : DxfVersion::r12, request_.drawing.unit, drawing_->scale});
-    case Format::tex:
-      return tikz(*drawing_);
-    case Format::hpgl:
-      return hpgl(*drawing_);
-    case Format::png:
-      return png(*drawing_, request_.size);
-    case Format::csv:
-      return error_csv(errors_);
-    case Format::json:
-      break;
-  }
-  return lines_json(scene_.mesh, scene_.view(), lines_,
-                    {a_.exact ? Numbers::exact : Numbers::rounded, a_.fill ? &*fragments_ : nullptr, a_.why, &objects_});
+  if (format == Format::csv) return error_csv(errors_);
+  if (format == Format::json)
+    return lines_json(scene_.mesh, scene_.view(), lines_,
+                      {a_.exact ? Numbers::exact : Numbers::rounded, a_.fill ? &*fragments_ : nullptr, a_.why, &objects_});
+  SvgOptions captions = scene_.captions();
+  captions.id_prefix = a_.id_prefix;
+  WriteOptions options = page_options(format, captions, scale_in_title(*drawing_, request_.drawing, a_.page), request_.size);
+  options.is_dxf_2000 = a_.dxf_release == "2000";
+  options.unit = request_.drawing.unit;
+  options.page_scale = drawing_->scale;
+  return written(format == Format::dxf ? *model_drawing_ : *drawing_, name_of(format), options);
 }
 
 /// The straight ones; those that were joined end to end count each.

@@ -13,15 +13,13 @@
 #include "hsr/cli/messages.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
+#include "hsr/cli/page_writing.h"
 #include "hsr/cli/scale_text.h"
 #include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/painting.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/json.h"
-#include "hsr/io/write/png.h"
-#include "hsr/io/write/svg.h"
-#include "hsr/io/write/write.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
@@ -117,7 +115,7 @@ OrderRequest parse(const OrderArguments& a) {
   request.drawing.leave_out_near = true;
   request.painting.opacity = a.opacity;
   check_id_prefix(a.id_prefix);
-  request.painting.has_woven_lines = a.method == "naive" || a.method == "z-sort";
+  request.painting.paints_lines_with_pieces = a.method == "naive" || a.method == "z-sort";
   if (!a.page.size.empty()) request.size = parse_size(a.page.size);
   return request;
 }
@@ -261,17 +259,10 @@ std::string OrderCommand::bytes_of(Format format) {
   if (format == Format::json)
     return order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded,
                       a_.scene.which_coplanar());
-  const SvgOptions captions = scene_.captions();
-  const std::string scale = scale_in_title(drawing(), request_.drawing, a_.page);
-  WriteOptions options;
-  options.title = captions.title + (format == Format::svg ? "" : scale);
-  options.description = captions.description + scale;
-  options.id_prefix = a_.id_prefix;
-  if (request_.size) {
-    options.width = request_.size->width;
-    options.height = request_.size->height;
-  }
-  return written(drawing(), name_of(format), options);
+  SvgOptions captions = scene_.captions();
+  captions.id_prefix = a_.id_prefix;
+  return written(drawing(), name_of(format),
+                 page_options(format, captions, scale_in_title(drawing(), request_.drawing, a_.page), request_.size));
 }
 
 void OrderCommand::write() {
