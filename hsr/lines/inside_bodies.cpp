@@ -14,12 +14,22 @@ namespace {
 
 auto& coordinate(auto& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/// Whether the segment from p to q, of which q is outside of all, crosses a triangle; nothing: it touches the border, or runs
-/// in the plane. @return false where p lies in the plane
-std::optional<bool> crosses(Predicates& exact, const Point3& p, const Point3& q, const Point3& a, const Point3& b,
+/// A part of an edge, and the double nearest to its middle.
+struct Part {
+  const Point3 &from, &to;
+  Point3 middle;
+
+  Part(const Point3& a, const Point3& b) : from(a), to(b), middle(sum(a, 0.5, minus(b, a))) {}
+};
+
+/// Whether the segment from the middle of a part to q, which is outside of all, crosses a triangle; nothing: it touches the border,
+/// or runs in the plane. @return false where the part lies in the plane, be its middle rounded out of it or not
+std::optional<bool> crosses(Predicates& exact, const Part& part, const Point3& q, const Point3& a, const Point3& b,
                             const Point3& c) {
+  const Point3& p = part.middle;
   const Plane plane = Plane::of_face(a, b, c);
-  const Sign at_p = exact.side(plane, p), at_q = exact.side(plane, q);
+  const bool lies_in_plane = exact.side(plane, part.from) == Sign::zero && exact.side(plane, part.to) == Sign::zero;
+  const Sign at_p = lies_in_plane ? Sign::zero : exact.side(plane, p), at_q = exact.side(plane, q);
   if (at_p == Sign::zero) return at_q == Sign::zero ? std::nullopt : std::optional(false);
   if (at_p * at_q != Sign::negative) return false;
   const Sign ab = exact.side(Plane::of_face(p, q, a), b), bc = exact.side(Plane::of_face(p, q, b), c),
@@ -58,7 +68,7 @@ bool InsideBodies::contain_middle(const Point3& from, const Point3& to, std::siz
 
 /// Nothing: each of some ways touches a border.
 std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point3& to, int axis, bool forward) const {
-  const Point3 start = sum(from, 0.5, minus(to, from));
+  const Point3 start = Part(from, to).middle;
   const double most = norm_max(minus(high_, low_));
   const double reach = forward ? std::max(0.0, coordinate(high_, axis) - coordinate(start, axis)) + most
                                : std::min(0.0, coordinate(low_, axis) - coordinate(start, axis)) - most;
@@ -74,10 +84,11 @@ std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point
 
 std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point3& to, const Point3& outside) const {
   const Mesh& mesh = parts_.mesh();
-  const Point3 start = sum(from, 0.5, minus(to, from));
+  const Part part(from, to);
+  const Point3& start = part.middle;
   if (!std::isfinite(norm_max(outside))) return std::nullopt;
   BitRange bits = bits_;
-  bits.add(start);
+  for (const Point3& p : {from, to, start}) bits.add(p);
   bits.add(outside);
   Predicates exact(bits);
   std::size_t count = 0;
@@ -89,7 +100,7 @@ std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point
       if (contact && contact->from <= 0.5 && 0.5 <= contact->to) return;
     }
     const auto& c = mesh.triangles[t];
-    const auto found = crosses(exact, start, outside, mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
+    const auto found = crosses(exact, part, outside, mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
     is_clear = found.has_value();
     if (found == true) ++count;
   });
