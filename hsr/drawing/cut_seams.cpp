@@ -5,6 +5,7 @@
 
 #include "hsr/drawing/paint_layers.h"
 #include "hsr/drawing/paper_polygons.h"
+#include "hsr/drawing/paper_rings.h"
 #include "hsr/drawing/paper_sides.h"
 #include "hsr/scene/box_tree.h"
 
@@ -18,6 +19,39 @@ ImageBox box_of(const Ring& ring) {
   ImageBox box = ImageBox::nothing();
   for (const PaperPoint& p : ring) box.add({static_cast<double>(p.x), static_cast<double>(p.y), 0}, {});
   return box;
+}
+
+double turn(const PaperPoint& p, const PaperPoint& q, const PaperPoint& r) {
+  return static_cast<double>(q.x - p.x) * static_cast<double>(r.y - q.y) -
+         static_cast<double>(q.y - p.y) * static_cast<double>(r.x - q.x);
+}
+
+/// Andrew's monotone chain (1979): the corners of the convex hull, in turn.
+Ring convex_hull(Ring points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  Ring hull;
+  for (int half = 0; half < 2; ++half, std::reverse(points.begin(), points.end())) {
+    const std::size_t first = hull.size();
+    for (const PaperPoint& p : points) {
+      while (hull.size() >= first + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();  // the other half begins there
+  }
+  return hull;
+}
+
+/// Of a tent on a side its convex hull, which lies in a convex polygon as its corners do: those besides the ends of the side, from its
+/// start to its end.
+Ring hull_of_tent(const PaperSide& side, const Ring& top) {
+  Ring hull = top;
+  hull.insert(hull.end(), {side.from, side.to});
+  hull = convex_hull(std::move(hull));
+  const auto start = std::find(hull.begin(), hull.end(), side.from);
+  std::rotate(hull.begin(), start, hull.end());
+  if (hull.size() > 1 && hull[1] == side.to) std::reverse(hull.begin() + 1, hull.end());
+  return {hull.begin() + 1, hull.end() - 1};
 }
 
 class CutCloser {
@@ -50,13 +84,12 @@ class CutCloser {
       // Owners ascend with the sides.
       const PaperSide &earlier = sides[a.side], &later = sides[b.side];
       if (earlier.from != later.to || earlier.owner + 1 >= later.owner) continue;
-      // From the start of the later side to its end: the other way round.
-      Ring top = polygons.tent(a.side);
-      std::reverse(top.begin(), top.end());
-      Ring whole = {later.from};
-      whole.insert(whole.end(), top.begin(), top.end());
+      Ring whole = hull_of_tent(later, polygons.tent(a.side));
+      if (whole.empty()) continue;
+      Ring& top = tents[b.side] = whole;
+      whole.insert(whole.begin(), later.from);
       whole.push_back(later.to);
-      if (!top.empty() && is_free(whole, earlier.owner, later.owner)) tents[b.side] = std::move(top);
+      if (!is_free(whole, earlier.owner, later.owner)) top.clear();
     }
     add(sides, tents);
   }
@@ -69,8 +102,7 @@ class CutCloser {
     for (std::uint32_t i = 0; i < rings_.size(); ++i) {
       const auto [first, end] = std::equal_range(sorted.begin(), sorted.end(), facets_[i]);
       if (end - first < 2) continue;
-      for (std::size_t k = 0; k < rings_[i].size(); ++k)
-        sides.push_back({rings_[i][k], rings_[i][(k + 1) % rings_[i].size()], i});
+      append_sides(rings_[i], i, sides);
     }
     return sides;
   }
@@ -95,15 +127,14 @@ class CutCloser {
         is_changed = is_changed || !tents[end].empty();
         ring.insert(ring.end(), tents[end].begin(), tents[end].end());
       }
-      if (is_changed) changed_.emplace_back(sides[i].owner, std::move(ring));
+      drop_repeated(ring);
+      if (is_changed) rings_[sides[i].owner] = std::move(ring);
     }
-    for (auto& [owner, ring] : changed_) rings_[owner] = std::move(ring);
   }
 
   std::vector<Ring>& rings_;
   std::span<const std::uint32_t> facets_;
   BoxTree tree_;
-  std::vector<std::pair<std::uint32_t, Ring>> changed_;
 };
 
 }  // namespace

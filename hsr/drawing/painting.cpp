@@ -11,14 +11,13 @@
 #include "hsr/drawing/filled_drawing.h"
 #include "hsr/drawing/join.h"
 #include "hsr/drawing/paint_layers.h"
-#include "hsr/drawing/paper_rings.h"
 #include "hsr/drawing/paper_sides.h"
+#include "hsr/drawing/placed_pieces.h"
 #include "hsr/drawing/placement.h"
 #include "hsr/drawing/reach.h"
 #include "hsr/lines/edge_classifier.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/view_parts.h"
-#include "hsr/symbols/constructions.h"
 
 namespace hsr {
 
@@ -60,89 +59,6 @@ std::vector<std::optional<EdgeClass>> asked_classes(const ViewParts& parts, cons
   return asked;
 }
 
-/// A side of a piece along which a line is drawn.
-struct SideLine {
-  PaperPoint from, to;
-  EdgeClass edge_class = EdgeClass::outline;
-};
-
-struct PlacedPiece {
-  std::vector<PaperPoint> ring;
-  std::vector<SideLine> lines;
-};
-
-class Placer {
- public:
-  Placer(const Mesh& mesh, const View& view, const Placement& place)
-      : mesh_(mesh), view_(view), projection_(place.projection), frame_(place.frame) {}
-
-  /// @param asked by edge: its class if it is drawn; nullptr: none is
-  PlacedPiece operator()(const OrderedPiece& piece, std::span<const PieceCorner> corners,
-                         const std::vector<std::optional<EdgeClass>>* asked) const {
-    std::vector<HomogeneousPoint> at;
-    std::vector<std::array<Wide, 2>> ring;
-    bool is_inside = true;
-    for (const PieceCorner& corner : corners) {
-      at.push_back(enclosed(piece.facet, corner));
-      const HomogeneousPoint& p = at.back();
-      ring.push_back({p.x.middle / p.w.middle, p.y.middle / p.w.middle});
-      is_inside = is_inside && (!frame_ || is_in_frame(ring.back()));
-    }
-    PlacedPiece placed;
-    if (is_inside)
-      for (std::size_t k = 0; k < corners.size(); ++k) placed.ring.push_back(rounded(piece.facet, corners[k], at[k]));
-    for (std::size_t k = 0; asked != nullptr && k < corners.size(); ++k) {
-      const std::size_t next = (k + 1) % corners.size();
-      const auto edge_class = class_of_side(corners[k], *asked);
-      if (!edge_class) continue;
-      if (is_inside)
-        placed.lines.push_back({placed.ring[k], placed.ring[next], *edge_class});
-      else
-        add_clipped(ring[k], ring[next], *edge_class, placed.lines);
-    }
-    if (!is_inside) placed.ring = clipped(std::move(ring), *frame_);
-    drop_repeated(placed.ring);
-    return placed;
-  }
-
- private:
-  using Wide = Enclosure::Wide;
-
-  bool is_in_frame(const std::array<Wide, 2>& p) const {
-    return p[0] >= frame_->left && p[0] <= frame_->right && p[1] >= frame_->top && p[1] <= frame_->bottom;
-  }
-  /// Sides that cuts made are no lines.
-  std::optional<EdgeClass> class_of_side(const PieceCorner& corner, const std::vector<std::optional<EdgeClass>>& asked) const {
-    const bool is_edge = corner.side.kind == Cut::Kind::sight || corner.side.kind == Cut::Kind::line;
-    if (!corner.original || !is_edge) return {};
-    const EdgeId e = mesh_.find_edge(VertexId(corner.side.u), VertexId(corner.side.v));
-    return e.is_valid() ? asked[e.value] : std::optional<EdgeClass>();
-  }
-  void add_clipped(const std::array<Wide, 2>& from, const std::array<Wide, 2>& to, EdgeClass edge_class,
-                   std::vector<SideLine>& lines) const {
-    for (const std::vector<PaperPoint> ends = clipped({from, to}, *frame_); const PaperPoint& p : ends)
-      if (p != ends.front()) {
-        lines.push_back({ends.front(), p, edge_class});
-        return;
-      }
-  }
-  PaperPoint rounded(FacetId facet, const PieceCorner& corner, const HomogeneousPoint& at) const {
-    if (const auto known = Projection::rounded(at)) return *known;
-    return Projection::rounded(projection_.exact(exact_point(mesh_, view_, facet, corner)));
-  }
-  HomogeneousPoint enclosed(FacetId facet, const PieceCorner& corner) const {
-    if (corner.vertex.is_valid()) return projection_.at(corner.vertex);
-    const auto& c = mesh_.triangles[first_triangle(facet)];
-    return projection_.at(Plane::of_face(mesh_.points[c[0]], mesh_.points[c[1]], mesh_.points[c[2]]),
-                          plane_of(mesh_, view_, corner.a), plane_of(mesh_, view_, corner.b));
-  }
-
-  const Mesh& mesh_;
-  const View& view_;
-  const Projection& projection_;
-  const std::optional<PaperFrame>& frame_;
-};
-
 /// The pieces that are painted together, as one fill.
 struct PaintedGroup {
   std::uint32_t layer = 0;
@@ -178,9 +94,7 @@ class PaintedGroups {
                               const std::vector<std::uint32_t>& layers, DisjointSets& same) {
     std::vector<PaperSide> sides;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-      const auto& ring = pieces[i].ring;
-      for (std::size_t k = 0; fills[i].opacity < 1 && k < ring.size(); ++k)
-        sides.push_back({ring[k], ring[(k + 1) % ring.size()], i});
+      if (fills[i].opacity < 1) append_sides(pieces[i].ring, i, sides);
     }
     sides = conforming(sides);
     std::sort(sides.begin(), sides.end());
@@ -201,6 +115,7 @@ void add_lines(Fills& fills, const std::vector<PlacedPiece>& pieces, const std::
   struct Found {
     SideLine line;
     std::uint32_t layer;
+    auto ends() const { return std::minmax(line.from, line.to); }
     auto key() const { return std::tuple(std::min(line.from, line.to), std::max(line.from, line.to), ~layer, line.edge_class); }
   };
   std::vector<Found> found;
@@ -211,9 +126,7 @@ void add_lines(Fills& fills, const std::vector<PlacedPiece>& pieces, const std::
   std::vector<PaperLine> lines;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const SideLine& line = found[k].line;
-    const bool is_repeated = k > 0 && std::min(line.from, line.to) == std::min(found[k - 1].line.from, found[k - 1].line.to) &&
-                             std::max(line.from, line.to) == std::max(found[k - 1].line.from, found[k - 1].line.to);
-    if (!is_repeated)
+    if (k == 0 || found[k].ends() != found[k - 1].ends())
       lines.push_back({line.from, line.to, static_cast<std::uint32_t>(line.edge_class), last_fill_of_layer[found[k].layer]});
   }
   const Chains chains = join(lines);
@@ -250,7 +163,7 @@ class FillPainter {
   /// @param asked by edge: those whose lines are painted with the pieces; nullptr: none
   Fills operator()(const Placement& place, const std::vector<std::optional<EdgeClass>>* asked) const {
     std::vector<PlacedPiece> pieces(order_.pieces.size());
-    const Placer placer(scene_.mesh(), scene_.view(), place);
+    const PiecePlacer placer(scene_.mesh(), scene_.view(), place);
     parallel_for_each(pieces.size(),
                       [&](std::size_t i) { pieces[i] = placer(order_.pieces[i], order_.corners_of(order_.pieces[i]), asked); });
     std::vector<Fill> looks;  // colour and opacity by piece
@@ -291,8 +204,7 @@ class FillPainter {
     fill.first_face = static_cast<std::uint32_t>(fills.faces.size());
     std::vector<PaperSide> sides;
     for (const std::uint32_t i : group.pieces) {
-      const auto& ring = pieces[i].ring;
-      for (std::size_t k = 0; k < ring.size(); ++k) sides.push_back({ring[k], ring[(k + 1) % ring.size()], i});
+      append_sides(pieces[i].ring, i, sides);
       fills.faces.push_back(scene_.mesh().face_of[first_triangle(order_.pieces[i].facet)].value);
     }
     const auto add = [&](const std::vector<PaperPoint>& ring) {
@@ -342,13 +254,13 @@ VisibleLines lines_on_top(const SceneView& scene, LineOptions options, bool only
 Drawing paint_on_page(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours,
                       const LineOptions& lines, const DrawingOptions& options, const PaintingOptions& painting) {
   const FillPainter painter(scene, order, colours, painting.opacity);
-  const bool is_woven = painting.has_woven_lines || !painter.is_opaque();
+  const bool with_pieces = painting.paints_lines_with_pieces || !painter.is_opaque();
   std::vector<std::optional<EdgeClass>> asked;
-  if (is_woven) asked = asked_classes(scene.parts(), lines);
-  const VisibleLines on_top = lines_on_top(scene, lines, is_woven);
+  if (with_pieces) asked = asked_classes(scene.parts(), lines);
+  const VisibleLines on_top = lines_on_top(scene, lines, with_pieces);
   const VisibleLines bounds = all_edges(scene.mesh(), scene.parts().projected());
   return draw_with_fills(scene.mesh(), scene.view(), on_top, &bounds, options,
-                         [&](const Placement& place) { return painter(place, is_woven ? &asked : nullptr); });
+                         [&](const Placement& place) { return painter(place, with_pieces ? &asked : nullptr); });
 }
 
 }  // namespace hsr

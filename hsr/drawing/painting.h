@@ -13,7 +13,7 @@ struct PaintingOptions {
   double opacity = 1;  ///< of every face, times its own
   /// Lines are painted with the pieces beside them, and what is painted later covers them, right or wrong. Without it that is so
   /// only where something is seen through; of opaque pieces all visible lines lie on top.
-  bool has_woven_lines = false;
+  bool paints_lines_with_pieces = false;
 };
 
 /// A painting order on a page: the pieces as fills, far to near, each corner the exact one rounded to 0.001 mm.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "geometry/parallel.h"
@@ -18,33 +17,15 @@ namespace {
 /// Thousandths of a millimetre: the rounding of a corner and of both ends of a side.
 constexpr double rounding = 1.5;
 
-/// A side whichever way it runs.
-struct SideKey {
-  PaperPoint low, high;
-  std::uint32_t side = 0;
-  bool is_reversed = false;
-
-  explicit SideKey() = default;
-  SideKey(const PaperSide& s, std::uint32_t index)
-      : low(std::min(s.from, s.to)), high(std::max(s.from, s.to)), side(index), is_reversed(s.to < s.from) {}
-  bool is_at(const SideKey& other) const { return low == other.low && high == other.high; }
-  friend bool operator<(const SideKey& a, const SideKey& b) {
-    return std::tie(a.low, a.high, a.is_reversed, a.side) < std::tie(b.low, b.high, b.is_reversed, b.side);
-  }
-};
-
 /// Those beside which no side runs the other way between the same points.
 std::vector<std::uint32_t> without_opposite(const std::vector<PaperSide>& sides) {
-  std::vector<SideKey> keys(sides.size());
-  parallel_for_each(keys.size(), [&](std::size_t k) { keys[k] = SideKey(sides[k], static_cast<std::uint32_t>(k)); });
-  tbb::parallel_sort(keys.begin(), keys.end());
+  const std::vector<SideKey> keys = sorted_keys(sides);
   std::vector<std::uint32_t> single;
-  for (std::size_t i = 0; i < keys.size();) {
-    std::size_t end = i;
-    while (end < keys.size() && keys[end].is_at(keys[i])) ++end;
-    if (keys[i].is_reversed == keys[end - 1].is_reversed)
-      for (std::size_t k = i; k < end; ++k) single.push_back(keys[k].side);
-    i = end;
+  for (std::size_t i = 0, end = 0; i < keys.size(); i = end) {
+    bool is_alone = true;
+    for (; end < keys.size() && keys[end].is_at(keys[i]); ++end)
+      is_alone = is_alone && keys[end].is_reversed == keys[i].is_reversed;
+    for (std::size_t k = i; is_alone && k < end; ++k) single.push_back(keys[k].side);
   }
   std::sort(single.begin(), single.end());
   return single;
@@ -112,6 +93,22 @@ class Corners {
 
 }  // namespace
 
+void append_sides(std::span<const PaperPoint> ring, std::uint32_t owner, std::vector<PaperSide>& sides, std::uint32_t number) {
+  for (std::size_t k = 0; k < ring.size(); ++k) sides.push_back({ring[k], ring[(k + 1) % ring.size()], owner, number});
+}
+
+std::vector<SideKey> sorted_keys(const std::vector<PaperSide>& sides) {
+  std::vector<SideKey> keys(sides.size());
+  parallel_for_each(keys.size(), [&](std::size_t k) {
+    const PaperSide& s = sides[k];
+    keys[k] = {std::min(s.from, s.to), std::max(s.from, s.to), static_cast<std::uint32_t>(k), s.to < s.from};
+  });
+  tbb::parallel_sort(keys.begin(), keys.end(), [](const SideKey& a, const SideKey& b) {
+    return std::tie(a.low, a.high, a.side) < std::tie(b.low, b.high, b.side);
+  });
+  return keys;
+}
+
 std::vector<PaperSide> conforming(const std::vector<PaperSide>& sides) {
   const std::vector<std::uint32_t> single = without_opposite(sides);
   const Corners corners(sides, single);
@@ -132,16 +129,16 @@ std::vector<PaperSide> conforming(const std::vector<PaperSide>& sides) {
   return cut;
 }
 
-std::vector<std::vector<PaperPoint>> united_rings(std::vector<PaperSide> sides) {
-  const auto key = [](const PaperSide& s) { return std::pair(std::min(s.from, s.to), std::max(s.from, s.to)); };
-  std::sort(sides.begin(), sides.end(), [&](const PaperSide& a, const PaperSide& b) { return key(a) < key(b); });
+std::vector<std::vector<PaperPoint>> united_rings(const std::vector<PaperSide>& sides) {
+  const std::vector<SideKey> keys = sorted_keys(sides);
   std::vector<PaperSide> left;
-  for (std::size_t i = 0; i < sides.size();) {
-    const auto at = key(sides[i]);
+  for (std::size_t i = 0, end = 0; i < keys.size(); i = end) {
     int forward = 0;
-    for (; i < sides.size() && key(sides[i]) == at; ++i) forward += sides[i].from == at.first ? 1 : -1;
-    const PaperSide side = forward > 0 ? PaperSide{at.first, at.second} : PaperSide{at.second, at.first};
-    left.insert(left.end(), static_cast<std::size_t>(std::abs(forward)), side);
+    for (; end < keys.size() && keys[end].is_at(keys[i]); ++end) forward += keys[end].is_reversed ? -1 : 1;
+    const auto& [low, high, side, is_reversed] = keys[i];
+    if (low == high) continue;
+    left.insert(left.end(), static_cast<std::size_t>(std::abs(forward)),
+                forward > 0 ? PaperSide{low, high} : PaperSide{high, low});
   }
   std::sort(left.begin(), left.end());
   std::vector<char> used(left.size(), 0);

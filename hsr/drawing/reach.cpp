@@ -24,10 +24,8 @@ std::vector<PaperSide> sides_of(const Fills& fills) {
   std::vector<PaperSide> sides;
   sides.reserve(fills.points.size());
   for (std::uint32_t i = 0; i < fills.fills.size(); ++i)
-    for (std::uint32_t r = fills.fills[i].first_ring; r < fills.fills[i].end_ring; ++r) {
-      const auto ring = fills.ring(r);
-      for (std::size_t k = 0; k < ring.size(); ++k) sides.push_back({ring[k], ring[(k + 1) % ring.size()], i, r});
-    }
+    for (std::uint32_t r = fills.fills[i].first_ring; r < fills.fills[i].end_ring; ++r)
+      append_sides(fills.ring(r), i, sides, r);
   return sides;
 }
 
@@ -71,28 +69,15 @@ class Neighbours {
   std::uint32_t layer(std::uint32_t side) const { return fills_.fills[owner(side)].layer; }
 
   void find_along_sides() {
-    struct Key {
-      PaperPoint low, high;
-      std::uint32_t side;
-      bool is_reversed;
-    };
-    const std::vector<PaperSide>& sides = polygons_.sides();
-    std::vector<Key> keys(sides.size());
-    parallel_for_each(keys.size(), [&](std::size_t k) {
-      const PaperSide& s = sides[k];
-      keys[k] = {std::min(s.from, s.to), std::max(s.from, s.to), static_cast<std::uint32_t>(k), s.to < s.from};
-    });
     // Sides ascend with their owners, so those painted first come first.
-    tbb::parallel_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-      return std::tie(a.low, a.high, a.side) < std::tie(b.low, b.high, b.side);
-    });
+    const std::vector<SideKey> keys = sorted_keys(polygons_.sides());
     std::array<std::vector<std::uint32_t>, 2> beside;
     for (std::size_t i = 0; i < keys.size();) {
       beside[0].clear();
       beside[1].clear();
-      const PaperPoint low = keys[i].low, high = keys[i].high;
+      const SideKey at = keys[i];
       // On either side, what an opaque one covers that is painted later needs nothing: the last opaque one, and those after it.
-      for (; i < keys.size() && keys[i].low == low && keys[i].high == high; ++i) {
+      for (; i < keys.size() && keys[i].is_at(at); ++i) {
         std::vector<std::uint32_t>& on = beside[keys[i].is_reversed ? 1 : 0];
         if (is_opaque(owner(keys[i].side))) on.clear();
         on.push_back(keys[i].side);
@@ -184,21 +169,18 @@ class Reaching {
     const auto is_taken = [&](std::uint32_t side) { return std::binary_search(wholly.begin(), wholly.end(), owner(side)); };
 
     std::vector<PaperSide> all;
-    const auto add = [&](const std::vector<PaperPoint>& ring) {
-      for (std::size_t k = 0; k < ring.size(); ++k) all.push_back({ring[k], ring[(k + 1) % ring.size()]});
-    };
     const auto add_polygon = [&](std::uint32_t of) {
       const auto sides = polygons_.sides_of(of);
       all.insert(all.end(), sides.begin(), sides.end());
     };
     for (const std::uint32_t later : wholly) add_polygon(later);
     for (const AlongSide& a : along)
-      if (!is_taken(a.side)) add(beneath_side(fill, a.side));
+      if (!is_taken(a.side)) append_sides(beneath_side(fill, a.side), fill, all);
     for (const AtCorner& c : corners)
-      if (!is_taken(c.side)) add(beneath_corner(fill, c.side));
+      if (!is_taken(c.side)) append_sides(beneath_corner(fill, c.side), fill, all);
     if (all.empty()) return {};
     add_polygon(fill);
-    return united_rings(std::move(all));
+    return united_rings(all);
   }
 
  private:

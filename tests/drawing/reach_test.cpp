@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "hsr/drawing/cut_seams.h"
 #include "hsr/drawing/paint_layers.h"
 #include "hsr/drawing/paper_sides.h"
 
@@ -152,11 +153,41 @@ TEST_CASE("nothing reaches beneath what is seen through, but in a sheet, which i
   CHECK(discs(reaching, sheet_of_one.points, 40).open == 0);
 }
 
+TEST_CASE("parts of a cut face lie over one another where nothing is painted between them", "[drawing][fills][cuts]") {
+  // A face in two parts, cut at x = 10000; behind the second, and painted between the two, a face whose border is the cut.
+  const std::vector<PaperPoint> first = {{0, 0}, {10000, 0}, {10000, 8000}, {0, 8000}},
+                                second = {{10000, 0}, {20000, 0}, {20000, 8000}, {10000, 8000}};
+  const auto covers_beyond = [](const std::vector<PaperPoint>& ring) {
+    Fills fills;
+    add(fills, {ring});
+    return covers(fills, fills.fills[0], 9900, 4000);
+  };
+  const auto closed = [&](const std::vector<PaperPoint>& between) {
+    std::vector<std::vector<PaperPoint>> rings = {first, between, second};
+    const std::vector<std::uint32_t> facets = {0, 1, 0};
+    close_cuts(rings, facets);
+    CHECK(rings[0] == first);
+    CHECK(rings[1] == between);
+    return rings[2];
+  };
+  CHECK(covers_beyond(closed({{10000, -2000}, {15000, -2000}, {15000, 9000}, {10000, 9000}})));
+  // One that hides a part of the first, beside the cut: there is no room.
+  CHECK(closed({{5000, 3000}, {12000, 3000}, {12000, 5000}, {5000, 5000}}) == second);
+  // Nothing between: nothing can show.
+  std::vector<std::vector<PaperPoint>> rings = {first, second};
+  close_cuts(rings, std::vector<std::uint32_t>{0, 0});
+  CHECK(rings[1] == second);
+  // Parts of a few thousandths get no side without length.
+  rings = {{{0, 0}, {5, 0}, {5, 3}}, {{100, 0}, {200, 0}, {200, 90}}, {{5, 0}, {9, 0}, {5, 3}}};
+  close_cuts(rings, std::vector<std::uint32_t>{0, 1, 0});
+  for (const auto& ring : rings)
+    for (std::size_t k = 0; k < ring.size(); ++k) CHECK(ring[k] != ring[(k + 1) % ring.size()]);
+}
+
 TEST_CASE("rings that are united wind as their polygons do", "[drawing][fills][reach]") {
   const std::vector<PaperPoint> a = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, b = {{10, 0}, {20, 0}, {20, 10}, {10, 10}};
   std::vector<PaperSide> sides;
-  for (const auto& ring : {a, b})
-    for (std::size_t k = 0; k < 4; ++k) sides.push_back({ring[k], ring[(k + 1) % 4], 0});
+  for (const auto& ring : {a, b}) append_sides(ring, 0, sides);
   const auto rings = united_rings(sides);
   REQUIRE(rings.size() == 1);
   CHECK(rings[0] == std::vector<PaperPoint>{{0, 0}, {10, 0}, {20, 0}, {20, 10}, {10, 10}, {0, 10}});
