@@ -5,7 +5,6 @@
 
 #include "hsr/drawing/paint_layers.h"
 #include "hsr/drawing/paper_polygons.h"
-#include "hsr/drawing/paper_rings.h"
 #include "hsr/drawing/paper_sides.h"
 #include "hsr/scene/box_tree.h"
 
@@ -127,7 +126,6 @@ class CutCloser {
         is_changed = is_changed || !tents[end].empty();
         ring.insert(ring.end(), tents[end].begin(), tents[end].end());
       }
-      drop_repeated(ring);
       if (is_changed) rings_[sides[i].owner] = std::move(ring);
     }
   }
