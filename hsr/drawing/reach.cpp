@@ -124,11 +124,12 @@ class Neighbours {
         around.insert(around.end(), {meetings_[end].one, meetings_[end].other});
       std::sort(around.begin(), around.end());
       around.erase(std::unique(around.begin(), around.end()), around.end());
-      if (around.size() < 3) continue;
       together.reset(around.size());
       for (std::size_t k = i; k < end; ++k) together.join(place(meetings_[k].one), place(meetings_[k].other));
       for (std::uint32_t k = 0; k < around.size(); ++k) {
         const std::uint32_t first = owner(around[together.find(k)]);
+        // Between two fills what reaches beneath both sides of a corner covers all of it, unless it is wide.
+        if (around.size() < 3 && !polygons_.is_wide(around[k])) continue;
         first_at_[around[k]] = first;
         if (may_reach(first, owner(around[k]))) at_corners.push_back({first, around[k]});
       }

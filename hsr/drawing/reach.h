@@ -11,8 +11,8 @@ namespace hsr::internal {
 /// the others cover their shares of it, and every border stays where it was.
 ///
 /// Along a side that two fills share the earlier reaches beneath the later, and keeps away from the other sides of that one, where it
-/// would show through in turn; but where the two are of nearly one colour, or the later one is thin, it takes all of it. Where more
-/// than two meet at a corner the earliest reaches beneath all, around it.
+/// would show through in turn; but where the two are of nearly one colour, or the later one is thin, it takes all of it. Around a
+/// corner where more than two meet, or the later one is wide, the earliest reaches beneath all.
 ///
 /// Cost: O(n log n).
 void reach_beneath(Fills& fills);
