@@ -57,7 +57,7 @@ void decide_parts(const ProjectedMesh& projected, EdgeId id, std::vector<EdgePar
     const std::optional<EdgeClass> in_doubt = std::exchange(p.found.in_doubt, std::nullopt);
     if (!p.found.is_undecided()) continue;
     const Verdict around = verdict(projected, id, p, log[p.found.alike - 1], regions, inside);
-    p.found.alike = PartClass::decided;
+    p.found.alike = 0;
     if (around == Verdict::apart) continue;
     p.found.behind.reset();
     if (around == Verdict::in_doubt) p.found.seen = in_doubt;

@@ -110,8 +110,8 @@ PartClass EdgeClassifier::operator()(HalfPlanes& half_planes, bool only_diagonal
       if (h.faces() > 1 && tells) log->back().sets.push_back(h.coincident);
     }
   }
-  if (touching == Touching::alike) {
-    found.alike = log != nullptr ? static_cast<std::uint32_t>(log->size()) : PartClass::decided;
+  if (touching == Touching::alike && log != nullptr) {
+    found.alike = static_cast<std::uint32_t>(log->size());
     found.in_doubt = class_of(half_planes, only_diagonal, Contacts::only_on_top, least / 2).seen;
   }
   if (touching != Touching::bodies) return found;

@@ -324,8 +324,7 @@ std::vector<RawPart> raw_parts(const Mesh& mesh, EdgeId id, const ClassAt& empty
     }
     RawPart found{here.verdicts(crease), here.touching(), here.sets(), {}};
     found.part = {cuts[i], cuts[i + 1]};
-    found.is_alike = found.touching == 'a';
-    if (found.is_alike) found.in_doubt = here.verdicts_in_doubt(crease).verdict;
+    if (found.touching == 'a') found.in_doubt = here.verdicts_in_doubt(crease).verdict;
     if (found.touching == 'b') {
       const ClassPart of_surfaces = here.verdicts_of_surfaces(crease);
       found.behind = of_surfaces.behind;
@@ -420,7 +419,7 @@ void decide_alike(const Mesh& mesh, const View& view, std::vector<std::vector<Ra
 }
 
 bool is_one(const ClassPart& x, const ClassPart& y) {
-  return x.verdict == y.verdict && x.behind == y.behind && x.hidden == y.hidden && x.is_alike == y.is_alike;
+  return x.verdict == y.verdict && x.behind == y.behind && x.hidden == y.hidden;
 }
 
 }  // namespace

@@ -26,7 +26,6 @@ struct ClassPart {
   std::optional<ClassVerdict> verdict;
   std::optional<ClassVerdict> behind = {};  ///< of what touches the seen surface from behind
   std::optional<ClassVerdict> hidden = {};  ///< of what is hidden of the part, if that is another
-  bool is_alike = false;                    ///< equally many faces coincide all around
 };
 
 /// The classes along each edge by the definition, in rationals, from all triangles that contain a part of it, whoever's edge it is.
