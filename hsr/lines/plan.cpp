@@ -230,10 +230,10 @@ void Plan::leave_out_far_faces() {
   }
   std::vector<ImageBox> asked_for = requested_->boxes;
   asked_for.insert(asked_for.end(), meet_boxes_.begin(), meet_boxes_.end());
-  const ImageMask mask(asked_for);
   const std::vector<std::uint8_t> hidden =
       excluded_ == Excluded::hidden ? parts_.hidden(options_.stop) : std::vector<std::uint8_t>();
   const auto& boxes = parts_.boxes(options_.stop);
+  const ImageMask mask(asked_for, boxes.size());
   std::vector<std::uint8_t> far = hidden;
   far.resize(boxes.size(), 0);
   parallel_for_each(boxes.size(), [&](std::size_t i) {

@@ -149,7 +149,7 @@ TEST_CASE("a mask touches every box that overlaps one of its own", "[lines][plan
   for (int round = 0; round < 20; ++round) {
     std::vector<ImageBox> own;
     for (int k = 0; k < 10; ++k) own.push_back(box(4));
-    const ImageMask mask(own);
+    const ImageMask mask(own, round % 2 == 0 ? 500 : 1'000'000);
     for (int k = 0; k < 500; ++k) {
       const ImageBox query = box(k % 2 == 0 ? 0.5F : 8.0F);
       bool overlaps = false;
