@@ -132,8 +132,7 @@ void RingLinker::Linker::clear() {
   holes_.clear();
   region_of_hole_.clear();
   widest_ = 0;
-  rings_.corners.clear();
-  rings_.first_corner.assign(1, 0);
+  rings_.rings.clear();
   rings_.first_ring.assign(1, 0);
   rings_.owner_of_region.clear();
   rings_.region_owner.clear();
@@ -474,8 +473,8 @@ void RingLinker::Linker::make_result() {
   const auto add = [&](const LoopRange& range) {
     for (std::size_t k = range.begin; k < range.end; ++k) {
       for (const std::uint32_t i : pieces_of(loops_[k]))
-        rings_.corners.push_back({points_[pieces_[i].from], pieces_[i].line, pieces_[i].reversed});
-      rings_.first_corner.push_back(static_cast<std::uint32_t>(rings_.corners.size()));
+        rings_.rings.push_back({points_[pieces_[i].from], pieces_[i].line, pieces_[i].reversed});
+      rings_.rings.end_row();
     }
   };
   // What bounds a region from several sides is one polygon, or several that were joined across a side, or by what lies between.
@@ -484,7 +483,7 @@ void RingLinker::Linker::make_result() {
     rings_.owner_of_region.push_back(owners_.find(pieces_[pieces_of(loops_[regions_[r].begin]).front()].owner));
     for (std::size_t h = 0; h < holes_.size(); ++h)
       if (region_of_hole_[h] == r) add(holes_[h]);
-    rings_.first_ring.push_back(static_cast<std::uint32_t>(rings_.first_corner.size() - 1));
+    rings_.first_ring.push_back(static_cast<std::uint32_t>(rings_.rings.size()));
   }
   for (std::uint32_t k = 0; k < owners_.size(); ++k) rings_.region_owner.push_back(owners_.find(k));
 }

@@ -5,17 +5,17 @@
 #include <span>
 #include <vector>
 
+#include "geometry/ragged.h"
 #include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr::internal {
 
 /// Closed rings of corners in the map, and which of them bound one connected region.
 struct Rings {
-  std::vector<MapCorner> corners;
-  std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
-  std::vector<std::uint32_t> first_ring = {0};    ///< region k has the rings first_ring[k] ... ; one more than regions
-  std::vector<std::uint32_t> owner_of_region;     ///< the least of those whose sides bound it, or lie within
-  std::vector<std::uint32_t> region_owner;        ///< by owner: owner_of_region of the region that it is part of
+  Ragged<MapCorner> rings;
+  std::vector<std::uint32_t> first_ring = {0};  ///< region k has the rings first_ring[k] ... ; one more than regions
+  std::vector<std::uint32_t> owner_of_region;   ///< the least of those whose sides bound it, or lie within
+  std::vector<std::uint32_t> region_owner;      ///< by owner: owner_of_region of the region that it is part of
 };
 
 /// A side and the places of its ends in some coordinates of the image, in which turns are as they are seen.

@@ -3,13 +3,13 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <stop_token>
 #include <vector>
 
 #include "geometry/mesh.h"
 #include "geometry/number.h"
 #include "geometry/predicates.h"
+#include "geometry/ragged.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/symbols/map_point.h"
 #include "hsr/view/view.h"
@@ -23,15 +23,9 @@ struct Fragment {
 };
 
 struct VisibleFragments {
-  std::vector<Fragment> fragments;                ///< ascending by facet, hence by face
-  std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
-  std::vector<MapCorner> corners;
+  std::vector<Fragment> fragments;  ///< ascending by facet, hence by face
+  Ragged<MapCorner> rings;
   DecisionCounts decisions;
-
-  std::size_t rings() const { return first_corner.size() - 1; }
-  std::span<const MapCorner> ring(std::uint32_t r) const {
-    return {corners.data() + first_corner[r], corners.data() + first_corner[r + 1]};
-  }
 };
 
 struct FragmentOptions {

@@ -78,7 +78,7 @@ std::string canonical(const Mesh& mesh, const View& view, const VisibleFragments
     std::vector<std::string> rings;
     for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
       std::vector<std::array<Rational, 3>> ring;
-      for (const MapCorner& c : fragments.ring(r)) ring.push_back(exact_point(mesh, view, f.facet, c.at));
+      for (const MapCorner& c : fragments.rings[r]) ring.push_back(exact_point(mesh, view, f.facet, c.at));
       std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
       std::string text;
       for (const auto& p : ring) text += " (" + p[0].to_string() + ", " + p[1].to_string() + ", " + p[2].to_string() + ")";

@@ -33,7 +33,10 @@ struct Neighbour {
 class Sorter {
  public:
   Sorter(const SceneView& scene, const DepthSortOptions& options)
-      : options_(options), mesh_(scene.mesh()), projected_(scene.parts().projected(options.stop)), overlaps_(projected_, options.classic) {}
+      : options_(options),
+        mesh_(scene.mesh()),
+        projected_(scene.parts().projected(options.stop)),
+        overlaps_(projected_, options.classic) {}
 
   DepthSort sort();
 
@@ -115,7 +118,7 @@ OverlapGraph Sorter::relate_whole() {
 
 void Sorter::order_whole(const std::vector<std::uint32_t>& order) {
   result_.order.pieces.reserve(faces_.size());
-  result_.order.corners.reserve(faces_.corners.size());
+  result_.order.corners.reserve(faces_.rings.values().size());
   for (const std::uint32_t piece : by_cluster(order, clusters_.size(), [&](std::uint32_t p) { return cluster_of_[p]; }))
     append(projected_, faces_, piece, result_.order);
 }
@@ -392,7 +395,7 @@ void Sorter::emit() {
   if (order.size() != piece_of.size() && projected_.arithmetic() != Arithmetic::double_only)
     throw InvariantError("depth_sort: a cycle is left");
   result_.order.pieces.reserve(pieces_.size());
-  result_.order.corners.reserve(faces_.corners.size());
+  result_.order.corners.reserve(faces_.rings.values().size());
   for (const std::uint32_t node : by_cluster(order, clusters_.size(), [&](std::uint32_t k) { return cluster_at[k]; })) {
     if (piece_of[node] != none) {
       const std::uint32_t piece = piece_of[node];
@@ -409,7 +412,7 @@ void Sorter::emit() {
 DepthSort Sorter::sort() {
   faces_ = face_pieces(projected_);
   clusters_ = options_.classic ? one_cluster(faces_) : clusters(projected_, faces_);
-  cluster_of_ = clusters_.cluster_of();
+  cluster_of_ = cluster_of_pieces(clusters_);
   const OverlapGraph found = relate_whole();
   DepthSortCounts& c = result_.counts;
   c.clusters = clusters_.size();
