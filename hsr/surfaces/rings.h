@@ -33,6 +33,8 @@ struct PlacedSide {
 ///   (3) only true corners: no point of a ring is in line with its neighbours
 ///   (4) sides may come in any order and in any pieces; what lies on another side the other way round cancels, and what comes
 ///       twice counts once
+///   (5) a ring begins at its leftmost corner, of several the lowest; regions, and holes of one, ascend by where they begin, and
+///       of those that begin at one corner, by the next
 ///
 /// @pre the sides, cancelled, bound a part of the plane that lies to their left
 /// @throws InvariantError if they do not

@@ -48,8 +48,8 @@ std::vector<Rational> visible_areas(const Mesh& mesh, const View& view, const Vi
 ///   (1) fragments of different faces do not overlap, and together they cover the union of all images
 ///   (2) of two faces in one plane the one on top (TieRule) is visible; a face seen edge-on has no fragment
 ///   (3) a face that is cut into triangles has the fragments of its triangles
-///   (4) the result does not depend on the number of threads; roberts_surfaces(), and other stages, give the same rings, but in
-///       each facet perhaps in another order, from another corner on, and with corners by other names
+///   (4) the result does not depend on the number of threads; roberts_surfaces(), and other stages, give the same rings in the same
+///       order (rings.h), but perhaps with corners by other names
 ///
 /// @throws CancelledError if asked to stop by `options.stop`, InputError beyond 2^32 - 1 corners
 ///
