@@ -27,7 +27,7 @@ std::string lines_text(const SceneView& scene) {
   return oracle::to_text(oracle::seen_edges(scene.mesh(), scene.view(), visible_lines(scene, all_edges())));
 }
 
-std::string fragments_text(const SceneView& scene) { return canonical(scene.mesh(), scene.view(), visible_fragments(scene)); }
+std::string fragments_text(const SceneView& scene) { return exact_text(scene.mesh(), scene.view(), visible_fragments(scene)); }
 
 std::vector<View> views_of(const scenes::TestScene& scene) {
   return {scene.view, scenes::from_direction({1, -1, 1}), scenes::from_eye({9, -14, 11}, {0, 0, 0}),

@@ -40,7 +40,7 @@ std::string wrong_fragments(const scenes::TestScene& scene, Coplanar coplanar) {
     std::string wrong;
     const VisibleFragments reference = roberts_surfaces(SceneView(mesh, scene.view, {.coplanar = coplanar}));
     for (const std::string& line : truth.differences(reference)) wrong += "roberts: " + line + "\n";
-    const std::string expected = canonical(mesh, scene.view, reference);
+    const std::string expected = exact_text(mesh, scene.view, reference);
     for (const When stages : {When::never, When::always}) {
       SceneOptions of_scene;
       of_scene.stages.fill(stages);
@@ -51,7 +51,7 @@ std::string wrong_fragments(const scenes::TestScene& scene, Coplanar coplanar) {
       for (const std::string& line : truth.differences(found)) wrong.append(name).append(": ").append(line).append("\n");
       const std::string seen = differences_to_caster(view, found);
       if (!seen.empty()) wrong.append(name).append(": ").append(seen).append("\n");
-      const std::string text = canonical(mesh, scene.view, found);
+      const std::string text = exact_text(mesh, scene.view, found);
       if (expected != text) wrong.append("roberts:\n").append(expected).append(name).append(":\n").append(text);
       // From lines that were found for a drawing, and where hidden lines are not wanted.
       LineOptions every_class;
@@ -62,7 +62,7 @@ std::string wrong_fragments(const scenes::TestScene& scene, Coplanar coplanar) {
         for (const LineMethod method : {LineMethod::roberts, LineMethod::appel}) {
           every_class.method = method;
           const VisibleLines lines = visible_lines(drawn, every_class);
-          if (canonical(mesh, scene.view, visible_fragments(drawn, {.lines = &lines})) != expected)
+          if (exact_text(mesh, scene.view, visible_fragments(drawn, {.lines = &lines})) != expected)
             wrong.append(name).append(": others from given lines\n");
         }
     }
@@ -72,24 +72,39 @@ std::string wrong_fragments(const scenes::TestScene& scene, Coplanar coplanar) {
   }
 }
 
-std::string canonical(const Mesh& mesh, const View& view, const VisibleFragments& fragments) {
+namespace {
+
+std::string text_of(const Mesh& mesh, const View& view, const VisibleFragments& fragments, bool sorts) {
   std::vector<std::string> all;
   for (const Fragment& f : fragments.fragments) {
     std::vector<std::string> rings;
     for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
       std::vector<std::array<Rational, 3>> ring;
       for (const MapCorner& c : fragments.rings[r]) ring.push_back(exact_point(mesh, view, f.facet, c.at));
+      if (sorts) std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
       std::string text;
       for (const auto& p : ring) text += " (" + p[0].to_string() + ", " + p[1].to_string() + ", " + p[2].to_string() + ")";
       rings.push_back(text);
     }
+    if (sorts) std::sort(rings.begin() + 1, rings.end());
     std::string text = "triangle " + std::to_string(f.facet.value) + ":";
     for (const std::string& ring : rings) text += ring + ";";
     all.push_back(text);
   }
+  if (sorts) std::sort(all.begin(), all.end());
   std::string out;
   for (const std::string& line : all) out += line + "\n";
   return out;
+}
+
+}  // namespace
+
+std::string exact_text(const Mesh& mesh, const View& view, const VisibleFragments& fragments) {
+  return text_of(mesh, view, fragments, false);
+}
+
+std::string sorted_text(const Mesh& mesh, const View& view, const VisibleFragments& fragments) {
+  return text_of(mesh, view, fragments, true);
 }
 
 std::string areas(const scenes::TestScene& scene, Coplanar coplanar) {

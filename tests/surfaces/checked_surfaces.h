@@ -14,9 +14,10 @@ namespace hsr {
 /// @param coplanar which of coincident faces is visible
 std::string wrong_fragments(const scenes::TestScene& scene, Coplanar coplanar = Coplanar::first);
 
-/// The fragments as text: for each its face and its rings of exact points in space, each ring from its smallest point on,
-/// fragments and holes ascending. Equal iff the fragments are.
-std::string canonical(const Mesh& mesh, const View& view, const VisibleFragments& fragments);
+/// The fragments as text, in their order: for each its face and its rings of exact points in space.
+std::string exact_text(const Mesh& mesh, const View& view, const VisibleFragments& fragments);
+/// The same with each ring from its smallest point on, fragments and holes ascending: equal in whatever frame they were found.
+std::string sorted_text(const Mesh& mesh, const View& view, const VisibleFragments& fragments);
 
 /// The exact areas of the visible parts of faces, "1/2 3", where the view's frame is one of unit axes; "-" for none.
 std::string areas(const scenes::TestScene& scene, Coplanar coplanar = Coplanar::first);

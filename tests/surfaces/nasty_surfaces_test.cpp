@@ -138,7 +138,7 @@ TEST_CASE("strips over strips show each piece of the lower ones", "[surfaces][na
   const Mesh mesh = scene.mesh();
   const VisibleFragments found = visible_fragments(mesh, scene.view);
   CHECK(found.fragments.size() == m + m * (m + 1));
-  CHECK(canonical(mesh, scene.view, found) == canonical(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
+  CHECK(exact_text(mesh, scene.view, found) == exact_text(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
 }
 
 TEST_CASE("a face is cut by the near plane before it hides", "[surfaces][nasty][V8][S6]") {
@@ -175,7 +175,7 @@ TEST_CASE("of fifty squares however near to one another the nearest is seen", "[
     REQUIRE(found.fragments.size() == 1);
     CHECK(mesh.points[mesh.triangles[first_triangle(found.fragments[0].facet)][0]].z ==
           *std::max_element(depths.begin(), depths.end()));
-    CHECK(canonical(mesh, scene.view, found) == canonical(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
+    CHECK(exact_text(mesh, scene.view, found) == exact_text(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
     CHECK(check_fragments(mesh, scene.view, found, sample_grid(scene.view, paper_rectangle(mesh, scene.view), 64, 64))
               .is_right());
   }
@@ -192,7 +192,7 @@ TEST_CASE("triangles that cross at any slope cover the image once", "[surfaces][
     }
     const Mesh mesh = scene.mesh();
     const VisibleFragments found = visible_fragments(mesh, scene.view);
-    CHECK(canonical(mesh, scene.view, found) == canonical(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
+    CHECK(exact_text(mesh, scene.view, found) == exact_text(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
     CHECK(check_fragments(mesh, scene.view, found, sample_grid(scene.view, paper_rectangle(mesh, scene.view), 96, 96))
               .is_right());
   }
@@ -214,9 +214,9 @@ TEST_CASE("the fragments are the same for any number of threads", "[surfaces]") 
     return visible_fragments(mesh, scene.view);
   };
   const VisibleFragments one = found(1), two = found(2);
-  CHECK(canonical(mesh, scene.view, one) == canonical(mesh, scene.view, two));
+  CHECK(exact_text(mesh, scene.view, one) == exact_text(mesh, scene.view, two));
   CHECK(one.decisions == two.decisions);
-  CHECK(canonical(mesh, scene.view, one) == canonical(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
+  CHECK(exact_text(mesh, scene.view, one) == exact_text(mesh, scene.view, roberts_surfaces(mesh, scene.view)));
 }
 
 TEST_CASE("the check finds fragments that are wrong", "[surfaces][check]") {
