@@ -1,5 +1,5 @@
 // What hsr draws of a scene of three.js is, to the last bit, what it draws of the same scene written by hand, and it is where the
-// camera of three.js puts it. Usage: node three_js_test.mjs HSR, with the package three beside it.
+// camera of three.js puts it. run.py runs this in node, with the package three beside it, and HSR and BRIDGE, the files to test.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -10,7 +10,7 @@ import { after, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
 const THREE = await import("three");
-const { draw, hsrArguments, hsrScene } = await import(pathToFileURL(process.env.HSR_BRIDGE));
+const { draw, hsrArguments, hsrScene } = await import(pathToFileURL(process.env.BRIDGE));
 const command = process.env.HSR;
 const directory = mkdtempSync(join(tmpdir(), "hsr-three-"));
 after(() => rmSync(directory, { recursive: true }));
