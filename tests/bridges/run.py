@@ -14,6 +14,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 BRIDGES = HERE.parents[1] / "bridges"
+PAGE = HERE.parents[1] / "docs" / "bridges.md"
 
 
 def skip(why):
@@ -45,7 +46,8 @@ def three_js(directory):
             skip("the npm registry does not answer, which has the package three")
         if got.returncode != 0:
             skip(f"the package three cannot be had from npm: npm ci in {there} says why")
-    return [node, str(there / "in_node.mjs")], BRIDGES / "three_js" / "hsr_scene.mjs"
+    bridge = shutil.copy(BRIDGES / "three_js" / "hsr_scene.mjs", there)
+    return [node, str(there / "in_node.mjs")], bridge
 
 
 def freecad(directory):
@@ -62,6 +64,6 @@ def blender(directory):
 name, hsr, directory = sys.argv[1:]
 arguments, bridge = {"three_js": three_js, "freecad": freecad, "blender": blender}[name](directory)
 with tempfile.TemporaryDirectory() as home:  # nobody's settings are read or written
-    environment = dict(os.environ, HSR=hsr, BRIDGE=str(bridge), HOME=home, PYTHONDONTWRITEBYTECODE="1")
+    environment = dict(os.environ, HSR=hsr, BRIDGE=str(bridge), PAGE=str(PAGE), HOME=home, PYTHONDONTWRITEBYTECODE="1")
     ran = subprocess.run(arguments, env=environment, stdin=subprocess.DEVNULL, check=False)
 sys.exit(1 if ran.returncode else 0)

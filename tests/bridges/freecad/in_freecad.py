@@ -1,4 +1,5 @@
-"""What bridges/freecad draws, from inside of freecadcmd: run.py runs this with BRIDGE, the folder to test, and HSR, the command."""
+"""What bridges/freecad draws, from inside of freecadcmd: run.py runs this with BRIDGE, the folder to test, HSR, the command,
+and PAGE, the document."""
 
 import json
 import math
@@ -167,6 +168,19 @@ class Bridge(unittest.TestCase):
         hsr_drawing.write_model([("Red", Part.makeBox(1, 1, 1), view)], str(self.at / "red.obj"))
         told = subprocess.run([os.environ["HSR"], "info", str(self.at / "red.obj")], capture_output=True, text=True, check=True).stdout
         self.assertRegex(told, r"colours\s+1: #ff0000")
+
+    def test_the_script_of_the_document_draws(self):
+        self.add(Part.makeCylinder(5, 20))
+        self.document.recompute()
+        self.document.saveAs(str(self.at / "part.FCStd"))
+        (script,) = re.findall(r"```python\n(.*?)```", pathlib.Path(os.environ["PAGE"]).read_text(encoding="utf-8"), re.S)
+        before = os.getcwd()
+        os.chdir(self.at)
+        try:
+            exec(script, {})
+        finally:
+            os.chdir(before)
+        self.assertTrue((self.at / "part.svg").exists() and (self.at / "part.dxf").exists())
 
     def test_what_goes_wrong_is_said_in_one_line(self):
         with self.assertRaisesRegex(RuntimeError, "^hsr: found no visible shape, [^\n]*$"):

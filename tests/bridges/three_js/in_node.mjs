@@ -1,11 +1,12 @@
 // What hsr draws of a scene of three.js is, to the last bit, what it draws of the same scene written by hand, and it is where the
-// camera of three.js puts it. run.py runs this in node, with the package three beside it, and HSR and BRIDGE, the files to test.
+// camera of three.js puts it. run.py runs this in node, with the package three and BRIDGE, the file to test, beside it,
+// HSR, the command, and PAGE, the document.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { after, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
@@ -200,6 +201,20 @@ test("the round bodies of three.js are closed, and posed ones are drawn as posed
   writeFileSync(file("morphed.glb"), hsrScene(new THREE.Scene().add(mesh), camera));
   const told = spawnSync(command, ["info", file("morphed.glb")], { encoding: "utf8" });
   assert.match(told.stdout, /box\s+0 0 0 to 1 3 1/);
+});
+
+test("the program of the document draws", () => {
+  const [, program] = readFileSync(process.env.PAGE, "utf8").match(/```js\n([^]*?) *```/);
+  const there = mkdtempSync(join(dirname(process.env.BRIDGE), "page-"));
+  try {
+    writeFileSync(join(there, "page.mjs"), program.replace("./hsr_scene.mjs", "../hsr_scene.mjs"));
+    const ran = spawnSync(process.execPath, ["page.mjs"], { cwd: there, encoding: "utf8" });
+    assert.equal(ran.status, 0, ran.stderr);
+    assert.match(readFileSync(join(there, "knot.svg"), "utf8"), /data-object="Mesh"|id="hidden-outline"/);
+    assert.equal(readFileSync(join(there, "knot.pdf"), "latin1").slice(0, 5), "%PDF-");
+  } finally {
+    rmSync(there, { recursive: true });
+  }
 });
 
 test("what goes wrong is said in one line, and what is passed over", async () => {
