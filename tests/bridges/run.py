@@ -65,5 +65,7 @@ name, hsr, directory = sys.argv[1:]
 arguments, bridge = {"three_js": three_js, "freecad": freecad, "blender": blender}[name](directory)
 with tempfile.TemporaryDirectory() as home:  # nobody's settings are read or written
     environment = dict(os.environ, HSR=hsr, BRIDGE=str(bridge), PAGE=str(PAGE), HOME=home, PYTHONDONTWRITEBYTECODE="1")
+    # The Python inside of a program looks for its modules beside the first python3 on PATH, which may be another one.
+    environment["PATH"] = os.pathsep.join([str(pathlib.Path(arguments[0]).parent), os.environ["PATH"]])
     ran = subprocess.run(arguments, env=environment, stdin=subprocess.DEVNULL, check=False)
 sys.exit(1 if ran.returncode else 0)
