@@ -75,29 +75,21 @@ def run(arguments):
 def placed_shapes(objects):
     """Label, shape where it is in the document, and view provider of each visible object."""
     objects = list(objects)
-    inside = set()  # of what a container brings along, and of what others are made of
-    for o in objects:
-        if is_container(o):
-            inside.update(child.Name for child in o.Group)
-        elif hasattr(o, "Shape"):
-            inside.update(part.Name for part in o.OutList if not o.isDerivedFrom("App::Link"))
-    for o in objects:
-        if o.Name not in inside and not o.TypeId.startswith("App::Origin"):
+    inside = {child.Name for o in objects if is_container(o) for child in o.Group}  # they come with it
+    for o in drawn_themselves(objects):
+        if o.Name not in inside:
             yield from shapes_below(o, parent_placement(o))
 
 
 def shapes_below(o, placement):
-    if not o.Visibility:
+    if not o.Visibility or o.TypeId == "App::Origin" or re.fullmatch(r"PartDesign::(Plane|Line|Point|CoordinateSystem)", o.TypeId):
         return
     if is_container(o):
         placement = placement.multiply(o.Placement) if hasattr(o, "Placement") else placement
-        used = {part.Name for child in o.Group if not is_container(child) for part in child.OutList}
-        for child in o.Group:
-            if child.Name not in used and child.TypeId != "App::Origin":
-                yield from shapes_below(child, placement)
+        for child in drawn_themselves(o.Group):
+            yield from shapes_below(child, placement)
         return
-    is_datum = re.fullmatch(r"PartDesign::(Plane|Line|Point|CoordinateSystem)", o.TypeId)
-    shape = None if is_datum else Part.getShape(o)
+    shape = Part.getShape(o)
     if shape is None or shape.isNull() or not (shape.Faces or shape.Edges):
         return
     shape = shape.copy()
@@ -108,6 +100,20 @@ def shapes_below(o, placement):
 def is_container(o):
     """A group or a part; a body is one shape, that of its tip."""
     return hasattr(o, "Group") and not o.isDerivedFrom("Part::Feature")
+
+
+def drawn_themselves(objects):
+    """Those that no other of them is made of. With a window it makes these invisible, and what is visible is meant to be seen."""
+    used = set()
+    for o in () if FreeCAD.GuiUp else objects:
+        for name in ("Base", "Tool", "Shapes", "Source", "Sections", "Spine", "Links"):
+            value = getattr(o, name, None)  # an object, one with names of its edges, or a list of such
+            for part in value if isinstance(value, (list, tuple)) else [value]:
+                used.add(getattr(part[0] if isinstance(part, tuple) else part, "Name", None))
+    for o in objects:
+        body = o.getParentGeoFeatureGroup()
+        if o.Name not in used and not (body in objects and body.isDerivedFrom("Part::Feature")):
+            yield o
 
 
 def parent_placement(o):

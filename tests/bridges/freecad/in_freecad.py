@@ -121,12 +121,18 @@ class Bridge(unittest.TestCase):
         hidden.Visibility = False
         cut = self.document.addObject("Part::Cut", "Cut")
         cut.Base, cut.Tool = self.document.addObject("Part::Box", "Base"), self.document.addObject("Part::Cylinder", "Tool")
+        body = self.document.addObject("PartDesign::Body", "Body")
+        solid = body.newObject("PartDesign::AdditiveBox", "Solid")
+        solid.Length = 3
+        rod = self.document.addObject("Part::Box", "Rod")  # one that another only measures is drawn
+        rod.Placement.Base = VECTOR(0, 300, 0)
+        solid.setExpression("Width", "Rod.Width / 2")
         link = self.document.addObject("App::Link", "Link")
         link.LinkedObject, link.Label = box, "another"
         link.Placement.Base = VECTOR(-50, 0, 0)
         found = self.drawn()
-        self.assertEqual(sorted(found["objects"]), ["Cut", "a box", "another"])
-        name = {k: [p for x in found["lines"] if x["object"] == i for p in ends(x)] for i, k in enumerate(found["objects"])}
+        self.assertEqual(sorted(found["objects"]), ["Body", "Cut", "Rod", "a box", "another"])
+        name = {k: [p for x in found["lines"] if x.get("object") == i for p in ends(x)] for i, k in enumerate(found["objects"])}
         self.assertEqual((min(name["a box"]), max(name["a box"])), ((100, 10, 8), (101, 12, 12)))
         self.assertEqual((min(name["another"]), max(name["another"])), ((-50, 0, 0), (-49, 2, 4)))
         # One that stands in a part, chosen alone.
