@@ -113,6 +113,10 @@ class Bridge(unittest.TestCase):
         drawn = self.drawn()
         self.assertEqual(drawn, self.directly(boxes, "--eye=6,-9,5", "--target=0.5,0,0.5", "--near=0.1"))
         self.assertEqual({name for _, name, _, _ in drawn}, {"Slab", "Row", "Inner", "Inner [2]"})
+        hsr_drawing.draw(self.at / "view.json")
+        view = json.loads((self.at / "view.json").read_text(encoding="utf-8"))["view"]
+        distance = (Vector(view["target"]) - Vector(view["eye"][:3])).length  # near is in distances of the target
+        self.assertAlmostEqual(view["near"] * distance, self.camera.data.clip_start, 5)
 
     def test_an_orthographic_camera_shows_exactly_the_lines_of_the_same_scene_by_hand(self):
         boxes = self.scene_of_boxes()

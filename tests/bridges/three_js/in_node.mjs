@@ -130,6 +130,9 @@ async function drawnByThree(camera) {
 test("a perspective camera shows exactly the lines of the same scene made by hand", async () => {
   const drawn = await drawnByThree(perspective());
   assert.deepEqual(drawn, drawnDirectly(["--eye=5,4.5,9.25", "--target=0,1,1", "--near=0.5"]));
+  await draw(threeScene(), perspective(), file("near.json"), [], { command });
+  const { near, eye, target } = JSON.parse(readFileSync(file("near.json"))).view;  // near: in distances of the target
+  assert(Math.abs(near * Math.hypot(...target.map((x, k) => x - eye[k])) - 0.5) < 1e-12);
   assert(drawn.some((line) => line.startsWith("material floor")));
   assert(drawn.some((line) => line.startsWith("wire")));
   assert.equal(new Set(drawn.map((line) => line.match(/post( \[\d\])?/)?.[0])).size, 4);
@@ -151,12 +154,12 @@ test("on the page a point is where the camera of three.js puts it", async () => 
   for (const [name, [aspect, change]] of Object.entries(cases)) {
     const camera = perspective();
     camera.aspect = aspect;
-    change(camera);
-    camera.updateProjectionMatrix();
+    change(camera);  // which draw notices by itself
     await draw(threeScene(), camera, file("page.svg"), ["--hidden", "solid"], { command });
     const svg = readFileSync(file("page.svg"), "utf8");
     const [width, height] = svg.match(/viewBox="0 0 ([\d.]+) ([\d.]+)"/).slice(1).map(Number);
     const drawn = [...svg.matchAll(/ d="M([^"]*)"/g)].flatMap(([, d]) => d.replace(/[ZM]/g, " ").trim().split(/\s+/).map(Number));
+    camera.updateProjectionMatrix();
     // Half of what is framed, from the corners of the frame of three.js.
     const corner = (x, y) => new THREE.Vector3(x, y, -1).applyMatrix4(camera.projectionMatrixInverse);
     const low = corner(-1, -1), high = corner(1, 1);
