@@ -202,8 +202,8 @@ def unit_options(scene, options):
     """hsr knows metres, centimetres and millimetres; what the unit is counts only where a scale is asked for."""
     if any(o.startswith("--unit") for o in options):
         return []
-    lengths = {1.0: "m", 0.01: "cm", 0.001: "mm"}
-    return [f"--unit={unit}" for length, unit in lengths.items() if math.isclose(scene.unit_settings.scale_length, length, rel_tol=1e-6)]
+    lengths, metres = {1.0: "m", 0.01: "cm", 0.001: "mm"}, scene.unit_settings.scale_length
+    return [f"--unit={unit}" for length, unit in lengths.items() if math.isclose(metres, length, rel_tol=1e-6)]
 
 
 def text(v):

@@ -22,9 +22,9 @@ OPTIONS = ["--hidden", "dashed"]  # of the macro: options of `hsr draw`
 
 # Radians between neighbouring facets, where FreeCAD's own meshes have 0.5: small holes are round, too.
 ANGULAR_DEFLECTION = 0.2
-# Degrees: hsr draws as sharp what deviates from flat by more. Facets of one face come to 25 at the poles of a sphere, and to 45 on a
-# surface of splines with tight waves, so hsr's own 30 would show some of them. Edges of the shape that are shallower than this are
-# drawn all the same: their faces get different materials.
+# Degrees: hsr draws as sharp what deviates from flat by more. Facets of one face come to 25 at the poles of a sphere, and beyond 40
+# on a surface of splines with tight waves, so hsr's own 30 would show some of them. Edges of the shape that are shallower than this
+# are drawn all the same: their faces get different materials.
 CREASE = 60
 # Degrees: faces that meet within this go on in one another, as a fillet does, and no edge is drawn there.
 TANGENT = 1

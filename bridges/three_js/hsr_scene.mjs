@@ -15,13 +15,13 @@ const LINES = 1, LINE_LOOP = 2, LINE_STRIP = 3, TRIANGLES = 4;
  * instances and vertices, opacity. Numbers are those of three.js, positions in float32 and world matrices in doubles, but for
  * closeSeams().
  * Left out: what is invisible, or on layers that the camera does not see. Passed over with one line to `warn`: sprites, points,
- * BatchedMesh, textures. All faces are seen from both sides.
+ * BatchedMesh, what shaders place (fat lines, too), textures. All faces are seen from both sides.
  *
  * @throws Error for a camera that is neither perspective nor orthographic
  */
 export function hsrScene(scene, camera, { warn = console.warn } = {}) {
   scene.updateMatrixWorld();
-  if (camera.parent === null) camera.updateMatrixWorld();
+  camera.updateWorldMatrix(true, false);  // it may stand outside of the scene
   const file = new Glb();
   const passedOver = new Set();
   const visit = (object) => {
@@ -94,6 +94,7 @@ function addCamera(file, camera) {
 function addObject(file, object, passedOver) {
   if (object.isSprite || object.isPoints || object.isBatchedMesh) return void passedOver.add(object.type);
   if (!object.isMesh && !object.isLine) return;
+  if (object.geometry.isInstancedBufferGeometry) return void passedOver.add(object.geometry.type);  // fat lines, too
   const name = object.name || object.type;
   if (!object.isInstancedMesh) {
     const mesh = meshOf(file, object, null, passedOver);
@@ -182,7 +183,8 @@ class Glb {
   }
 
   add(numbers, componentType, type, count, target) {
-    const bufferView = this.json.bufferViews.push({ buffer: 0, byteOffset: this.#size, byteLength: numbers.byteLength, target }) - 1;
+    const view = { buffer: 0, byteOffset: this.#size, byteLength: numbers.byteLength, target };
+    const bufferView = this.json.bufferViews.push(view) - 1;
     this.#chunks.push(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength));
     this.#size += numbers.byteLength;  // a multiple of 4
     return this.json.accessors.push({ bufferView, componentType, count, type }) - 1;

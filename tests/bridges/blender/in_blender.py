@@ -11,7 +11,7 @@ import unittest
 
 import bpy
 from bpy_extras.object_utils import world_to_camera_view
-from mathutils import Matrix, Vector
+from mathutils import Vector
 
 sys.path.insert(0, os.environ["BRIDGE"])
 import hsr_drawing
@@ -40,7 +40,8 @@ def parts(json_file):
         return sorted(sorted(map(tuple, interval)) for interval in intervals)
 
     return sorted(
-        (x["class"], names[x["object"]] if "object" in x else "", ends(x["visible_points"]), ends(x["hidden_points"])) for x in found["lines"]
+        (x["class"], names[x["object"]] if "object" in x else "", ends(x["visible_points"]), ends(x["hidden_points"]))
+        for x in found["lines"]
     )
 
 
@@ -105,8 +106,13 @@ class Bridge(unittest.TestCase):
         hidden = self.mesh("Hidden")
         hidden.hide_render, hidden.scale = True, (20, 20, 20)
         self.mesh("Away").hide_viewport = True
-        return [("Slab", (0.5, 0, -1), (4, 2, 0.25)), ("Row", (-2, -1, 0.25), (0.5, 0.5, 0.75)), ("Row", (0, -1, 0.25), (0.5, 0.5, 0.75)),
-                ("Inner", (1, 1, 0), (0.25, 0.25, 0.5)), ("Inner [2]", (3, 1, 0), (0.25, 0.25, 0.5))]
+        return [
+            ("Slab", (0.5, 0, -1), (4, 2, 0.25)),
+            ("Row", (-2, -1, 0.25), (0.5, 0.5, 0.75)),
+            ("Row", (0, -1, 0.25), (0.5, 0.5, 0.75)),
+            ("Inner", (1, 1, 0), (0.25, 0.25, 0.5)),
+            ("Inner [2]", (3, 1, 0), (0.25, 0.25, 0.5)),
+        ]
 
     def test_a_perspective_shows_exactly_the_lines_of_the_same_scene_by_hand(self):
         boxes = self.scene_of_boxes()
@@ -129,9 +135,15 @@ class Bridge(unittest.TestCase):
     def test_on_the_page_a_point_is_where_the_camera_puts_it(self):
         self.mesh("Cube")
         self.look((12, -18, 10), (0.5, 0, 0.5))
-        cases = [({}, {}), ({"sensor_fit": "VERTICAL"}, {}), ({"sensor_fit": "HORIZONTAL"}, {"resolution_x": 400, "resolution_y": 900}),
-                 ({}, {"resolution_x": 400, "resolution_y": 900}), ({"shift_x": 0.06, "shift_y": -0.04}, {}),
-                 ({"sensor_fit": "VERTICAL", "shift_y": 0.05}, {"resolution_x": 700, "resolution_y": 900}), ({}, {"pixel_aspect_x": 2})]
+        cases = [
+            ({}, {}),
+            ({"sensor_fit": "VERTICAL"}, {}),
+            ({"sensor_fit": "HORIZONTAL"}, {"resolution_x": 400}),
+            ({}, {"resolution_x": 400}),
+            ({"shift_x": 0.06, "shift_y": -0.04}, {}),
+            ({"sensor_fit": "VERTICAL", "shift_y": 0.05}, {"resolution_x": 700}),
+            ({}, {"pixel_aspect_x": 2}),
+        ]
         for lens, render in cases:
             with self.subTest(lens=lens, render=render):
                 data = self.camera.data
@@ -205,10 +217,11 @@ class Bridge(unittest.TestCase):
             self.mesh("Cube")
             bpy.context.view_layer.update()
             path = self.at / "x.pdf"
-            self.assertEqual(bpy.ops.export_scene.hsr_drawing(filepath=str(path), hidden="dashed", options="--page A5"), {"FINISHED"})
+            export = bpy.ops.export_scene.hsr_drawing
+            self.assertEqual(export(filepath=str(path), hidden="dashed", options="--page A5"), {"FINISHED"})
             self.assertEqual(path.read_bytes()[:5], b"%PDF-")
             with self.assertRaisesRegex(RuntimeError, "hsr: .*x.xyz"):
-                bpy.ops.export_scene.hsr_drawing(filepath=str(self.at / "x.xyz"))
+                export(filepath=str(self.at / "x.xyz"))
         finally:
             hsr_drawing.unregister()
 

@@ -33,8 +33,10 @@ def ends(line):
 
 
 def parts(lines):
-    return sorted((x["class"], [sorted(map(tuple, p)) for p in x["visible_points"]], [sorted(map(tuple, p)) for p in x["hidden_points"]])
-                  for x in lines)
+    def both(intervals):
+        return [sorted(map(tuple, interval)) for interval in intervals]
+
+    return sorted((x["class"], both(x["visible_points"]), both(x["hidden_points"])) for x in lines)
 
 
 class Bridge(unittest.TestCase):
@@ -58,7 +60,8 @@ class Bridge(unittest.TestCase):
         return json.loads((self.at / "drawn.json").read_text(encoding="utf-8"))
 
     def directly(self, file, *options):
-        subprocess.run([os.environ["HSR"], "draw", str(file), "-q", "-o", str(self.at / "direct.json"), "--hidden", "dashed", *options], check=True)
+        command = [os.environ["HSR"], "draw", str(file), "-q", "-o", str(self.at / "direct.json"), "--hidden", "dashed"]
+        subprocess.run([*command, *options], check=True)
         return json.loads((self.at / "direct.json").read_text(encoding="utf-8"))
 
     def test_a_box_is_drawn_exactly_as_by_hand(self):
@@ -93,7 +96,8 @@ class Bridge(unittest.TestCase):
                           Part.makeLine(VECTOR(20, 10, 0), VECTOR(0, 10, 0)),
                           Part.Arc(VECTOR(0, 10, 0), VECTOR(-5.2, 4.8, 0), VECTOR(-2, 0, 0)).toShape()])
         self.add(Part.Face(wire).extrude(VECTOR(0, 0, 30)))
-        upright = [{p[:2] for p in ends(x)} for x in self.drawn()["lines"] if {p[2] for p in ends(x)} == {0, 30} and x["class"] == "material"]
+        lines = [x for x in self.drawn()["lines"] if x["class"] == "material" and {p[2] for p in ends(x)} == {0, 30}]
+        upright = [{p[:2] for p in ends(x)} for x in lines]
         corner = [one for one in upright if len(one) == 1 and math.dist(*one, (-2, 0)) < 1e-9]
         self.assertEqual((len(corner), len(upright)), (1, 2))
 
@@ -144,7 +148,7 @@ class Bridge(unittest.TestCase):
         self.add(Part.makeBox(10, 20, 30))
         box_file(self.at / "box.obj", (0, 0, 0), (10, 20, 30))
         turned = "viewportMapping ADJUST_CAMERA\n position 40 10 15\n orientation 0.57735026 0.57735026 0.57735026 2.0943952\n"
-        seen = self.drawn("#Inventor V2.1 ascii\n\nPerspectiveCamera {\n " + turned + " focalDistance 35\n heightAngle 0.78539819\n}\n")
+        seen = self.drawn("#Inventor V2.1 ascii\n\nPerspectiveCamera {\n " + turned + " focalDistance 35\n heightAngle 0.78539819\n}")
         self.assertEqual(seen["view"]["eye"], [40, 10, 15, 1])
         direct = self.directly(self.at / "box.obj", "--eye=40,10,15", "--target=5,10,15", "--up=0,0,1")
         self.assertEqual(len(seen["lines"]), len(direct["lines"]))
@@ -158,7 +162,8 @@ class Bridge(unittest.TestCase):
 
     def test_millimetres(self):
         self.add(Part.makeBox(40, 20, 30))
-        hsr_drawing.draw(self.document.Objects, [self.at / "x.svg", self.at / "x.dxf"], "front", ["--scale", "1:1", "--page", "fit"])
+        outputs = [self.at / "x.svg", self.at / "x.dxf"]
+        hsr_drawing.draw(self.document.Objects, outputs, "front", ["--scale", "1:1", "--page", "fit"])
         size = re.search(r'width="([\d.]+)mm" height="([\d.]+)mm"', (self.at / "x.svg").read_text(encoding="utf-8"))
         self.assertEqual([float(x) - 20 for x in size.groups()], [40, 30])  # less the margins
         self.assertIn("AC1009", (self.at / "x.dxf").read_text(encoding="utf-8"))
@@ -172,8 +177,8 @@ class Bridge(unittest.TestCase):
         self.assertEqual(hsr_drawing.colours_of(look, 2), [(0, 0, 1.0, 1)] * 2)
         view = types.SimpleNamespace(ShapeColor=(1.0, 0.0, 0.0, 0.0))
         hsr_drawing.write_model([("Red", Part.makeBox(1, 1, 1), view)], str(self.at / "red.obj"))
-        told = subprocess.run([os.environ["HSR"], "info", str(self.at / "red.obj")], capture_output=True, text=True, check=True).stdout
-        self.assertRegex(told, r"colours\s+1: #ff0000")
+        command = [os.environ["HSR"], "info", str(self.at / "red.obj")]
+        self.assertRegex(subprocess.run(command, capture_output=True, text=True, check=True).stdout, r"colours\s+1: #ff0000")
 
     def test_the_script_of_the_document_draws(self):
         self.add(Part.makeCylinder(5, 20))

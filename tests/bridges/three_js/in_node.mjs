@@ -48,7 +48,8 @@ function threeScene() {
   const loose = named("unindexed", new THREE.Mesh(geometry(unit, TRIANGLES, { indexed: false }), grey));
   loose.position.set(1.5, 1, 1.25);
   scene.add(loose);
-  const posts = named("post", new THREE.InstancedMesh(geometry(unit, TRIANGLES, { indexed: true }), new THREE.MeshBasicMaterial(), 3));
+  const post = geometry(unit, TRIANGLES, { indexed: true });
+  const posts = named("post", new THREE.InstancedMesh(post, new THREE.MeshBasicMaterial(), 3));
   posts.position.set(0, 0.5, 3);
   for (let i = 0; i < 3; ++i) {
     posts.setMatrixAt(i, new THREE.Matrix4().makeTranslation(1.5 * i - 1, 0, 0).scale(new THREE.Vector3(0.5, 3, 0.5)));
@@ -79,8 +80,13 @@ function threeScene() {
 
 /** The same by hand: an OBJ file of boxes with quadrangles, where they are in the world. */
 function directScene() {
-  const boxes = [["indexed", [-1, 0.25, 0], [2, 2, 2]], ["unindexed", [1.5, 1, 1.25], [1, 1, 1]], ["post", [-1, 0.5, 3], [0.5, 3, 0.5]],
-                 ["post [2]", [0.5, 0.5, 3], [0.5, 3, 0.5]], ["post [3]", [2, 0.5, 3], [0.5, 3, 0.5]]];
+  const boxes = [
+    ["indexed", [-1, 0.25, 0], [2, 2, 2]],
+    ["unindexed", [1.5, 1, 1.25], [1, 1, 1]],
+    ["post", [-1, 0.5, 3], [0.5, 3, 0.5]],
+    ["post [2]", [0.5, 0.5, 3], [0.5, 3, 0.5]],
+    ["post [3]", [2, 0.5, 3], [0.5, 3, 0.5]],
+  ];
   let text = "", points = 0;
   const add = (corners, faces) => {
     for (const p of corners) text += `v ${p.join(" ")}\n`;
@@ -102,13 +108,14 @@ function directScene() {
 /** Class, object, visible and hidden parts of each line, as exact text, whichever way round it is stored. */
 function lines(json) {
   const ends = (parts) => parts.map((part) => part.map((p) => p.join(" ")).sort().join(" to ")).sort().join("; ");
-  return json.lines.map((line) =>
-    [line.class, json.objects[line.object] ?? "none", "visible", ends(line.visible_points), "hidden", ends(line.hidden_points)].join(" ")).sort();
+  const said = ({ object, visible_points, hidden_points, ...line }) =>
+    `${line.class} ${json.objects[object] ?? "none"} visible ${ends(visible_points)} hidden ${ends(hidden_points)}`;
+  return json.lines.map(said).sort();
 }
 
 function drawnDirectly(view) {
-  const ran = spawnSync(command, ["draw", "-", "--from", "obj", "--up-axis", "y", "-o", file("direct.json"), "--exact", "--hidden", "dashed", ...view],
-                        { input: directScene(), encoding: "utf8" });
+  const options = ["--from", "obj", "--up-axis", "y", "-o", file("direct.json"), "--exact", "--hidden", "dashed", ...view];
+  const ran = spawnSync(command, ["draw", "-", ...options], { input: directScene(), encoding: "utf8" });
   assert.equal(ran.status, 0, ran.stderr);
   return lines(JSON.parse(readFileSync(file("direct.json"))));
 }
@@ -185,7 +192,8 @@ test("colours of materials, instances and vertices arrive", async () => {
   scene.add(new THREE.Mesh(painted, new THREE.MeshBasicMaterial({ vertexColors: true })));
   await draw(scene, perspective(), file("colours.svg"), ["--fill", "--shade", "none"], { command });
   const svg = readFileSync(file("colours.svg"), "utf8");
-  for (const colour of ["#ff0000", "#00ff00", "#0000ff", "#ffff00", "#808080", "#ffffff", "#000000"]) assert(svg.includes(`fill="${colour}"`), colour);
+  for (const colour of ["#ff0000", "#00ff00", "#0000ff", "#ffff00", "#808080", "#ffffff", "#000000"])
+    assert(svg.includes(`fill="${colour}"`), colour);
 });
 
 test("the round bodies of three.js are closed, and posed ones are drawn as posed", async () => {
@@ -221,14 +229,14 @@ test("the program of the document draws", () => {
 });
 
 test("what goes wrong is said in one line, and what is passed over", async () => {
-  const one = (text) => (error) => error.message.startsWith("hsr: ") && error.message.includes(text) && !error.message.includes("\n");
+  const one = (text) => ({ message }) => message.startsWith("hsr: ") && message.includes(text) && !message.includes("\n");
   const scene = threeScene(), camera = perspective();
   await assert.rejects(draw(scene, camera, file("x.xyz"), [], { command }), one("x.xyz"));
   await assert.rejects(draw(scene, camera, file("x.svg"), [], { command: "/nowhere/hsr" }), one("cannot be run"));
   await assert.rejects(draw(scene, new THREE.Camera(), file("x.svg"), [], { command }), one("expected a perspective"));
   const said = [];
-  scene.add(new THREE.Sprite(), new THREE.Points());
+  scene.add(new THREE.Sprite(), new THREE.Points(), new THREE.Mesh(new THREE.InstancedBufferGeometry()));
   hsrScene(scene, camera, { warn: (text) => said.push(text) });
-  assert.deepEqual(said, ["hsr: passed over: Points, Sprite"]);
+  assert.deepEqual(said, ["hsr: passed over: InstancedBufferGeometry, Points, Sprite"]);
   assert.deepEqual(hsrArguments(new THREE.OrthographicCamera()), ["--view", "camera:camera"]);
 });
