@@ -24,6 +24,7 @@ from ._results import Check, Drawing, Fragments, Order, Tree, Verdict, VisibleLi
 from ._scene import Scene, scene
 from ._scene import scene_data as _scene_data
 from ._view import View
+from ._viewport import project_to_viewport
 
 __version__ = _core.version
 __all__ = [
@@ -47,6 +48,7 @@ __all__ = [
     "fragments",
     "hidden",
     "order",
+    "project_to_viewport",
     "scene",
     "tree",
     "verify",

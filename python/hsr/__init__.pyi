@@ -28,6 +28,7 @@ __all__ = [
     "fragments",
     "hidden",
     "order",
+    "project_to_viewport",
     "scene",
     "tree",
     "verify",
@@ -284,6 +285,20 @@ def order(
     threads: int | None = None,
     progress: _Progress | None = None,
 ) -> Order: ...
+def project_to_viewport(
+    shape_mesh: _Scene,
+    viewport_origin: ArrayLike,
+    viewport_up: ArrayLike = (0, 0, 1),
+    look_at: ArrayLike | None = None,
+    focus: float | None = None,
+    *,
+    edges: str | Sequence[str] | None = None,
+    crease: float | tuple[float, float] | None = None,
+    tolerance: float | None = None,
+    coplanar: _Coplanar | None = None,
+    threads: int | None = None,
+    progress: _Progress | None = None,
+) -> tuple[list[NDArray[numpy.float64]], list[NDArray[numpy.float64]]]: ...
 def verify(
     order: Order | _Scene,
     view: _View = "iso",

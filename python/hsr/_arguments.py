@@ -102,6 +102,7 @@ _SPELLED = {
     "fill": _flag,
     "why": _flag,
     "outline_only": _flag,
+    "in_frame_units": _flag,
     "pen": _pen,
     "pens": _path,
     "exact": _flag,

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -75,6 +76,7 @@ DrawRequest::DrawRequest(const Arguments& a)
   scene.hidden_lines = lines.why || drawing.hidden != HiddenLines::none || outputs.wants(Format::json);
   const std::string united = a.word("merge", "none", {"none", "coplanar", "colour"});
   merge = united == "none" ? Merge::none : united == "coplanar" ? Merge::coplanar : Merge::colour;
+  drawing.in_frame_units = a.get<bool>("in_frame_units", false);
   if (!page.size.empty()) size = parse_size(page.size);
   check_id_prefix(id_prefix);
   if (!outline_only) return;
@@ -182,6 +184,7 @@ void Drawer::place() {
                     request_.id_prefix};
   page_.scale = cli::scale_in_title(page_.drawing, request_.drawing, request_.page);
   page_.size = request_.size;
+  page_.is_in_frame_units = request_.drawing.in_frame_units;
   page_.dxf_release = request_.dxf_release;
   page_.unit = request_.drawing.unit;
   if (request_.outputs.wants(Format::json))
@@ -220,14 +223,23 @@ std::shared_ptr<DrawnPage> draw_scene(const std::shared_ptr<SceneData>& data, co
   return page;
 }
 
-/// The polylines in millimetres: points (p, 2), offsets (n + 1,), hidden (n,), edge_class (n,).
+/// A coordinate of the drawing in millimetres, or in units of the view's frame, where the scale is a power of ten: rounded once.
+double coordinate_of(const DrawnPage& page, double micrometres) {
+  const double in_unit = page.is_in_frame_units ? 1000 * page.drawing.scale : 1000;
+  return in_unit < 1 ? micrometres * std::round(1 / in_unit) : micrometres / in_unit;
+}
+
+/// The polylines in millimetres, y down, or in units of the view's frame, y up: points (p, 2), offsets (n + 1,), hidden (n,),
+/// edge_class (n,).
 py::dict polylines_of(const DrawnPage& page) {
+  const double down = page.is_in_frame_units ? -1 : 1;
   std::vector<double> points;
   std::vector<std::int64_t> offsets = {0};
   std::vector<std::uint8_t> hidden, edge_class;
   for (const Polyline& line : page.drawing.polylines) {
     const auto add = [&](const PaperPoint& p) {
-      points.insert(points.end(), {static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000});
+      const double x = static_cast<double>(p.x), y = down * static_cast<double>(p.y);
+      points.insert(points.end(), {coordinate_of(page, x), coordinate_of(page, y) + 0.0});
     };
     for (const PaperPoint& p : page.drawing.points_of(line)) add(p);
     if (line.closed) add(page.drawing.points_of(line).front());

@@ -24,6 +24,7 @@ struct DrawnPage {
   SvgOptions captions;
   std::string scale;  ///< ", scale 1:2", or empty
   std::optional<PixelSize> size;
+  bool is_in_frame_units = false;  ///< no page: a projection, see DrawingOptions
   std::string dxf_release = "r12";
   double unit = 1;  ///< millimetres in a unit of the model
   std::vector<std::string> notes;

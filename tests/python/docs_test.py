@@ -20,7 +20,7 @@ HAS_MATPLOTLIB = importlib.util.find_spec("matplotlib") is not None
 
 class Documents(unittest.TestCase):
     def test_doctests(self):
-        for module in (hsr, sys.modules["hsr._view"], sys.modules["hsr._scene"]):
+        for module in (hsr, sys.modules["hsr._view"], sys.modules["hsr._scene"], sys.modules["hsr._viewport"]):
             result = doctest.testmod(module)
             self.assertGreater(result.attempted, 0)
             self.assertEqual(result.failed, 0)
