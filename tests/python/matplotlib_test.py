@@ -170,6 +170,15 @@ class Lines(unittest.TestCase):
         at = self.pixels(lambda ax: ax.scatter([-0.5, 0, 0.5], [-0.5, 0, 0.5], [0, 0, 0], color="blue", s=80))
         self.assertEqual([at(x, 0, 0) for x in (-0.5, 0, 0.5)], [[0, 0, 1], [0, 0, 1], [1, 0, 0]])
 
+    def test_a_marker_in_pieces_is_painted_once(self):
+        def add(ax):
+            y, z = numpy.meshgrid([-1, 1], [-1, 1])
+            ax.plot_surface(0 * y, y, z, color="red", shade=False)  # seen edge-on, and cuts the marker
+            ax.scatter([0], [-0.01], [0], color="blue", s=900, alpha=0.5, linewidths=0, depthshade=False)
+
+        for found, expected in zip(self.pixels(add)(0.06, 0, 0), [0.5, 0, 0.5]):
+            self.assertAlmostEqual(found, expected, delta=0.02)
+
     def test_behind_a_transparent_wall(self):
         at = self.pixels(lambda ax: ax.plot([-0.9, 0.9], [0.5, 0.5], [0.5, 0.5], color="blue", lw=4), alpha=0.5)
         for found, expected in zip(at(0.2, 0, 0.5), [0.5, 0, 0.5]):
