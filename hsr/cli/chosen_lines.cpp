@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "geometry/error.h"
@@ -107,5 +108,13 @@ LineOptions LineArguments::options() const {
 }
 
 SceneOptions LineArguments::scene_options() const { return {.stages = parse_stages(stages)}; }
+
+Arithmetic arithmetic_named(const std::string& name) {
+  static const std::map<std::string, Arithmetic> names = {{"staged", Arithmetic::staged},
+                                                          {"double", Arithmetic::double_only},
+                                                          {"interval", Arithmetic::interval},
+                                                          {"rational", Arithmetic::rational}};
+  return names.at(name);
+}
 
 }  // namespace hsr::cli

@@ -79,14 +79,6 @@ them in units of the model, 1:1, whatever the page; .json has every line with it
 hidden intervals; .csv is a table of errors against run time. Standard error tells what was written, and the scale of a page.
 Exit status 1: --check or a csv found a difference that must not be.)";
 
-Arithmetic parse_arithmetic(const std::string& text) {
-  static const std::map<std::string, Arithmetic> names = {{"staged", Arithmetic::staged},
-                                                          {"double", Arithmetic::double_only},
-                                                          {"interval", Arithmetic::interval},
-                                                          {"rational", Arithmetic::rational}};
-  return names.at(text);
-}
-
 void describe(Report& report, const Model& model, const Mesh& mesh, const VisibleLines& lines) {
   report.set("model", {{"name", model.name},
                        {"format", model.format},
@@ -191,7 +183,7 @@ DrawRequest parse(const DrawArguments& a) {
   request.lines.why = a.why;
   request.scene = a.lines.scene_options();
   request.scene.coplanar = a.scene.which_coplanar();
-  request.scene.arithmetic = parse_arithmetic(a.arithmetic);
+  request.scene.arithmetic = arithmetic_named(a.arithmetic);
   request.drawing = a.page.options();
   request.drawing.hidden = a.hidden == "none"     ? HiddenLines::none
                            : a.hidden == "dashed" ? HiddenLines::dashed
@@ -415,12 +407,9 @@ Drawing DrawCommand::drawn(const DrawingOptions& options) const {
   return draw(scene_.mesh, scene_.view(), lines_, options, &regions);
 }
 
-/// Not the page's drawing made larger: each coordinate is rounded once, to what it is in the model.
 void DrawCommand::draw_in_model_units() {
   if (!request_.wants(Format::dxf)) return;
-  DrawingOptions options = request_.drawing;
-  options.in_frame_units = true;
-  options.min_length /= drawing_->scale;
+  const DrawingOptions options = in_model_units(request_.drawing, drawing_->scale);
   model_drawing_ = context_.report.timed("drawing in units of the model", [&] { return drawn(options); });
   model_drawing_->pens = drawing_->pens;
   decisions_ += model_drawing_->decisions;
@@ -481,9 +470,7 @@ std::string DrawCommand::bytes_of(Format format) const {
   SvgOptions captions = scene_.captions();
   captions.id_prefix = a_.id_prefix;
   WriteOptions options = page_options(format, captions, scale_in_title(*drawing_, request_.drawing, a_.page), request_.size);
-  options.is_dxf_2000 = a_.dxf_release == "2000";
-  options.unit = request_.drawing.unit;
-  options.page_scale = drawing_->scale;
+  add_dxf(options, a_.dxf_release, request_.drawing.unit, drawing_->scale);
   return written(format == Format::dxf ? *model_drawing_ : *drawing_, name_of(format), options);
 }
 

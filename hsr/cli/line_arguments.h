@@ -24,4 +24,7 @@ struct LineArguments {
   SceneOptions scene_options() const;
 };
 
+/// @param name staged, double, interval or rational
+Arithmetic arithmetic_named(const std::string& name);
+
 }  // namespace hsr::cli

@@ -17,4 +17,16 @@ WriteOptions page_options(Format format, const SvgOptions& captions, const std::
   return options;
 }
 
+void add_dxf(WriteOptions& options, const std::string& release, double unit, double page_scale) {
+  options.is_dxf_2000 = release == "2000";
+  options.unit = unit;
+  options.page_scale = page_scale;
+}
+
+DrawingOptions in_model_units(DrawingOptions options, double page_scale) {
+  options.in_frame_units = true;
+  options.min_length /= page_scale;
+  return options;
+}
+
 }  // namespace hsr::cli

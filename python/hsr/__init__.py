@@ -24,6 +24,7 @@ from ._results import Check, Drawing, Fragments, Order, Tree, Verdict, VisibleLi
 from ._scene import Scene, scene
 from ._scene import scene_data as _scene_data
 from ._view import View
+from ._viewport import project_to_viewport
 
 __version__ = _core.version
 __all__ = [
@@ -47,6 +48,7 @@ __all__ = [
     "fragments",
     "hidden",
     "order",
+    "project_to_viewport",
     "scene",
     "tree",
     "verify",
@@ -64,6 +66,7 @@ def draw(
     crease=None,
     tolerance=None,
     fill=False,
+    shade=None,
     merge=None,
     coplanar=None,
     page=None,
@@ -76,24 +79,31 @@ def draw(
     pens=None,
     sort=None,
     outline_only=False,
+    dxf=None,
     id_prefix=None,
     exact=False,
     why=False,
     method=None,
+    stages=None,
+    arithmetic=None,
     threads=None,
     progress=None,
 ):
     """Draws the visible lines of a scene on a page, and writes them as the command `hsr draw` does, byte by byte.
 
-    output: a path, or a list of them, all written or none; the ending chooses svg, png or json. Nothing: no file is written
-    hidden: "none", "dashed" or "solid"; fill: fill the visible parts of faces; merge: with fill, unite neighbours of one colour:
-    "none", "coplanar" or "colour"
+    output: a path, or a list of them, all written or none; the ending chooses svg, pdf, eps, dxf, tex (TikZ), hpgl (or plt), png
+    or json. Nothing: no file is written
+    hidden: "none", "dashed" or "solid"; fill: fill the visible parts of faces; shade: "slope" or "none"; merge: with fill, unite
+    neighbours of one colour: "none", "coplanar" or "colour"
     page: "A0" ... "A6", "letter", "WIDTHxHEIGHTmm", (width, height) in mm, or "fit" ["A4"]; margin: mm [10]; scale: "1:5", a
     number, "standard", or "fit"; unit: of the scene, "mm", "cm", "m" or "in" [glTF: "m", else "mm"]; min_length: mm on paper, of what is left out
     pen: "visible=0.35,hidden-sharp=0.18:#555", a list of such, or a dict of widths; pens: a file of them; sort: "pen" for a plotter
     outline_only: the outline of everything alone, as closed rings; id_prefix: SVG, what each id begins with
+    dxf: the release, "r12" or "2000", with line weights; a DXF is in units of the scene, whatever the page
     size: PNG, (width, height) in pixels; exact: JSON, numbers as "p/q"; why: JSON, which faces hide each part
-    method: "auto", "appel" or "roberts"; the result is the same. All others are said at the module.
+    method: "auto", "appel" or "roberts"; stages: "STAGE=WHEN,..." or a dict, of frame, convex-body, back-faces, hidden-tiles,
+    far-faces and all, each auto, always or never; the result is the same
+    arithmetic: "staged", or for comparison "double" (may be wrong), "interval" or "rational". All others are said at the module.
 
     Returns a `Drawing`. Raises InputError for what cannot be drawn or written.
 
@@ -115,6 +125,7 @@ def draw(
         crease=crease,
         tolerance=tolerance,
         fill=fill,
+        shade=shade,
         merge=merge,
         coplanar=coplanar,
         page=page,
@@ -127,10 +138,13 @@ def draw(
         pens=pens,
         sort=sort,
         outline_only=outline_only,
+        dxf=dxf,
         id_prefix=id_prefix,
         exact=exact,
         why=why,
         method=method,
+        stages=stages,
+        arithmetic=arithmetic,
     )
     return Drawing(_core.draw(_scene_data(scene), named))
 
@@ -187,11 +201,12 @@ def tree(scene, *, seed=None, threads=None, progress=None):
     return Tree(_core.tree(_scene_data(scene), arguments("iso", threads=threads, progress=progress, seed=seed)))
 
 
-def order(scene, view="iso", *, method=None, seed=None, coplanar=None, threads=None, progress=None):
-    """The faces from far to near, cut where no order of whole ones is right: `Order`, arrays.
+def order(scene, view="iso", *, method=None, cuts=None, seed=None, coplanar=None, threads=None, progress=None):
+    """The faces from far to near, cut where no order of whole ones is right: `Order`, arrays, and `Order.draw` for pages.
 
-    scene: or a `tree` of one; method: "depth-sort" (few cuts; Newell, Newell & Sancha 1972) or "bsp" (a tree with this seed).
-    Exact. Raises InputError beyond the most pieces.
+    scene: or a `tree` of one; method: "depth-sort" (few cuts; Newell, Newell & Sancha 1972) or "bsp" (a tree with this seed), which
+    are exact; or what most software does and may be wrong, for comparison: "z-sort" (by the farthest vertex), "naive" (by the middle)
+    cuts: "few", or "classic": every pair that no plane of the two separates. Raises InputError beyond the most pieces.
 
     >>> a, b = [[-2, -1, 0], [2, -1, 0], [0, 3, 0]], [[-2, 1, -1], [2, 1, -1], [0, -2, 2]]
     >>> pieces = order((a + b, [[0, 1, 2], [3, 4, 5]]), "top")
@@ -200,7 +215,7 @@ def order(scene, view="iso", *, method=None, seed=None, coplanar=None, threads=N
     >>> verify(pieces).ok
     True
     """
-    named = arguments(view, threads=threads, progress=progress, method=method, seed=seed, coplanar=coplanar)
+    named = arguments(view, threads=threads, progress=progress, method=method, cuts=cuts, seed=seed, coplanar=coplanar)
     if isinstance(scene, Tree):
         return Order(scene._data.order(named))
     return Order(_core.order(_scene_data(scene), named))

@@ -28,6 +28,7 @@ __all__ = [
     "fragments",
     "hidden",
     "order",
+    "project_to_viewport",
     "scene",
     "tree",
     "verify",
@@ -40,6 +41,9 @@ _Scene = Any
 _View = str | View
 _Progress = Callable[[float], object]
 _Coplanar = Literal["first", "last"]
+_Shade = Literal["slope", "none"]
+_Unit = Literal["mm", "cm", "m", "in"]
+_Pen = str | Sequence[str] | Mapping[str, float | str]
 
 edge_class_names: tuple[str, ...]
 
@@ -51,11 +55,12 @@ class MemoryLimit(MemoryError): ...
 class View:
     @staticmethod
     def named(
-        name: str = "iso",
+        name: str | None = None,
         *,
         target: ArrayLike | None = None,
         up: ArrayLike | None = None,
         up_axis: Literal["y", "z"] | None = None,
+        oblique: tuple[float, float] | None = None,
     ) -> View: ...
     @staticmethod
     def parallel(
@@ -64,6 +69,7 @@ class View:
         up: ArrayLike | None = None,
         target: ArrayLike | None = None,
         up_axis: Literal["y", "z"] | None = None,
+        oblique: tuple[float, float] | None = None,
     ) -> View: ...
     @staticmethod
     def perspective(
@@ -135,6 +141,27 @@ class Order:
     def __len__(self) -> int: ...
     def polygons(self) -> list[NDArray[numpy.float64]]: ...
     def exact_points(self, i: int) -> list[tuple[Fraction, Fraction, Fraction]]: ...
+    def draw(
+        self,
+        output: _Path | Sequence[_Path] | None = None,
+        *,
+        opacity: float | None = None,
+        shade: _Shade | None = None,
+        edges: str | Sequence[str] | None = None,
+        crease: float | None = None,
+        page: str | tuple[float, float] | None = None,
+        scale: str | float | None = None,
+        unit: _Unit | None = None,
+        margin: float | None = None,
+        min_length: float | None = None,
+        size: str | tuple[int, int] | None = None,
+        pen: _Pen | None = None,
+        pens: _Path | None = None,
+        id_prefix: str | None = None,
+        exact: bool = False,
+        threads: int | None = None,
+        progress: _Progress | None = None,
+    ) -> Drawing: ...
     def json(self, exact: bool = False) -> str: ...
 
 class Tree:
@@ -145,6 +172,7 @@ class Drawing:
     def _repr_svg_(self) -> str: ...
     def svg(self) -> str: ...
     def png(self, size: tuple[int, int] | None = None) -> bytes: ...
+    def written(self, format: Literal["svg", "pdf", "eps", "dxf", "tex", "hpgl", "plt", "png", "json"]) -> bytes: ...
     def polylines(self) -> list[tuple[NDArray[numpy.float64], bool, str]]: ...
     @property
     def width(self) -> float: ...
@@ -199,22 +227,26 @@ def draw(
     crease: float | tuple[float, float] | None = None,
     tolerance: float | None = None,
     fill: bool = False,
+    shade: _Shade | None = None,
     merge: Literal["none", "coplanar", "colour"] | None = None,
     coplanar: _Coplanar | None = None,
     page: str | tuple[float, float] | None = None,
     scale: str | float | None = None,
-    unit: Literal["mm", "cm", "m", "in"] | None = None,
+    unit: _Unit | None = None,
     margin: float | None = None,
     min_length: float | None = None,
     size: str | tuple[int, int] | None = None,
-    pen: str | Sequence[str] | Mapping[str, float | str] | None = None,
+    pen: _Pen | None = None,
     pens: _Path | None = None,
     sort: Literal["none", "pen"] | None = None,
     outline_only: bool = False,
+    dxf: Literal["r12", "2000"] | None = None,
     id_prefix: str | None = None,
     exact: bool = False,
     why: bool = False,
     method: Literal["auto", "appel", "roberts"] | None = None,
+    stages: str | Mapping[str, Literal["auto", "always", "never"]] | None = None,
+    arithmetic: Literal["staged", "double", "interval", "rational"] | None = None,
     threads: int | None = None,
     progress: _Progress | None = None,
 ) -> Drawing: ...
@@ -246,12 +278,27 @@ def order(
     scene: _Scene | Tree,
     view: _View = "iso",
     *,
-    method: Literal["depth-sort", "bsp"] | None = None,
+    method: Literal["depth-sort", "bsp", "z-sort", "naive"] | None = None,
+    cuts: Literal["few", "classic"] | None = None,
     seed: int | None = None,
     coplanar: _Coplanar | None = None,
     threads: int | None = None,
     progress: _Progress | None = None,
 ) -> Order: ...
+def project_to_viewport(
+    shape_mesh: _Scene,
+    viewport_origin: ArrayLike,
+    viewport_up: ArrayLike = (0, 0, 1),
+    look_at: ArrayLike | None = None,
+    focus: float | None = None,
+    *,
+    edges: str | Sequence[str] | None = None,
+    crease: float | tuple[float, float] | None = None,
+    tolerance: float | None = None,
+    coplanar: _Coplanar | None = None,
+    threads: int | None = None,
+    progress: _Progress | None = None,
+) -> tuple[list[NDArray[numpy.float64]], list[NDArray[numpy.float64]]]: ...
 def verify(
     order: Order | _Scene,
     view: _View = "iso",

@@ -8,8 +8,8 @@ from ._view import view_options
 
 
 def arguments(view, *, threads=None, progress=None, **others):
-    """The arguments that are given, each checked and spelled as the command spells it."""
-    named = {"view": view_options(view)}
+    """The arguments that are given, each checked and spelled as the command spells it. view: None where there is none."""
+    named = {} if view is None else {"view": view_options(view)}
     if threads is not None:
         named["threads"] = count("threads", threads)
     if progress is not None:
@@ -80,6 +80,12 @@ def _pen(name, value):
     return [_word(name, part) for part in ([value] if isinstance(value, str) else value)]
 
 
+def _stages(name, value):
+    if isinstance(value, dict):
+        return ",".join(f"{_word(name, stage)}={_word(name, when)}" for stage, when in value.items())
+    return _word(name, value)
+
+
 def _path(name, value):
     try:
         return os.fspath(value)
@@ -96,12 +102,15 @@ _SPELLED = {
     "fill": _flag,
     "why": _flag,
     "outline_only": _flag,
+    "in_frame_units": _flag,
     "pen": _pen,
     "pens": _path,
     "exact": _flag,
     "margin": finite,
     "min_length": finite,
     "tolerance": finite,
+    "opacity": finite,
+    "stages": _stages,
     "seed": count,
     "limit": count,
     "outputs": _strings,

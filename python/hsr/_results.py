@@ -5,6 +5,7 @@ from fractions import Fraction
 import numpy
 
 from . import _core
+from ._arguments import arguments, paths
 from ._numbers import count
 
 CLASS_NAMES = _core.edge_class_names
@@ -165,6 +166,55 @@ class Order:
         """The corners of piece i in space, exactly: triples of Fractions."""
         return [tuple(Fraction(x) for x in corner) for corner in self._data.exact(_place(i, len(self)))]
 
+    def draw(
+        self,
+        output=None,
+        *,
+        opacity=None,
+        shade=None,
+        edges=None,
+        crease=None,
+        page=None,
+        scale=None,
+        unit=None,
+        margin=None,
+        min_length=None,
+        size=None,
+        pen=None,
+        pens=None,
+        id_prefix=None,
+        exact=False,
+        threads=None,
+        progress=None,
+    ):
+        """Paints the pieces on a page, far to near, and writes it as the command `hsr order` does, byte by byte: a `Drawing`.
+
+        output: a path, or a list of them, all written or none; the ending chooses svg, pdf, eps, tex (TikZ), png or json
+        opacity: of every face, times its own [1]; shade: "slope" or "none"; edges: those drawn on the faces. All others mean what they
+        do at `draw`. Raises InputError for what cannot be drawn or written.
+        """
+        named = arguments(
+            None,
+            threads=threads,
+            progress=progress,
+            outputs=None if output is None else paths(output),
+            opacity=opacity,
+            shade=shade,
+            edges=edges,
+            crease=crease,
+            page=page,
+            scale=scale,
+            unit=unit,
+            margin=margin,
+            min_length=min_length,
+            size=size,
+            pen=pen,
+            pens=pens,
+            id_prefix=id_prefix,
+            exact=exact,
+        )
+        return Drawing(self._data.draw(named))
+
     def json(self, exact=False):
         """The order as the command writes it, "hsr-order/1"."""
         return self._data.json(bool(exact))
@@ -205,8 +255,12 @@ class Drawing:
         return self._data.svg()
 
     def png(self, size=None):
-        """The bytes of the PNG file that the command writes; size: (width, height) in pixels [150 to the inch]."""
+        """The bytes of the PNG file that the command writes; size: (width, height) in pixels [the drawing's, or 150 to the inch]."""
         return self._data.png(None if size is None else f"{count('size', size[0])}x{count('size', size[1])}")
+
+    def written(self, format):
+        """What the command writes into a file of that format: svg, pdf, eps, tex, hpgl, png; dxf and json if an output was one."""
+        return self._data.written(format)
 
     def polylines(self):
         """What a plotter draws: a list of (points, hidden, class), points (k, 2) in mm from the upper left corner, y down."""

@@ -32,21 +32,23 @@ class View:
         return hash(tuple(sorted(self._options.items())))
 
     @staticmethod
-    def named(name="iso", *, target=None, up=None, up_axis=None):
-        """A view by name: front, back, left, right, top, bottom, iso, or "camera:NAME" of a glTF file.
+    def named(name=None, *, target=None, up=None, up_axis=None, oblique=None):
+        """A view by name: front, back, left, right, top, bottom, iso, or "camera:NAME" of a glTF file ["iso"; oblique: "front"].
 
         target: the point in the middle, by default that of the scene's bounding box; up: what is up on the paper; up_axis: "y" or
-        "z", the scene's, which turns the view, never the scene [glTF: y, else z].
+        "z", the scene's, which turns the view, never the scene [glTF: y, else z]; oblique: (degrees, ratio): the front stays true,
+        and what recedes is drawn at that angle from the horizontal and so many times as long: (45, 1) cavalier, (45, 0.5) cabinet,
+        with "top" (270, 1) planometric.
         """
-        name = str(name)
+        name = str(name or ("iso" if oblique is None else "front"))
         if name not in _NAMES and not name.startswith("camera:"):
             raise _core.InputError(f'view: found "{name}", expected one of {", ".join(_NAMES)}, or camera:NAME')
-        return _view("named", name=name, target=target, up=up, up_axis=up_axis)
+        return _view("named", name=name, target=target, up=up, up_axis=up_axis, oblique=oblique)
 
     @staticmethod
-    def parallel(direction, *, up=None, target=None, up_axis=None):
-        """A parallel view; `direction` (x, y, z), taken exactly, points from the scene toward the viewer."""
-        return _view("parallel", direction=direction, up=up, target=target, up_axis=up_axis)
+    def parallel(direction, *, up=None, target=None, up_axis=None, oblique=None):
+        """A parallel view; `direction` (x, y, z), taken exactly, points from the scene toward the viewer. oblique: as at `named`."""
+        return _view("parallel", direction=direction, up=up, target=target, up_axis=up_axis, oblique=oblique)
 
     @staticmethod
     def perspective(eye, *, target=None, up=None, fov=None, near=None, up_axis=None):
@@ -67,6 +69,9 @@ def _view(kind, **given):
         if name in ("eye", "target", "direction", "up"):
             options[name] = point_text(name, value)
             texts.append(f"{name}=({options[name].replace(',', ', ')})")
+        elif name == "oblique":
+            options[name] = _pair(name, value)
+            texts.append(f"{name}=({options[name].replace(',', ', ')})")
         elif name in ("fov", "near"):
             options[name] = finite(name, value)
             texts.append(f"{name}={number_text(options[name])}")
@@ -76,6 +81,14 @@ def _view(kind, **given):
     if options.get("up_axis", "z") not in ("y", "z"):
         raise _core.InputError(f'up_axis: found "{options["up_axis"]}", expected y or z')
     return View(options, f"View.{kind}({', '.join(texts)})")
+
+
+def _pair(name, value):
+    try:
+        degrees, ratio = value
+    except (TypeError, ValueError):
+        raise _core.InputError(f"{name}: found {value!r}, expected (degrees, ratio)") from None
+    return f"{number_text(finite(name, degrees))},{number_text(finite(name, ratio))}"
 
 
 def view_options(view):

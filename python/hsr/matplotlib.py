@@ -30,9 +30,10 @@ _WIDTH = 1e-6
 def fix(ax):
     """Replaces what is plotted in an Axes3D by one artist that paints it in the right order: an `OrderedArtist`.
 
-    Surfaces, trisurf, bar3d, voxels, Poly3DCollection, plot, wireframes and scatters keep their colours, colour maps, alpha and edge
-    colours as they are now; what is plotted later is not in it. The plot may be turned and zoomed. Lines are solid, and markers of
-    `plot` are left out. The old artists stay in the Axes and are not shown; `OrderedArtist.undo` shows them again.
+    Surfaces, trisurf, bar3d, voxels, Poly3DCollection, patches, plot, wireframes, quiver, contours, stem, scatters and texts keep their
+    colours, colour maps, alpha, edge colours and dashes as they are now; what is plotted later is not in it. The plot may be turned
+    and zoomed. A marker or a text is behind what its point is behind. The old artists stay in the Axes and are not shown;
+    `OrderedArtist.undo` shows them again.
 
     Raises InputError if nothing of these is in the Axes, or beyond a million pieces, or 64 a face.
     """
@@ -69,33 +70,69 @@ def draw(ax, lines, *, visible=True, hidden=True, **style):
 class _Polygon:
     """A face, painted with its edges."""
 
+    is_whole = False  # whether it is painted once, with the last of its pieces, or piece by piece
+
     def __init__(self, face, edge, width):
         self.face, self.edge, self.width = face, edge, width
 
     def paint(self, pen, corners, original, image):
         if self.face[3] > 0:
             # What meets in a side would leave a seam, through which shows what is behind: opaque pieces go under it.
-            pen.polygon(image(corners), self.face, 0.5 if self.face[3] == 1 else 0)
+            pen.polygon(image(corners), self.face, pen.seam if self.face[3] == 1 else 0)
         if self.edge[3] > 0 and self.width > 0 and original.any():
             ends = image(numpy.concatenate([corners, corners[:1]]))
             pen.sides([ends[k : k + 2] for k in numpy.flatnonzero(original)], self.edge, self.width)
 
 
-class _Segment:
-    """A line in space, in the scene as strips of hardly any width: the one that faces the viewer more stands for it."""
+class _Line:
+    """A polyline, whose segments are painted each in its turn; dashes go on from one to the next."""
 
-    def __init__(self, ends, colour, width, direction):
-        self.ends, self.colour, self.width, self.direction = ends, colour, width, direction
+    def __init__(self, points, colour, width, dashes):
+        self.points, self.colour, self.width = points, colour, width
+        self.dash_offset, self.dashes = dashes
+
+    def lengths_before(self, image):
+        """Of each segment how long the line is before it, in pixels; what is not finite has no length."""
+        steps = numpy.linalg.norm(numpy.diff(image(self.points), axis=0), axis=1)
+        return numpy.concatenate([[0], numpy.cumsum(numpy.nan_to_num(steps, nan=0, posinf=0))])
+
+
+class _Segment:
+    """A part of a line, in the scene as strips of hardly any width: the one that faces the viewer more stands for it."""
+
+    is_whole = False
+
+    def __init__(self, line, number):
+        self.line, self.number, self.ends = line, number, line.points[number : number + 2]
 
     def paint(self, pen, corners, original, image):
         along = self.ends[1] - self.ends[0]
         t = ((corners - self.ends[0]) @ along) / (along @ along)
         t = numpy.clip([t.min(), t.max()], 0, 1)
-        pen.sides([image(self.ends[0] + t[:, None] * along)], self.colour, self.width)
+        piece = image(self.ends[0] + t[:, None] * along)
+        if not self.line.dashes:
+            pen.sides([piece], self.line.colour, self.line.width)
+            return
+        before = pen.lengths_before(self.line, image)[self.number] + numpy.linalg.norm(piece[0] - image(self.ends[:1])[0])
+        pen.dashed(piece, self.line, before)
+
+
+class _Text:
+    """A text, in the scene as triangles of hardly any size at its point."""
+
+    is_whole = True
+
+    def __init__(self, artist):
+        self.artist = artist
+
+    def paint(self, pen, corners, original, image):
+        _axes3d.draw_text(self.artist, pen.renderer)
 
 
 class _Marker:
-    """A marker of a scatter, in the scene as triangles of hardly any size."""
+    """A marker of a scatter or a plot, in the scene as triangles of hardly any size."""
+
+    is_whole = True
 
     def __init__(self, point, path, size, face, edge, width):
         self.point, self.path, self.size, self.face, self.edge, self.width = point, path, size, face, edge, width
@@ -109,12 +146,21 @@ class _Pen:
 
     def __init__(self, renderer, clip):
         self.renderer, self.clip = renderer, clip
+        self._lengths = {}
+        pixels = renderer.points_to_pixels(1)
+        self.seam = 1 / pixels if pixels > 1 else 0.5  # points: a pixel, or what a viewer's pixel may be
 
-    def _path(self, path, transform, face, edge, points, capstyle="round"):
+    def lengths_before(self, line, image):
+        if line not in self._lengths:
+            self._lengths[line] = line.lengths_before(image)
+        return self._lengths[line]
+
+    def _path(self, path, transform, face, edge, points, capstyle="round", dashes=(0, None)):
         gc = self.renderer.new_gc()
         self.clip(gc)
+        gc.set_dashes(*dashes)
         gc.set_foreground(edge, isRGBA=True)
-        gc.set_linewidth(self.renderer.points_to_pixels(points))
+        gc.set_linewidth(points)
         gc.set_joinstyle("round")
         gc.set_capstyle(capstyle)
         self.renderer.draw_path(gc, path, transform, face)
@@ -128,9 +174,13 @@ class _Pen:
         codes = [Path.MOVETO, Path.LINETO] * len(sides)
         self._path(Path(numpy.concatenate(sides), codes), Affine2D(), None, colour, points)
 
+    def dashed(self, piece, line, pixels_before):
+        offset = line.dash_offset + pixels_before / self.renderer.points_to_pixels(1)
+        self._path(Path(piece), Affine2D(), None, line.colour, line.width, "butt", (offset, line.dashes))
+
     def marker(self, path, at, size, face, edge, points):
         scale = self.renderer.points_to_pixels(numpy.sqrt(size))
-        self._path(path, Affine2D().scale(scale).translate(*at), face if face[3] > 0 else None, edge, points)
+        self._path(path, Affine2D().scale(scale).translate(*at), face if face[3] > 0 else None, edge, points, "butt")
 
 
 class OrderedArtist(Artist):
@@ -182,10 +232,12 @@ class OrderedArtist(Artist):
         pen = _Pen(renderer, self._set_gc_clip)
         shown = self._shown(matrix)
         offsets = order.offsets
-        for k, face in enumerate(order.face):
-            if shown[face]:
+        last = dict(zip(order.face.tolist(), range(len(order))))
+        for k, face in enumerate(order.face.tolist()):
+            thing = self._things[self._of_thing[face]]
+            if shown[face] and (not thing.is_whole or last[face] == k):
                 part = slice(offsets[k], offsets[k + 1])
-                self._things[self._of_thing[face]].paint(pen, order.points[part], order.original[part], image)
+                thing.paint(pen, order.points[part], order.original[part], image)
         self.stale = False
 
     def _add(self, thing, faces):
@@ -197,16 +249,19 @@ class OrderedArtist(Artist):
         self._things.append(thing)
 
     def _add_lines_and_markers(self, artists):
-        segments = [s for a in artists for s in _axes3d.segments_of(a) if numpy.isfinite(s[0]).all() and (s[0][0] != s[0][1]).any()]
-        markers = [m for a in artists for m in _axes3d.markers_of(a) if numpy.isfinite(m[0]).all()]
-        points = numpy.concatenate(self._corners + [s[0] for s in segments] + [m[0][None] for m in markers] or [numpy.zeros((1, 3))])
+        lines = [_Line(*line) for a in artists for line in _axes3d.lines_of(a)]
+        segments = [_Segment(line, k) for line in lines for k in range(len(line.points) - 1)]
+        segments = [s for s in segments if numpy.isfinite(s.ends).all() and (s.ends[0] != s.ends[1]).any()]
+        marks = [(m[0], _Marker(*m)) for a in artists for m in _axes3d.markers_of(a)]
+        marks += [(_axes3d.text_of(a), _Text(a)) for a in artists if _axes3d.text_of(a) is not None]
+        marks = [(point, mark) for point, mark in marks if numpy.isfinite(point).all()]
+        points = numpy.concatenate(self._corners + [s.ends for s in segments] + [m[0][None] for m in marks] or [numpy.zeros((1, 3))])
         size = points.max(axis=0) - points.min(axis=0)
         size[size == 0] = size.max() or 1
-        for ends, colour, width in segments:
-            along = (ends[1] - ends[0]) / size
-            self._add(_Segment(ends, colour, width, along), _strips(ends, along, size))
-        for marker in markers:
-            self._add(_Marker(*marker), _triangles(marker[0], size))
+        for segment in segments:
+            self._add(segment, _strips(segment.ends, (segment.ends[1] - segment.ends[0]) / size, size))
+        for point, mark in marks:
+            self._add(mark, _triangles(point, size))
 
     def _view(self, matrix):
         eye, direction = _axes3d.viewpoint(matrix)

@@ -35,6 +35,7 @@ cli::LineArguments Arguments::lines() const {
   lines.crease = get<std::string>("crease", lines.crease);
   lines.tolerance = get<double>("tolerance", 0);
   lines.method = word("method", lines.method, {"auto", "appel", "roberts"});
+  lines.stages = get<std::string>("stages", "");
   return lines;
 }
 
@@ -42,6 +43,24 @@ cli::SceneArguments Arguments::scene() const {
   cli::SceneArguments scene;
   scene.coplanar = word("coplanar", "", {"first", "last"});
   return scene;
+}
+
+cli::PageArguments Arguments::page() const {
+  cli::PageArguments page;
+  page.page = get<std::string>("page", page.page);
+  page.scale = get<std::string>("scale", page.scale);
+  page.unit = word("unit", "", {"mm", "cm", "m", "in"});
+  page.margin = get<double>("margin", page.margin);
+  page.min_length = get<double>("min_length", page.min_length);
+  page.size = get<std::string>("size", "");
+  page.pens = get<std::vector<std::string>>("pen", {});
+  page.pens_file = get<std::string>("pens", "");
+  page.sort = word("sort", page.sort, {"none", "pen"});
+  return page;
+}
+
+internal::Shading Arguments::shading() const {
+  return word("shade", "slope", {"slope", "none"}) == "none" ? internal::Shading::none : internal::Shading::slope;
 }
 
 }  // namespace hsr::python

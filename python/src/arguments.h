@@ -6,7 +6,9 @@
 #include <string>
 
 #include "hsr/cli/line_arguments.h"
+#include "hsr/cli/page_arguments.h"
 #include "hsr/cli/scene_arguments.h"
+#include "hsr/drawing/shading.h"
 #include "python/src/scene_data.h"
 #include "python/src/work.h"
 
@@ -29,6 +31,8 @@ class Arguments {
   cli::ViewOptions view() const { return view_options(named_["view"].cast<py::dict>()); }
   cli::LineArguments lines() const;
   cli::SceneArguments scene() const;
+  cli::PageArguments page() const;
+  internal::Shading shading() const;
 
  private:
   const py::dict& named_;

@@ -3,8 +3,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,20 +12,15 @@
 #include "geometry/error.h"
 #include "hsr/cli/coincident_note.h"
 #include "hsr/cli/outline_only.h"
-#include "hsr/cli/page_arguments.h"
+#include "hsr/cli/page_writing.h"
 #include "hsr/cli/scale_text.h"
-#include "hsr/drawing/drawing.h"
 #include "hsr/drawing/shading.h"
-#include "hsr/io/write/format.h"
 #include "hsr/io/write/json.h"
-#include "hsr/io/write/output_file.h"
-#include "hsr/io/write/png.h"
-#include "hsr/io/write/svg.h"
 #include "hsr/surfaces/regions.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
-#include "python/src/arguments.h"
 #include "python/src/arrays.h"
+#include "python/src/drawn_page.h"
 #include "python/src/errors.h"
 
 namespace hsr::python {
@@ -36,8 +31,7 @@ namespace {
 
 /// The arguments, each found to be one that can be done.
 struct DrawRequest {
-  std::vector<std::string> outputs;
-  std::vector<Format> formats;
+  OutputPaths outputs;
   cli::ViewOptions view;
   cli::SceneArguments scene_words;
   cli::PageArguments page;
@@ -45,70 +39,51 @@ struct DrawRequest {
   LineOptions lines;
   DrawingOptions drawing;
   Merge merge = Merge::none;
+  Shading shading = Shading::slope;
   bool fill = false, exact = false, outline_only = false;
-  std::string id_prefix;
+  std::string id_prefix, dxf_release, arithmetic;
   std::optional<PixelSize> size;
 
   explicit DrawRequest(const Arguments& a);
-  bool wants(Format format) const { return std::find(formats.begin(), formats.end(), format) != formats.end(); }
 };
 
-cli::PageArguments page_of(const Arguments& a) {
-  cli::PageArguments page;
-  page.page = a.get<std::string>("page", page.page);
-  page.scale = a.get<std::string>("scale", page.scale);
-  page.unit = a.word("unit", "", {"mm", "cm", "m", "in"});
-  page.margin = a.get<double>("margin", page.margin);
-  page.min_length = a.get<double>("min_length", page.min_length);
-  page.size = a.get<std::string>("size", "");
-  page.pens = a.get<std::vector<std::string>>("pen", {});
-  page.pens_file = a.get<std::string>("pens", "");
-  page.sort = a.word("sort", page.sort, {"none", "pen"});
-  return page;
-}
-
 DrawRequest::DrawRequest(const Arguments& a)
-    : outputs(a.get<std::vector<std::string>>("outputs", {})),
+    : outputs(a, std::array{Format::svg, Format::pdf, Format::eps, Format::dxf, Format::tex, Format::hpgl, Format::png,
+                            Format::json}),
       view(a.view()),
       scene_words(a.scene()),
-      page(page_of(a)),
+      page(a.page()),
+      shading(a.shading()),
       fill(a.get<bool>("fill", false)),
       exact(a.get<bool>("exact", false)),
       outline_only(a.get<bool>("outline_only", false)),
-      id_prefix(a.get<std::string>("id_prefix", "")) {
-  for (const std::string& path : outputs)
-    formats.push_back(format_of(path, std::array{Format::svg, Format::png, Format::json}));
-  lines = a.lines().options();
+      id_prefix(a.get<std::string>("id_prefix", "")),
+      dxf_release(a.word("dxf", "r12", {"r12", "2000"})),
+      arithmetic(a.word("arithmetic", "staged", {"staged", "double", "interval", "rational"})) {
+  const cli::LineArguments line_words = a.lines();
+  lines = line_words.options();
   lines.why = a.get<bool>("why", false);
   if (lines.method == LineMethod::appel && lines.why)
     throw InputError("why: appel counts the faces that hide and does not know which they are, expected method roberts or auto");
+  scene = line_words.scene_options();
   scene.coplanar = scene_words.which_coplanar();
+  scene.arithmetic = cli::arithmetic_named(arithmetic);
   drawing = page.options();
+  drawing.arithmetic = scene.arithmetic;
   const std::string hidden = a.word("hidden", "none", {"none", "dashed", "solid"});
   drawing.hidden = hidden == "none" ? HiddenLines::none : hidden == "dashed" ? HiddenLines::dashed : HiddenLines::solid;
   drawing.leave_out_near = true;
-  scene.hidden_lines = lines.why || drawing.hidden != HiddenLines::none || wants(Format::json);
+  scene.hidden_lines = lines.why || drawing.hidden != HiddenLines::none || outputs.wants(Format::json);
   const std::string united = a.word("merge", "none", {"none", "coplanar", "colour"});
   merge = united == "none" ? Merge::none : united == "coplanar" ? Merge::coplanar : Merge::colour;
+  drawing.in_frame_units = a.get<bool>("in_frame_units", false);
   if (!page.size.empty()) size = parse_size(page.size);
   check_id_prefix(id_prefix);
   if (!outline_only) return;
-  if (wants(Format::json)) throw InputError("outline_only: json has lines and no outline, expected svg or png");
+  if (outputs.wants(Format::json))
+    throw InputError("outline_only: json has lines and no outline, expected svg, pdf, eps, dxf, tex, hpgl or png");
   cli::ask_for_outline_only(lines, drawing);
 }
-
-/// What was drawn.
-struct DrawnPage {
-  Drawing drawing;
-  SvgOptions captions;
-  std::optional<PixelSize> size;
-  std::string json;  ///< only if a file wants it
-  std::vector<std::string> notes;
-
-  std::string bytes(Format format) const {
-    return format == Format::svg ? svg(drawing, captions) : format == Format::png ? png(drawing, size) : json;
-  }
-};
 
 /// The steps of `hsr draw`, in its order.
 class Drawer {
@@ -122,8 +97,8 @@ class Drawer {
   void choose_view();
   void find_lines();
   void find_fragments();
+  Drawing placed(const DrawingOptions& options) const;
   void place();
-  void write() const;
 
   DrawRequest& request_;
   SceneData& data_;
@@ -132,6 +107,7 @@ class Drawer {
   cli::ChosenView chosen_;
   FaceObjects objects_;
   std::optional<SceneView> prepared_;
+  std::optional<SceneView> exact_;  // the same, but where arithmetic is compared
   VisibleLines lines_;
   std::optional<VisibleLines> every_line_;
   std::optional<VisibleFragments> fragments_;
@@ -148,10 +124,13 @@ void Drawer::choose_view() {
   request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = chosen_.field_of_view;
   if (const std::string note = request_.page.adopt_unit(model, request_.drawing); !note.empty()) page_.notes.push_back(note);
-  if (!request_.wants(Format::json)) request_.lines.frame = frame_size(chosen_.view, request_.drawing);
+  if (!request_.outputs.wants(Format::json)) request_.lines.frame = frame_size(chosen_.view, request_.drawing);
   request_.lines.progress = ticket_.progress;
   request_.lines.stop = ticket_.stop;
   prepared_.emplace(scene_, chosen_.view, request_.scene);
+  exact_ = prepared_;
+  if (request_.scene.arithmetic != Arithmetic::staged)
+    exact_.emplace(scene_, chosen_.view, SceneOptions{.coplanar = request_.scene.coplanar});
 }
 
 void Drawer::find_lines() {
@@ -179,40 +158,39 @@ void Drawer::find_fragments() {
                                                             : visible_fragments(*prepared_, options);
   every_line_.reset();
   if (request_.scene_words.asks_for_coplanar()) return;
-  const std::string note = cli::coincident_note(*prepared_, data_.model(), Coincidence::seen);
+  const std::string note = cli::coincident_note(*exact_, data_.model(), Coincidence::seen);
   if (!note.empty()) page_.notes.push_back(note);
 }
 
-void Drawer::place() {
+Drawing Drawer::placed(const DrawingOptions& options) const {
   const Mesh& mesh = scene_.mesh();
   if (request_.outline_only) {
-    const Regions all = cli::union_of_all(*prepared_, *fragments_);
-    page_.drawing = hsr::draw(mesh, chosen_.view, lines_, request_.drawing, &all);
-  } else if (request_.fill) {
-    const Regions regions =
-        regions_of(*prepared_, *fragments_, face_colours(data_.model(), mesh, chosen_.view), request_.merge);
-    page_.drawing = hsr::draw(mesh, chosen_.view, lines_, request_.drawing, &regions);
-  } else {
-    page_.drawing = hsr::draw(mesh, chosen_.view, lines_, request_.drawing);
+    const Regions all = cli::union_of_all(*exact_, *fragments_);
+    return hsr::draw(mesh, chosen_.view, lines_, options, &all);
   }
-  page_.captions = {std::filesystem::path(data_.model().name).filename().string(),
-                    "view: " + chosen_.title + cli::scale_in_title(page_.drawing, request_.drawing, request_.page),
-                    request_.id_prefix};
-  page_.size = request_.size;
-  if (request_.wants(Format::json))
-    page_.json = lines_json(mesh, chosen_.view, lines_,
-                            {request_.exact ? Numbers::exact : Numbers::rounded, request_.fill ? &*fragments_ : nullptr,
-                             request_.lines.why, &objects_});
+  if (!request_.fill || options.in_frame_units) return hsr::draw(mesh, chosen_.view, lines_, options);
+  const Regions regions =
+      regions_of(*exact_, *fragments_, face_colours(data_.model(), mesh, chosen_.view, request_.shading), request_.merge);
+  return hsr::draw(mesh, chosen_.view, lines_, options, &regions);
 }
 
-/// All of the files, or none.
-void Drawer::write() const {
-  std::vector<std::unique_ptr<OutputFile>> files;
-  for (std::size_t i = 0; i < request_.outputs.size(); ++i) {
-    files.push_back(std::make_unique<OutputFile>(request_.outputs[i]));
-    files.back()->write(page_.bytes(request_.formats[i]));
+void Drawer::place() {
+  page_.drawing = placed(request_.drawing);
+  if (request_.outputs.wants(Format::dxf)) {
+    page_.in_model_units = placed(cli::in_model_units(request_.drawing, page_.drawing.scale));
+    page_.in_model_units->pens = page_.drawing.pens;
   }
-  for (const auto& file : files) file->commit();
+  page_.captions = {std::filesystem::path(data_.model().name).filename().string(), "view: " + chosen_.title,
+                    request_.id_prefix};
+  page_.scale = cli::scale_in_title(page_.drawing, request_.drawing, request_.page);
+  page_.size = request_.size;
+  page_.is_in_frame_units = request_.drawing.in_frame_units;
+  page_.dxf_release = request_.dxf_release;
+  page_.unit = request_.drawing.unit;
+  if (request_.outputs.wants(Format::json))
+    page_.json = lines_json(scene_.mesh(), chosen_.view, lines_,
+                            {request_.exact ? Numbers::exact : Numbers::rounded, request_.fill ? &*fragments_ : nullptr,
+                             request_.lines.why, &objects_});
 }
 
 DrawnPage Drawer::draw() {
@@ -223,7 +201,7 @@ DrawnPage Drawer::draw() {
   ticket_.check();
   place();
   ticket_.check();
-  write();
+  request_.outputs.write(page_);
   for (std::string& note : page_.notes) note = without_dashes(note);
   return std::move(page_);
 }
@@ -232,19 +210,36 @@ std::shared_ptr<DrawnPage> draw_scene(const std::shared_ptr<SceneData>& data, co
   const Arguments arguments(named);
   DrawRequest request(arguments);
   std::shared_ptr<DrawnPage> page;
-  run(arguments.control(),
-      [&](const Ticket& ticket) { page = std::make_shared<DrawnPage>(Drawer(request, *data, ticket).draw()); });
+  run(arguments.control(), [&](const Ticket& ticket) {
+    try {
+      page = std::make_shared<DrawnPage>(Drawer(request, *data, ticket).draw());
+    } catch (const std::logic_error& e) {
+      // Plain doubles may contradict themselves: then there is no result to show, and that is no defect.
+      if (request.arithmetic != "double") throw;
+      throw InputError(std::string("arithmetic double: plain doubles contradict themselves on this scene (") + e.what() +
+                       "); expected staged for a drawing");
+    }
+  });
   return page;
 }
 
-/// The polylines in millimetres: points (p, 2), offsets (n + 1,), hidden (n,), edge_class (n,).
+/// A coordinate of the drawing in millimetres, or in units of the view's frame, where the scale is a power of ten: rounded once.
+double coordinate_of(const DrawnPage& page, double micrometres) {
+  const double in_unit = page.is_in_frame_units ? 1000 * page.drawing.scale : 1000;
+  return in_unit < 1 ? micrometres * std::round(1 / in_unit) : micrometres / in_unit;
+}
+
+/// The polylines in millimetres, y down, or in units of the view's frame, y up: points (p, 2), offsets (n + 1,), hidden (n,),
+/// edge_class (n,).
 py::dict polylines_of(const DrawnPage& page) {
+  const double down = page.is_in_frame_units ? -1 : 1;
   std::vector<double> points;
   std::vector<std::int64_t> offsets = {0};
   std::vector<std::uint8_t> hidden, edge_class;
   for (const Polyline& line : page.drawing.polylines) {
     const auto add = [&](const PaperPoint& p) {
-      points.insert(points.end(), {static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000});
+      const double x = static_cast<double>(p.x), y = down * static_cast<double>(p.y);
+      points.insert(points.end(), {coordinate_of(page, x), coordinate_of(page, y) + 0.0});
     };
     for (const PaperPoint& p : page.drawing.points_of(line)) add(p);
     if (line.closed) add(page.drawing.points_of(line).front());
@@ -266,6 +261,12 @@ py::dict polylines_of(const DrawnPage& page) {
 void add_drawings(py::module_& module) {
   py::class_<DrawnPage, std::shared_ptr<DrawnPage>>(module, "DrawnPage")
       .def("svg", [](const DrawnPage& p) { return p.bytes(Format::svg); })
+      .def("written",
+           [](const DrawnPage& p, const std::string& format) {
+             constexpr std::array formats = {Format::svg, Format::pdf,  Format::eps, Format::dxf,
+                                             Format::tex, Format::hpgl, Format::png, Format::json};
+             return py::bytes(p.bytes(format_named(format, "format", formats)));
+           })
       .def("png",
            [](const DrawnPage& p, const std::optional<std::string>& size) {
              return py::bytes(png(p.drawing, size ? parse_size(*size) : p.size));

@@ -12,46 +12,54 @@
 #include "hsr/io/write/json.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
+#include "hsr/painter/sort/z_sort.h"
 #include "hsr/painter/verify/verify.h"
-#include "python/src/arguments.h"
+#include "python/src/order_data.h"
 #include "python/src/polygon_arrays.h"
 
 namespace hsr::python {
 
 namespace {
 
-/// A painter's order, and the scene that it is of.
-struct OrderData {
-  SceneView scene;
-  PaintersOrder order;
+std::vector<PlacedPolygon> placed(const OrderData& data) {
+  const py::gil_scoped_release release;
+  return polygons(data.scene, data.order);
+}
 
-  py::dict arrays() const {
-    std::vector<std::uint8_t> original;
-    for (const OrderedPiece& piece : order.pieces)
-      for (const PieceCorner& corner : order.corners_of(piece)) original.push_back(corner.original ? 1 : 0);
-    py::dict all = arrays_of(placed());
-    all["original"] = bool_array(original);
-    return all;
+py::dict order_arrays(const OrderData& data) {
+  std::vector<std::uint8_t> original;
+  for (const OrderedPiece& piece : data.order.pieces)
+    for (const PieceCorner& corner : data.order.corners_of(piece)) original.push_back(corner.original ? 1 : 0);
+  py::dict all = arrays_of(placed(data));
+  all["original"] = bool_array(original);
+  return all;
+}
+
+/// Of the corners of a piece: x, y, z, "p/q" each.
+std::vector<std::vector<std::string>> exact_corners(const OrderData& data, std::size_t i) {
+  const PaintersOrder& order = data.order;
+  require(i < order.pieces.size(), "the number of a piece is from 0 to less than their count");
+  std::vector<std::vector<std::string>> corners;
+  for (const PieceCorner& corner : order.corners_of(order.pieces[i])) {
+    auto& numbers = corners.emplace_back();
+    for (const Rational& x : exact_point(data.scene.mesh(), data.scene.view(), order.pieces[i].facet, corner))
+      numbers.push_back(x.to_string());
   }
-  std::vector<PlacedPolygon> placed() const {
-    const py::gil_scoped_release release;
-    return polygons(scene, order);
-  }
-  /// Of the corners of a piece: x, y, z, "p/q" each.
-  std::vector<std::vector<std::string>> exact(std::size_t i) const {
-    require(i < order.pieces.size(), "the number of a piece is from 0 to less than their count");
-    std::vector<std::vector<std::string>> corners;
-    for (const PieceCorner& corner : order.corners_of(order.pieces[i])) {
-      auto& numbers = corners.emplace_back();
-      for (const Rational& x : exact_point(scene.mesh(), scene.view(), order.pieces[i].facet, corner))
-        numbers.push_back(x.to_string());
-    }
-    return corners;
-  }
-  std::string json(bool exact) const {
-    return order_json(scene.mesh(), scene.view(), order, exact ? Numbers::exact : Numbers::rounded, scene.options().coplanar);
-  }
-};
+  return corners;
+}
+
+std::string json_of(const OrderData& data, bool exact) {
+  const SceneView& scene = data.scene;
+  return order_json(scene.mesh(), scene.view(), data.order, exact ? Numbers::exact : Numbers::rounded,
+                    scene.options().coplanar);
+}
+
+/// Of a view of the scene, without an order yet.
+OrderData without_order(const std::shared_ptr<SceneData>& data, const cli::ViewOptions& view, Coplanar coplanar) {
+  const Scene scene = data->scene();
+  const cli::ChosenView chosen = cli::choose_view(view, scene.mesh(), data->model());
+  return {data, chosen, SceneView(scene, chosen.view, {.coplanar = coplanar}), {}};
+}
 
 /// The tree of a scene, built once for all views.
 class TreeData {
@@ -62,8 +70,9 @@ class TreeData {
     tree_.emplace(data_->scene().mesh(), options);
   }
   OrderData order(const cli::ViewOptions& view, Coplanar coplanar) const {
-    const SceneView scene = prepared(*data_, view, {.coplanar = coplanar});
-    return {scene, tree_->order(scene)};
+    OrderData found = without_order(data_, view, coplanar);
+    found.order = tree_->order(found.scene);
+    return found;
   }
   std::size_t pieces() const { return tree_->pieces(); }
 
@@ -93,7 +102,9 @@ std::shared_ptr<OrderData> find_order(const std::shared_ptr<SceneData>& data, co
   const Arguments arguments(named);
   const cli::ViewOptions view = arguments.view();
   const Coplanar coplanar = arguments.scene().which_coplanar();
-  const std::string method = arguments.word("method", "depth-sort", {"depth-sort", "bsp"});
+  const std::string method = arguments.word("method", "depth-sort", {"depth-sort", "bsp", "z-sort", "naive"});
+  DepthSortOptions options;
+  options.classic = arguments.word("cuts", "few", {"few", "classic"}) == "classic";
   const auto seed = arguments.get<std::uint64_t>("seed", 1);
   std::shared_ptr<OrderData> found;
   run(arguments.control(), [&](const Ticket& ticket) {
@@ -101,10 +112,14 @@ std::shared_ptr<OrderData> find_order(const std::shared_ptr<SceneData>& data, co
       found = std::make_shared<OrderData>(TreeData(data, seed).order(view, coplanar));
       return;
     }
-    DepthSortOptions options;
+    found = std::make_shared<OrderData>(without_order(data, view, coplanar));
     options.stop = ticket.stop;
-    const SceneView scene = prepared(*data, view, {.coplanar = coplanar});
-    found = std::make_shared<OrderData>(OrderData{scene, depth_sort(scene, options).order});
+    found->may_be_wrong = method != "depth-sort";
+    if (found->may_be_wrong)
+      found->order = internal::z_sort(found->scene,
+                                      method == "naive" ? internal::DepthKey::centroid : internal::DepthKey::farthest_vertex);
+    else
+      found->order = depth_sort(found->scene, options).order;
   });
   return found;
 }
@@ -182,9 +197,10 @@ py::dict verify_file(const std::string& path, const py::dict& named) {
 
 void add_orders(py::module_& module) {
   py::class_<OrderData, std::shared_ptr<OrderData>>(module, "OrderData")
-      .def("arrays", &OrderData::arrays)
-      .def("exact", &OrderData::exact)
-      .def("json", &OrderData::json);
+      .def("arrays", &order_arrays)
+      .def("exact", &exact_corners)
+      .def("json", &json_of)
+      .def("draw", &draw_order);
   py::class_<TreeData, std::shared_ptr<TreeData>>(module, "TreeData")
       .def_property_readonly("pieces", &TreeData::pieces)
       .def("order", &order_by_tree);

@@ -136,6 +136,7 @@ cli::ViewOptions view_options(const py::dict& view) {
   text("target", o.target);
   text("direction", o.direction);
   text("up", o.up);
+  text("oblique", o.oblique);
   text("up_axis", o.up_axis);
   if (view.contains("fov")) o.field_of_view = view["fov"].cast<double>();
   if (view.contains("near")) o.near = view["near"].cast<double>();

@@ -20,7 +20,7 @@ HAS_MATPLOTLIB = importlib.util.find_spec("matplotlib") is not None
 
 class Documents(unittest.TestCase):
     def test_doctests(self):
-        for module in (hsr, sys.modules["hsr._view"], sys.modules["hsr._scene"]):
+        for module in (hsr, sys.modules["hsr._view"], sys.modules["hsr._scene"], sys.modules["hsr._viewport"]):
             result = doctest.testmod(module)
             self.assertGreater(result.attempted, 0)
             self.assertEqual(result.failed, 0)
@@ -42,7 +42,7 @@ class Documents(unittest.TestCase):
             try:
                 for block in blocks:
                     exec(block, names)
-                self.assertEqual(sorted(os.listdir(".")), ["cube.png", "cube.svg", "lines.png", "planes.png", "plot.svg"])
+                self.assertEqual(sorted(os.listdir(".")), ["cube.dxf", "cube.pdf", "cube.png", "cube.svg", "lines.png", "painted.pdf", "planes.png", "plot.svg"])
             finally:
                 os.chdir(before)
 

@@ -16,6 +16,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import hsr  # noqa: E402
 import hsr.matplotlib  # noqa: E402
 from hsr import _axes3d  # noqa: E402
+from mpl_toolkits.mplot3d.art3d import Line3DCollection  # noqa: E402
 
 COLOURS = numpy.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [0, 1, 1], [1, 0, 1], [0.5, 0, 0], [0, 0.5, 0]])
 
@@ -169,6 +170,15 @@ class Lines(unittest.TestCase):
         at = self.pixels(lambda ax: ax.scatter([-0.5, 0, 0.5], [-0.5, 0, 0.5], [0, 0, 0], color="blue", s=80))
         self.assertEqual([at(x, 0, 0) for x in (-0.5, 0, 0.5)], [[0, 0, 1], [0, 0, 1], [1, 0, 0]])
 
+    def test_a_marker_in_pieces_is_painted_once(self):
+        def add(ax):
+            y, z = numpy.meshgrid([-1, 1], [-1, 1])
+            ax.plot_surface(0 * y, y, z, color="red", shade=False)  # seen edge-on, and cuts the marker
+            ax.scatter([0], [-0.01], [0], color="blue", s=900, alpha=0.5, linewidths=0, depthshade=False)
+
+        for found, expected in zip(self.pixels(add)(0.06, 0, 0), [0.5, 0, 0.5]):
+            self.assertAlmostEqual(found, expected, delta=0.02)
+
     def test_behind_a_transparent_wall(self):
         at = self.pixels(lambda ax: ax.plot([-0.9, 0.9], [0.5, 0.5], [0.5, 0.5], color="blue", lw=4), alpha=0.5)
         for found, expected in zip(at(0.2, 0, 0.5), [0.5, 0, 0.5]):
@@ -176,6 +186,49 @@ class Lines(unittest.TestCase):
 
 
 class Kept(unittest.TestCase):
+    def dark(self, plot, fixed):
+        figure = plt.figure(figsize=(3, 3), dpi=150)
+        ax = figure.add_subplot(projection="3d")
+        plot(ax)
+        ax.set_axis_off()
+        if fixed:
+            hsr.matplotlib.fix(ax)
+        figure.canvas.draw()
+        shown = numpy.asarray(figure.canvas.buffer_rgba())[:, :, 1] < 128
+        plt.close(figure)
+        return shown
+
+    def wider(self, shape):
+        return numpy.max([numpy.roll(shape, (row, column), (0, 1)) for row in (-1, 0, 1) for column in (-1, 0, 1)], axis=0)
+
+    def test_what_nothing_hides_looks_as_before(self):
+        t = numpy.linspace(0, 4 * numpy.pi, 61)
+        x, y, z = numpy.cos(t), numpy.sin(t), t
+        lines = numpy.stack([numpy.column_stack([x[:30], y[:30], z[:30] + k]) for k in (0, 20)])
+
+        def collection(ax):
+            ax.add_collection3d(Line3DCollection(lines, colors="black", linewidths=3, linestyles="dashdot"))
+            ax.set(xlim=(-1, 1), ylim=(-1, 1), zlim=(0, 27))
+
+        for name, plot in (
+            ("solid", lambda ax: ax.plot(x, y, z, "k-", lw=3)),
+            ("dashed", lambda ax: ax.plot(x, y, z, "k--", lw=3)),
+            ("dotted", lambda ax: ax.plot(x, y, z, "k:", lw=3)),
+            ("dashes of a collection", collection),
+            ("markers", lambda ax: ax.plot(x, y, z, "ko", ms=5)),
+            ("some markers", lambda ax: ax.plot(x, y, z, "k-s", ms=7, markevery=6)),
+            ("unfilled markers", lambda ax: ax.plot(x, y, z, "kx", ms=9, mew=2)),
+            ("scatter", lambda ax: ax.scatter(x, y, z, color="black", s=40, depthshade=False)),
+            ("text", lambda ax: (ax.scatter(x, y, z, color="black", s=4, depthshade=False), ax.text(0, 0, 6, "some text", "x", size=14))),
+            ("edges", lambda ax: ax.bar3d(0, 0, 0, 1, 1, 1, color="white", edgecolor="black", linewidth=3, shade=False)),
+        ):
+            with self.subTest(name):
+                before, after = self.dark(plot, False), self.dark(plot, True)
+                self.assertGreater(before.sum(), 200)
+                # Markers may be a pixel beside where they were, which Agg puts on whole pixels.
+                wrong = (before & ~self.wider(after)).sum() + (after & ~self.wider(before)).sum()
+                self.assertLess(wrong, 0.01 * before.sum())
+
     def test_undo(self):
         ax = plt.figure().add_subplot(projection="3d")
         bars(ax)
