@@ -19,7 +19,7 @@ struct FaceLabels {
 };
 
 /// Which object each face of a scene is of, where two or more are told apart; for what is written.
-struct FaceObjects {
+struct SceneObjects {
   static constexpr std::uint32_t none = 0xffffffffU;
 
   std::vector<std::string> names;      ///< in the file's words

@@ -9,7 +9,7 @@ FaceLabels labels_of(const Model& model) {
   return labels;
 }
 
-FaceObjects objects_of(const Model& model) {
+SceneObjects objects_of(const Model& model) {
   if (model.objects.size() < 2) return {};
   return {model.objects, model.face_object};
 }

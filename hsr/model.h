@@ -48,6 +48,6 @@ struct Model {
 FaceLabels labels_of(const Model& model);
 
 /// The objects that the file tells apart; nothing where it has one or none.
-FaceObjects objects_of(const Model& model);
+SceneObjects objects_of(const Model& model);
 
 }  // namespace hsr

@@ -252,7 +252,7 @@ class DrawCommand {
   DrawRequest request_;
   CommandContext context_;
   ViewedModel scene_;
-  FaceObjects objects_;
+  SceneObjects objects_;
   std::optional<SceneView> prepared_;
   std::optional<SceneView> exact_;  // the same, but where arithmetic is compared: checks are exact
   VisibleLines lines_;

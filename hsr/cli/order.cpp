@@ -159,7 +159,7 @@ class OrderCommand {
   OrderRequest request_;
   CommandContext context_;
   ViewedModel scene_;
-  FaceObjects objects_;
+  SceneObjects objects_;
   std::optional<SceneView> prepared_;
   PaintersOrder order_;
   std::optional<Drawing> drawing_;  // made when a page is asked for

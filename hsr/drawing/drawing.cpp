@@ -55,7 +55,7 @@ IndexedVector<VertexId, HomogeneousPoint> images(const Projection& projection, c
 }
 
 /// By line; empty: they are not told apart.
-std::vector<std::uint32_t> objects_of_lines(const Mesh& mesh, const VisibleLines& lines, const FaceObjects* objects) {
+std::vector<std::uint32_t> objects_of_lines(const Mesh& mesh, const VisibleLines& lines, const SceneObjects* objects) {
   std::vector<std::uint32_t> of_line;
   if (objects == nullptr || !objects->are_told_apart()) return of_line;
   of_line.resize(lines.lines.size());
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> objects_of_lines(const Mesh& mesh, const VisibleLines
 }
 
 /// Those of one object together, as nothing of them overlaps.
-void tell_apart(Fills& fills, const FaceObjects& objects) {
+void tell_apart(Fills& fills, const SceneObjects& objects) {
   for (Fill& fill : fills.fills) {
     std::vector<FaceId> faces;
     for (std::uint32_t k = fill.first_face; k < fill.end_face; ++k) faces.emplace_back(fills.faces[k]);

@@ -130,7 +130,7 @@ class Drawer {
   const Ticket& ticket_;
   Scene scene_;
   cli::ChosenView chosen_;
-  FaceObjects objects_;
+  SceneObjects objects_;
   std::optional<SceneView> prepared_;
   VisibleLines lines_;
   std::optional<VisibleLines> every_line_;

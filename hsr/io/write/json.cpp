@@ -19,10 +19,10 @@ using namespace internal;
 namespace {
 
 /// The object that the faces are of, if they are of one.
-void append_object(std::string& out, const FaceObjects* objects, std::span<const FaceId> faces) {
+void append_object(std::string& out, const SceneObjects* objects, std::span<const FaceId> faces) {
   if (objects == nullptr) return;
   const std::uint32_t object = objects->object_of(faces);
-  if (object == FaceObjects::none) return;
+  if (object == SceneObjects::none) return;
   out += ", \"object\": ";
   append_integer(out, object);
 }
@@ -131,7 +131,7 @@ class LineWriter {
   const Mesh& mesh_;
   const View& view_;
   const VisibleLines& lines_;
-  const FaceObjects* objects_;
+  const SceneObjects* objects_;
   Numbers numbers_;
   bool why_;
   IntervalPlaces places_;
@@ -193,7 +193,7 @@ void append_fragments(std::string& out, const Mesh& mesh, const View& view, cons
   out += "\n]";
 }
 
-void append_names(std::string& out, const FaceObjects* objects) {
+void append_names(std::string& out, const SceneObjects* objects) {
   if (objects == nullptr || !objects->are_told_apart()) return;
   out += ", \"objects\": [";
   const char* comma = "";

@@ -2,7 +2,7 @@
 
 namespace hsr {
 
-std::uint32_t FaceObjects::object_of(std::span<const FaceId> faces) const {
+std::uint32_t SceneObjects::object_of(std::span<const FaceId> faces) const {
   if (!are_told_apart() || faces.empty()) return none;
   const std::uint32_t first = of_face[faces.front().value];
   for (const FaceId f : faces)
