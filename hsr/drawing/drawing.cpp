@@ -61,7 +61,7 @@ std::vector<std::uint32_t> objects_of_lines(const Mesh& mesh, const VisibleLines
   of_line.resize(lines.lines.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, of_line.size(), 1024), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i)
-      of_line[i] = objects->object_of(faces_at(mesh, lines, lines.lines[i]));
+      of_line[i] = object_of(*objects, lines.lines[i], faces_at(mesh, lines, lines.lines[i]));
   });
   return of_line;
 }

@@ -18,10 +18,8 @@ using namespace internal;
 
 namespace {
 
-/// The object that the faces are of, if they are of one.
-void append_object(std::string& out, const SceneObjects* objects, std::span<const FaceId> faces) {
-  if (objects == nullptr) return;
-  const std::uint32_t object = objects->object_of(faces);
+/// The object of what is written, if it is of one.
+void append_object(std::string& out, std::uint32_t object) {
   if (object == SceneObjects::none) return;
   out += ", \"object\": ";
   append_integer(out, object);
@@ -58,7 +56,7 @@ class LineWriter {
     const std::vector<FaceId> faces = faces_at(mesh_, lines_, line);
     append_faces(out, faces);
     out += ']';
-    append_object(out, objects_, faces);
+    if (objects_ != nullptr) append_object(out, object_of(*objects_, line, faces));
     out += ", \"visible\": [";
     append_intervals(out, line, false);
     out += "], \"hidden\": [";
@@ -153,7 +151,8 @@ FragmentText fragment_text(const Mesh& mesh, const View& view, const VisibleFrag
   out.face = mesh.face_of[first_triangle(f.facet)].value;
   out.text = "{\"face\": ";
   append_integer(out.text, out.face);
-  append_object(out.text, options.objects, std::array{mesh.face_of[first_triangle(f.facet)]});
+  if (options.objects != nullptr)
+    append_object(out.text, options.objects->object_of(std::array{mesh.face_of[first_triangle(f.facet)]}));
   out.text += ", \"rings\": [";
   for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
     std::vector<std::array<Rational, 3>> ring;
