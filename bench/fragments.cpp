@@ -47,7 +47,7 @@ void measure(const Model& model, const std::string& view_name, const Request& re
   const double all = std::max(1.0, static_cast<double>(d.all()));
   fmt::print("| {} | {} | {} | {:.3f} ± {:.3f} | {:.3f} | {} | {} | {} | {} | {:.4g} % | {:.4g} % | {:.0f} |\n", model.name,
              view_name, mesh.triangles.size(), clock.median, clock.spread, processor.median, found.fragments.size(),
-             found.rings(), found.corners.size(), d.all(), 100 * static_cast<double>(d.filter) / all,
+             found.rings.size(), found.rings.values().size(), d.all(), 100 * static_cast<double>(d.filter) / all,
              100 * static_cast<double>(d.zero) / all, peak_memory() / 1e6);
   if (request.envelope && !view.is_perspective()) {
     const Envelope peer = envelope(mesh, view, false);
@@ -77,7 +77,8 @@ int main(int argc, char** argv) {
   hsr::bench::Request request;
   CLI::App app{"Times and decisions of visible fragments on generated scenes"};
   app.add_option("--scene", request.scenes,
-                 "knot, city, rand, terrain, plate or quadplate and a size, as in knot100k; a city's is in boxes of 12, a plate's in holes");
+                 "knot, city, rand, terrain, plate or quadplate and a size, as in knot100k; a city's is in boxes of 12, a "
+                 "plate's in holes");
   app.add_option("--view", request.views, "oblique, elevation, perspective; default: all three");
   app.add_option("--method", request.method, "visible, or the reference: roberts")
       ->check(CLI::IsMember({"visible", "roberts"}));

@@ -2,10 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <vector>
 
-namespace hsr::internal {
+namespace hsr {
 
 /// Rows of different lengths, one after the other in one array.
 template <class T, class Size = std::uint32_t>
@@ -16,14 +17,35 @@ class Ragged {
     return {values_.data() + first_[row], values_.data() + first_[row + 1]};
   }
   std::span<T> operator[](std::size_t row) { return {values_.data() + first_[row], values_.data() + first_[row + 1]}; }
-  /// Of all rows.
+  /// Of all rows, one after the other.
   const std::vector<T>& values() const { return values_; }
+  /// Where the first value of a row is among those of all rows; of row size(): how many there are.
+  Size begin(std::size_t row) const { return first_[row]; }
   std::size_t bytes() const { return first_.capacity() * sizeof(Size) + values_.capacity() * sizeof(T); }
 
   /// Adds to the last row, which is no row before it ends.
   void push_back(const T& value) { values_.push_back(value); }
   void end_row() { first_.push_back(static_cast<Size>(values_.size())); }
-  void reserve(std::size_t rows) { first_.reserve(rows + 1); }
+  template <class Values>
+  void push_row(const Values& row) {
+    values_.insert(values_.end(), std::begin(row), std::end(row));
+    end_row();
+  }
+  /// All rows of another, after those that are there.
+  void append(const Ragged& more) {
+    const auto before = static_cast<Size>(values_.size());
+    values_.insert(values_.end(), more.values_.begin(), more.values_.end());
+    for (std::size_t row = 0; row < more.size(); ++row) first_.push_back(before + more.first_[row + 1]);
+  }
+  void reserve(std::size_t rows, std::size_t values = 0) {
+    first_.reserve(rows + 1);
+    values_.reserve(values);
+  }
+  /// Leaves no row, and keeps the memory.
+  void clear() {
+    first_.assign(1, 0);
+    values_.clear();
+  }
 
   /// A counting sort: those of a row stay in order. @param for_each calls its argument with (row, value) for each value, and does
   /// so twice. Memory that is there is used again.
@@ -43,4 +65,4 @@ class Ragged {
   std::vector<T> values_;
 };
 
-}  // namespace hsr::internal
+}  // namespace hsr

@@ -147,7 +147,7 @@ AreaCheck check_area(const SceneView& scene, const VisibleFragments& fragments, 
       coverage.begin();
       for (std::uint32_t r = fragment.first_ring; r < fragment.end_ring; ++r) {
         ring.clear();
-        for (const MapCorner& c : fragments.ring(r)) {
+        for (const MapCorner& c : fragments.rings[r]) {
           const Point3 q = c.at.is_vertex ? projected.point(c.at.vertex) : map.point(c.at, fragment.facet).p;
           ring.push_back({signs.column_of(q).value + 0.5, signs.row_of(q).value + 0.5});
         }

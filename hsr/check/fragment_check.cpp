@@ -26,7 +26,7 @@ class FragmentSpans {
   std::span<const SampleSpan> operator()(const Fragment& fragment) {
     sides_.clear();
     for (std::uint32_t r = fragment.first_ring; r < fragment.end_ring; ++r) {
-      const auto ring = all_.ring(r);
+      const auto ring = all_.rings[r];
       rows_.clear();
       for (const MapCorner& c : ring) rows_.push_back(rows_above(c.at, fragment.facet));
       for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -86,7 +86,7 @@ bool all_in_front(const SampleSigns& signs, const VisibleFragments& all) {
   };
   for (const Fragment& f : all.fragments)
     for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r)
-      for (const MapCorner& c : all.ring(r))
+      for (const MapCorner& c : all.rings[r])
         if (!c.at.is_vertex && !is_in_front(c.at, f.facet)) return false;
   return true;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <thread>
+#include <vector>
 
 #include "geometry/error.h"
 
@@ -15,12 +16,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void make(const fs::path& path) {
+/// Makes a directory, and those above it. @return those that were not there, the innermost first
+std::vector<fs::path> make(const fs::path& path) {
   std::error_code error;
+  std::vector<fs::path> made;
+  for (fs::path p = path; !p.empty() && !fs::exists(p, error); p = p.parent_path()) made.push_back(p);
   fs::create_directories(path, error);
   if (error || !fs::is_directory(path))
     throw InputError(path.string() + ": cannot be made a directory" + (error ? " (" + error.message() + ")" : "") +
                      ", expected one that is there or can be made");
+  return made;
 }
 
 }  // namespace
@@ -34,8 +39,14 @@ OutputDirectory::OutputDirectory(std::string path, UnfinishedFiles& unfinished)
 
 void OutputDirectory::write(const std::string& name, std::string_view bytes) {
   const fs::path file = fs::path(path_) / name;
-  make(file.parent_path());
-  write_file(file.string(), bytes, &unfinished_);
+  const std::vector<fs::path> made = make(file.parent_path());
+  try {
+    write_file(file.string(), bytes, &unfinished_);
+  } catch (...) {
+    std::error_code error;
+    for (const fs::path& directory : made) fs::remove(directory, error);
+    throw;
+  }
   ++files_;
 }
 

@@ -10,8 +10,8 @@ namespace hsr::cli {
 
 using namespace internal;
 
-/// A directory of results: made with the first file if it is not there; files in it are replaced one by one, each complete or
-/// as it was.
+/// A directory of results: made with the first file if it is not there, and not left behind if that cannot be written; files in it
+/// are replaced one by one, each complete or as it was.
 class OutputDirectory {
  public:
   /// @throws InputError if it is a file

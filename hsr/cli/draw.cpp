@@ -138,7 +138,7 @@ Report::Json areas_json(const Model& model, const Mesh& mesh, const View& view, 
   for (const auto& [face, areas] : of_face) faces.push_back(Report::Json::array({face, number(areas)}));
   for (const auto& [object, areas] : of_object) objects.push_back(Report::Json::array({model.objects[object], number(areas)}));
   return {{"fragments", fragments.fragments.size()},
-          {"rings", fragments.rings()},
+          {"rings", fragments.rings.size()},
           {"visible_area", number(all)},
           {"visible_area_of_faces", std::move(faces)},
           {"visible_area_of_objects", std::move(objects)}};

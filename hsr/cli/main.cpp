@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   std::signal(SIGHUP, on_interrupt);
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files: writing fails, one line says so, and no part of a file is left
   std::signal(SIGPIPE, SIG_IGN);  // who reads the standard output may stop: then writing fails, and one line says so
   hsr::cli::CommandLine command(
       "hsr", "hsr: what is visible, exactly. Vector drawings of polygon models with hidden lines removed or dashed.",

@@ -29,7 +29,7 @@ std::vector<PlacedPolygon> polygons(const SceneView& scene, const VisibleFragmen
     PlacedPolygon polygon{scene.mesh().face_of[first_triangle(fragment.facet)], fragment.facet, {}};
     for (std::uint32_t r = fragment.first_ring; r < fragment.end_ring; ++r) {
       auto& ring = polygon.rings.emplace_back();
-      for (const MapCorner& corner : fragments.ring(r)) ring.push_back(coordinates.at(fragment.facet, corner.at));
+      for (const MapCorner& corner : fragments.rings[r]) ring.push_back(coordinates.at(fragment.facet, corner.at));
     }
     return polygon;
   });

@@ -80,14 +80,14 @@ Overlay lay_over(const ImageLines& groups, const Projection& projection, const V
                  const std::vector<std::uint32_t>& object_of_line, bool with_hidden,
                  tbb::enumerable_thread_specific<Predicates>& predicates) {
   constexpr std::size_t chunk = 512;
-  std::vector<Overlay> parts((groups.size() + chunk - 1) / chunk);
+  std::vector<Overlay> parts((groups.members.size() + chunk - 1) / chunk);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t c) {
     LineOverlay overlay(projection, lines, object_of_line, with_hidden, predicates.local());
-    for (std::size_t g = c * chunk; g < std::min(groups.size(), (c + 1) * chunk); ++g) {
-      if (groups[g].size() == 1)
-        overlay.add_single(groups[g].front(), parts[c]);
+    for (std::size_t g = c * chunk; g < std::min(groups.members.size(), (c + 1) * chunk); ++g) {
+      if (groups.members[g].size() == 1)
+        overlay.add_single(groups.members[g].front(), parts[c]);
       else
-        overlay.add_group(groups[g], groups.steep[groups.first[g]] != 0, parts[c]);
+        overlay.add_group(groups.members[g], groups.steep[groups.members.begin(g)] != 0, parts[c]);
     }
   });
   Overlay all;
@@ -184,7 +184,7 @@ double length_of(std::span<const PaperPoint> points, bool closed) {
 void add_outlines(Drawing& drawing, const Fills& fills) {
   for (const Fill& fill : fills.fills)
     for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
-      const auto ring = fills.ring(r);
+      const auto ring = fills.rings[r];
       if (ring.empty() || length_of(ring, true) < least_on_paper) {
         ++drawing.short_dropped;
         continue;
@@ -374,14 +374,14 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
     distinct.part_of.resize(distinct.lines.size());
     std::iota(distinct.part_of.begin(), distinct.part_of.end(), 0U);
   }
-  std::vector<std::uint32_t> order(chains.size());
+  std::vector<std::uint32_t> order(chains.passes.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const PaperLine &x = distinct.lines[chains[a].front() / 2], &y = distinct.lines[chains[b].front() / 2];
+    const PaperLine &x = distinct.lines[chains.passes[a].front() / 2], &y = distinct.lines[chains.passes[b].front() / 2];
     return std::pair(x.style, x.object) < std::pair(y.style, y.object);
   });
   Collector collector(drawing, mesh, lines, overlay);
-  std::vector<std::uint8_t> is_short(chains.size(), 0);
+  std::vector<std::uint8_t> is_short(chains.passes.size(), 0);
   if (options.min_length > 0)
     is_short =
         in_short_groups(distinct.lines, chains, options.min_length * 1000 * (options.in_frame_units ? drawing.scale : 1));
@@ -390,7 +390,7 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
       ++drawing.groups_dropped;
       continue;
     }
-    collector.add(chains[c], chains.closed[c] != 0, distinct, of_line);
+    collector.add(chains.passes[c], chains.closed[c] != 0, distinct, of_line);
   }
   if (options.sort_for_pen) sort_for_pen(drawing);
   return drawing;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/ragged.h"
 #include "hsr/drawing/page.h"
 #include "hsr/drawing/pens.h"
 #include "hsr/face_labels.h"
@@ -71,16 +72,11 @@ struct FillLine {
 /// that no seam shows between them.
 struct Fills {
   std::vector<Fill> fills;
-  std::vector<std::uint32_t> first_point = {0};  ///< ring r has points[first_point[r]] ... ; one more than rings
-  std::vector<PaperPoint> points;
+  Ragged<PaperPoint> rings;
   std::vector<std::uint32_t> faces;
   std::vector<FillLine> lines;  ///< as they are painted
   std::vector<PaperPoint> line_points;
 
-  std::uint32_t rings() const { return static_cast<std::uint32_t>(first_point.size() - 1); }
-  std::span<const PaperPoint> ring(std::uint32_t r) const {
-    return {points.data() + first_point[r], points.data() + first_point[r + 1]};
-  }
   std::span<const PaperPoint> points_of(const FillLine& l) const {
     return {line_points.data() + l.first_point, line_points.data() + l.end_point};
   }

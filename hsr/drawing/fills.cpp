@@ -75,21 +75,15 @@ std::vector<PaperPoint> placed_ring(const Placement& placement, std::span<const 
 }  // namespace
 
 Fills placed_fills(const Placement& placement, const Regions& regions) {
-  const std::size_t rings = regions.first_corner.size() - 1;
+  const std::size_t rings = regions.rings.size();
   std::vector<FacetId> facet(rings);
   for (const Region& r : regions.regions) std::fill(facet.begin() + r.first_ring, facet.begin() + r.end_ring, r.facet);
   std::vector<std::vector<PaperPoint>> placed(rings);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rings, 64), [&](const auto& range) {
-    for (std::size_t r = range.begin(); r != range.end(); ++r)
-      placed[r] = placed_ring(
-          placement, {regions.corners.data() + regions.first_corner[r], regions.corners.data() + regions.first_corner[r + 1]},
-          facet[r]);
+    for (std::size_t r = range.begin(); r != range.end(); ++r) placed[r] = placed_ring(placement, regions.rings[r], facet[r]);
   });
   Fills fills;
-  for (const auto& ring : placed) {
-    fills.points.insert(fills.points.end(), ring.begin(), ring.end());
-    fills.first_point.push_back(static_cast<std::uint32_t>(fills.points.size()));
-  }
+  for (const auto& ring : placed) fills.rings.push_row(ring);
   for (const Region& r : regions.regions) {
     Fill fill;
     fill.colour = r.colour;

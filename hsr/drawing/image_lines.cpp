@@ -157,23 +157,20 @@ ImageLines image_lines(const Projection& projection, const IndexedVector<VertexI
 
   ImageLines result;
   const std::size_t n = drawn.size();
-  std::vector<std::uint32_t> count(n, 0);
-  for (std::uint32_t i = 0; i < n; ++i) ++count[partition.find(i)];
-  std::vector<std::uint32_t> place(n, 0);
-  std::uint32_t next = 0;
+  std::vector<std::uint32_t> group(n);
+  std::uint32_t groups = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    if (count[i] == 0) continue;
-    place[i] = next;
-    next += count[i];
-    result.first.push_back(next);
+    const std::uint32_t least = partition.find(i);  // it comes first
+    group[i] = least == i ? groups++ : group[least];
   }
-  result.members.resize(n);
-  result.steep.resize(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t k = place[partition.find(i)]++;
-    result.members[k] = drawn[i];
-    result.steep[k] = equations[i].steep ? 1 : 0;
-  }
+  Ragged<std::uint32_t> positions;
+  positions.assign(groups, [&](const auto& add) {
+    for (std::uint32_t i = 0; i < n; ++i) add(group[i], i);
+  });
+  result.members.assign(groups, [&](const auto& add) {
+    for (std::uint32_t i = 0; i < n; ++i) add(group[i], drawn[i]);
+  });
+  for (const std::uint32_t i : positions.values()) result.steep.push_back(equations[i].steep ? 1 : 0);
   return result;
 }
 

@@ -4,20 +4,15 @@
 #include <span>
 #include <vector>
 
+#include "geometry/ragged.h"
 #include "hsr/drawing/projection.h"
 
 namespace hsr::internal {
 
 /// Lines grouped by the straight line of the image that carries them.
 struct ImageLines {
-  std::vector<std::uint32_t> first = {0};  ///< group g has members[first[g]] ... members[first[g + 1] - 1]
-  std::vector<std::uint32_t> members;      ///< indices of VisibleLines::lines; ascending in a group, groups by their first
-  std::vector<std::uint8_t> steep;         ///< for each member: its line changes y at least as fast as x
-
-  std::size_t size() const { return first.size() - 1; }
-  std::span<const std::uint32_t> operator[](std::size_t g) const {
-    return {members.data() + first[g], members.data() + first[g + 1]};
-  }
+  Ragged<std::uint32_t> members;    ///< by group: indices of VisibleLines::lines; ascending in a group, groups by their first
+  std::vector<std::uint8_t> steep;  ///< for each member: its line changes y at least as fast as x
 };
 
 /// Two are in one group iff both ends of one lie in the view plane of the other.

@@ -90,7 +90,7 @@ Chains join(const std::vector<PaperLine>& lines) {
   }
 
   Chains chains;
-  chains.passes.reserve(lines.size());
+  chains.passes.reserve(0, lines.size());
   std::vector<bool> used(lines.size(), false);
   for (std::uint32_t k = 0; k < lines.size(); ++k) {
     if (used[k]) continue;
@@ -104,7 +104,7 @@ Chains join(const std::vector<PaperLine>& lines) {
       chains.passes.push_back(end);
     }
     chains.closed.push_back(closed ? 1 : 0);
-    chains.first.push_back(static_cast<std::uint32_t>(chains.passes.size()));
+    chains.passes.end_row();
   }
   return chains;
 }

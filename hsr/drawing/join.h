@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "geometry/ragged.h"
 #include "hsr/drawing/page.h"
 
 namespace hsr::internal {
@@ -17,14 +17,8 @@ struct PaperLine {
 
 /// Lines in a row.
 struct Chains {
-  std::vector<std::uint32_t> first = {0};  ///< chain c has passes[first[c]] ... passes[first[c + 1] - 1]
-  std::vector<std::uint32_t> passes;       ///< 2 k: line k is passed from `from` to `to`; 2 k + 1: from `to` to `from`
-  std::vector<char> closed;                ///< for each chain: its end is its start
-
-  std::size_t size() const { return closed.size(); }
-  std::span<const std::uint32_t> operator[](std::size_t c) const {
-    return {passes.data() + first[c], passes.data() + first[c + 1]};
-  }
+  Ragged<std::uint32_t> passes;  ///< by chain; 2 k: line k is passed from `from` to `to`; 2 k + 1: from `to` to `from`
+  std::vector<char> closed;      ///< for each chain: its end is its start
 };
 
 /// Every line in exactly one chain, joined where they meet on the paper: two ends at a point always, of more than two the

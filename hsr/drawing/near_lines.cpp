@@ -245,10 +245,10 @@ class Squares {
 
 /// The lines' numbers, the strongest first.
 std::vector<std::uint32_t> by_strength(const std::vector<PaperLine>& lines, const Chains& chains) {
-  std::vector<std::int64_t> length(chains.size(), 0);
+  std::vector<std::int64_t> length(chains.passes.size(), 0);
   std::vector<std::uint32_t> chain_of(lines.size()), order(lines.size());
-  for (std::uint32_t c = 0; c < chains.size(); ++c)
-    for (const std::uint32_t pass : chains[c]) {
+  for (std::uint32_t c = 0; c < chains.passes.size(); ++c)
+    for (const std::uint32_t pass : chains.passes[c]) {
       chain_of[pass / 2] = c;
       length[c] += Steps(lines[pass / 2]).count();
     }
@@ -295,7 +295,8 @@ DistinctLines without_near(const std::vector<PaperLine>& lines, const Chains& ch
   }
 
   // To draw more than needed never makes a gap.
-  for (std::uint32_t c = 0; c < chains.size(); ++c) put_back_short_runs(lines, chains[c], chains.closed[c] != 0, out);
+  for (std::uint32_t c = 0; c < chains.passes.size(); ++c)
+    put_back_short_runs(lines, chains.passes[c], chains.closed[c] != 0, out);
 
   DistinctLines result;
   std::vector<std::vector<std::uint32_t>> stands_for(lines.size());

@@ -130,16 +130,16 @@ void add_lines(Fills& fills, const std::vector<PlacedPiece>& pieces, const std::
       lines.push_back({line.from, line.to, static_cast<std::uint32_t>(line.edge_class), last_fill_of_layer[found[k].layer]});
   }
   const Chains chains = join(lines);
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    const PaperLine& first = lines[chains[c].front() / 2];
+  for (std::size_t c = 0; c < chains.passes.size(); ++c) {
+    const PaperLine& first = lines[chains.passes[c].front() / 2];
     FillLine out;
     out.after = first.object;
     out.closed = chains.closed[c] != 0;
     out.edge_class = static_cast<EdgeClass>(first.style);
     out.first_point = static_cast<std::uint32_t>(fills.line_points.size());
-    for (const std::uint32_t pass : chains[c])
+    for (const std::uint32_t pass : chains.passes[c])
       fills.line_points.push_back((pass & 1U) != 0 ? lines[pass / 2].to : lines[pass / 2].from);
-    const std::uint32_t last = chains[c].back();
+    const std::uint32_t last = chains.passes[c].back();
     if (!out.closed) fills.line_points.push_back((last & 1U) != 0 ? lines[last / 2].from : lines[last / 2].to);
     out.end_point = static_cast<std::uint32_t>(fills.line_points.size());
     fills.lines.push_back(out);
@@ -200,26 +200,22 @@ class FillPainter {
   void append(Fills& fills, const PaintedGroup& group, const std::vector<PlacedPiece>& pieces, const Fill& look) const {
     Fill fill = look;
     fill.layer = group.layer;
-    fill.first_ring = fills.rings();
+    fill.first_ring = static_cast<std::uint32_t>(fills.rings.size());
     fill.first_face = static_cast<std::uint32_t>(fills.faces.size());
     std::vector<PaperSide> sides;
     for (const std::uint32_t i : group.pieces) {
       append_sides(pieces[i].ring, i, sides);
       fills.faces.push_back(scene_.mesh().face_of[first_triangle(order_.pieces[i].facet)].value);
     }
-    const auto add = [&](const std::vector<PaperPoint>& ring) {
-      fills.points.insert(fills.points.end(), ring.begin(), ring.end());
-      fills.first_point.push_back(static_cast<std::uint32_t>(fills.points.size()));
-    };
     if (group.pieces.size() == 1) {
-      add(pieces[group.pieces.front()].ring);
+      fills.rings.push_row(pieces[group.pieces.front()].ring);
     } else {
-      for (const auto& ring : united_rings(conforming(sides))) add(ring);
+      for (const auto& ring : united_rings(conforming(sides))) fills.rings.push_row(ring);
     }
     const auto begin = fills.faces.begin() + fill.first_face;
     std::sort(begin, fills.faces.end());
     fills.faces.erase(std::unique(begin, fills.faces.end()), fills.faces.end());
-    fill.end_ring = fills.rings();
+    fill.end_ring = static_cast<std::uint32_t>(fills.rings.size());
     fill.end_face = static_cast<std::uint32_t>(fills.faces.size());
     fills.fills.push_back(fill);
   }

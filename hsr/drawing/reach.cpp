@@ -22,10 +22,10 @@ constexpr std::uint32_t none = 0xffffffffU;
 
 std::vector<PaperSide> sides_of(const Fills& fills) {
   std::vector<PaperSide> sides;
-  sides.reserve(fills.points.size());
+  sides.reserve(fills.rings.values().size());
   for (std::uint32_t i = 0; i < fills.fills.size(); ++i)
     for (std::uint32_t r = fills.fills[i].first_ring; r < fills.fills[i].end_ring; ++r)
-      append_sides(fills.ring(r), i, sides, r);
+      append_sides(fills.rings[r], i, sides, r);
   return sides;
 }
 
@@ -270,18 +270,17 @@ void reach_beneath(Fills& fills) {
   out.lines = std::move(fills.lines);
   out.line_points = std::move(fills.line_points);
   const auto append = [&](std::span<const PaperPoint> ring) {
-    out.points.insert(out.points.end(), ring.begin(), ring.end());
-    check_countable(out.points.size(), "corners of fills");
-    out.first_point.push_back(static_cast<std::uint32_t>(out.points.size()));
+    check_countable(out.rings.values().size() + ring.size(), "corners of fills");
+    out.rings.push_row(ring);
   };
   for (std::size_t i = 0; i < united.size(); ++i) {
     Fill fill = fills.fills[i];
-    const std::uint32_t first = out.rings();
+    const auto first = static_cast<std::uint32_t>(out.rings.size());
     if (united[i].empty())
-      for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) append(fills.ring(r));
+      for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) append(fills.rings[r]);
     for (const auto& ring : united[i]) append(ring);
     fill.first_ring = first;
-    fill.end_ring = out.rings();
+    fill.end_ring = static_cast<std::uint32_t>(out.rings.size());
     out.fills.push_back(fill);
   }
   fills = std::move(out);

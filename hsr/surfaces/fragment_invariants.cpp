@@ -133,7 +133,7 @@ class Invariants {
 
   std::vector<Place> places(std::uint32_t r) const {
     std::vector<Place> at;
-    for (const MapCorner& c : all_.ring(r)) at.push_back(map_.exact_place(c.at));
+    for (const MapCorner& c : all_.rings[r]) at.push_back(map_.exact_place(c.at));
     return at;
   }
 
@@ -143,7 +143,7 @@ class Invariants {
     for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
       rings.push_back(places(r));
       const std::vector<Place>& ring = rings.back();
-      const auto corners = all_.ring(r);
+      const auto corners = all_.rings[r];
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const std::size_t next = (i + 1) % ring.size();
         const Place &p = ring[i], &q = ring[next];
@@ -227,7 +227,7 @@ class Invariants {
 }  // namespace
 
 void check_invariants(const ProjectedMesh& projected, const VisibleFragments& fragments) {
-  if (fragments.corners.size() <= 5000) Invariants(projected, fragments).check();
+  if (fragments.rings.values().size() <= 5000) Invariants(projected, fragments).check();
 }
 
 }  // namespace hsr::internal

@@ -20,12 +20,8 @@ struct FragmentParts {
   VisibleFragments found;
 
   void add(FacetId facet, const Rings& rings) {
-    const auto base_ring = static_cast<std::uint32_t>(found.rings());
-    for (std::size_t r = 0; r + 1 < rings.first_corner.size(); ++r) {
-      found.corners.insert(found.corners.end(), rings.corners.begin() + rings.first_corner[r],
-                           rings.corners.begin() + rings.first_corner[r + 1]);
-      found.first_corner.push_back(static_cast<std::uint32_t>(found.corners.size()));
-    }
+    const auto base_ring = static_cast<std::uint32_t>(found.rings.size());
+    found.rings.append(rings.rings);
     for (std::size_t k = 0; k + 1 < rings.first_ring.size(); ++k)
       found.fragments.push_back({facet, base_ring + rings.first_ring[k], base_ring + rings.first_ring[k + 1]});
   }
@@ -53,13 +49,12 @@ VisibleFragments fragments_in_blocks(const Mesh& mesh, const FragmentOptions& op
   VisibleFragments all;
   for (const FragmentParts& part : parts) {
     const VisibleFragments& found = part.found;
-    const auto ring = static_cast<std::uint32_t>(all.rings()), point = static_cast<std::uint32_t>(all.corners.size());
+    const auto ring = static_cast<std::uint32_t>(all.rings.size());
     for (const Fragment& f : found.fragments) all.fragments.push_back({f.facet, ring + f.first_ring, ring + f.end_ring});
-    for (std::size_t r = 1; r < found.first_corner.size(); ++r) all.first_corner.push_back(point + found.first_corner[r]);
-    all.corners.insert(all.corners.end(), found.corners.begin(), found.corners.end());
+    all.rings.append(found.rings);
     all.decisions += found.decisions;
   }
-  check_countable(all.corners.size(), "corners of fragments");
+  check_countable(all.rings.values().size(), "corners of fragments");
   return all;
 }
 

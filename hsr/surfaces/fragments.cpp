@@ -13,7 +13,7 @@ std::vector<Rational> visible_areas(const Mesh& mesh, const View& view, const Vi
     Rational twice;
     for (std::uint32_t ring = f.first_ring; ring < f.end_ring; ++ring) {
       std::vector<std::array<Rational, 2>> at;
-      for (const MapCorner& c : fragments.ring(ring)) {
+      for (const MapCorner& c : fragments.rings[ring]) {
         at.push_back(image(exact_point(mesh, view, f.facet, c.at)));
       }
       for (std::size_t i = 0; i < at.size(); ++i) {

@@ -18,17 +18,9 @@ namespace {
 
 void append_sides(const VisibleFragments& all, const Fragment& fragment, std::vector<MapSide>& sides) {
   for (std::uint32_t r = fragment.first_ring; r < fragment.end_ring; ++r) {
-    const auto ring = all.ring(r);
+    const auto ring = all.rings[r];
     for (std::size_t k = 0; k < ring.size(); ++k)
       sides.push_back({ring[k].line, ring[k].reversed, ring[k].at, ring[(k + 1) % ring.size()].at});
-  }
-}
-
-void append_rings(const Rings& rings, Regions& out) {
-  for (std::size_t r = 0; r + 1 < rings.first_corner.size(); ++r) {
-    out.corners.insert(out.corners.end(), rings.corners.begin() + rings.first_corner[r],
-                       rings.corners.begin() + rings.first_corner[r + 1]);
-    out.first_corner.push_back(static_cast<std::uint32_t>(out.corners.size()));
   }
 }
 
@@ -78,7 +70,8 @@ std::vector<std::vector<std::uint32_t>> faces_of_regions(const Mesh& mesh, const
   for (std::size_t r = 0; r < rings.owner_of_region.size(); ++r) region_of[rings.owner_of_region[r]] = r;
   std::vector<std::vector<std::uint32_t>> faces(rings.owner_of_region.size());
   for (std::size_t k = 0; k < group.size(); ++k)
-    faces[region_of.at(rings.region_owner[k])].push_back(mesh.face_of[first_triangle(fragments.fragments[group[k]].facet)].value);
+    faces[region_of.at(rings.region_owner[k])].push_back(
+        mesh.face_of[first_triangle(fragments.fragments[group[k]].facet)].value);
   for (std::vector<std::uint32_t>& of : faces) {
     std::sort(of.begin(), of.end());
     of.erase(std::unique(of.begin(), of.end()), of.end());
@@ -94,8 +87,7 @@ Regions regions_of(const SceneView& scene, const VisibleFragments& fragments, co
   if (fragments.fragments.empty()) return out;
   const auto colour_of = [&](const Fragment& f) { return colours[mesh.face_of[first_triangle(f.facet)].value]; };
   if (merge == Merge::none) {
-    out.first_corner = fragments.first_corner;
-    out.corners = fragments.corners;
+    out.rings = fragments.rings;
     for (const Fragment& f : fragments.fragments)
       out.regions.push_back({colour_of(f), f.facet, {mesh.face_of[first_triangle(f.facet)].value}, f.first_ring, f.end_ring});
     return out;
@@ -113,8 +105,8 @@ Regions regions_of(const SceneView& scene, const VisibleFragments& fragments, co
       owners.resize(sides.size(), static_cast<std::uint32_t>(end - i));
     }
     const Rings rings = link_rings(map, sides, owners);
-    const auto base = static_cast<std::uint32_t>(out.first_corner.size() - 1);
-    append_rings(rings, out);
+    const auto base = static_cast<std::uint32_t>(out.rings.size());
+    out.rings.append(rings.rings);
     std::vector<std::vector<std::uint32_t>> faces =
         faces_of_regions(mesh, fragments, std::span(order).subspan(i, end - i), rings);
     for (std::size_t k = 0; k < faces.size(); ++k) {

@@ -25,8 +25,7 @@ struct Region {
 
 struct Regions {
   std::vector<Region> regions;
-  std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
-  std::vector<MapCorner> corners;
+  Ragged<MapCorner> rings;
 };
 
 /// The fragments as regions of colour, united with their neighbours as asked for, each with the faces that it is made of.

@@ -76,6 +76,8 @@ class RingLinker::Linker {
   void walk();
   void split(const std::vector<std::uint32_t>& pieces);
   void place_holes();
+  bool is_before(std::uint32_t i, std::uint32_t j) const;
+  bool begins_before(const Loop& a, const Loop& b) const;
   void make_result();
   std::span<const std::uint32_t> pieces_of(const Loop& loop) const {
     return {corners_.data() + loop.begin, corners_.data() + loop.end};
@@ -132,8 +134,7 @@ void RingLinker::Linker::clear() {
   holes_.clear();
   region_of_hole_.clear();
   widest_ = 0;
-  rings_.corners.clear();
-  rings_.first_corner.assign(1, 0);
+  rings_.rings.clear();
   rings_.first_ring.assign(1, 0);
   rings_.owner_of_region.clear();
   rings_.region_owner.clear();
@@ -470,21 +471,52 @@ void RingLinker::Linker::place_holes() {
   }
 }
 
+/// Whether a point is to the left of another, or straight below it: by places, exactly where these do not tell.
+bool RingLinker::Linker::is_before(std::uint32_t i, std::uint32_t j) const {
+  const MapPlace &p = places_[i], &q = places_[j];
+  if (i == j) return false;
+  if (std::fabs(p.x - q.x) > p.error_x + q.error_x) return p.x < q.x;
+  if (p.error_x + q.error_x == 0 && std::fabs(p.y - q.y) > p.error_y + q.error_y) return p.y < q.y;
+  return exact(i) < exact(j);
+}
+
+/// Whether a ring begins before another, or they begin at one point and it goes on before.
+bool RingLinker::Linker::begins_before(const Loop& a, const Loop& b) const {
+  const auto p = pieces_of(a), q = pieces_of(b);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::uint32_t i = pieces_[p[k]].from, j = pieces_[q[k]].from;
+    if (i != j) return is_before(i, j);
+  }
+  return false;
+}
+
+/// Rings begin at their first point, and regions and their holes come in that order: how points are named makes no difference.
 void RingLinker::Linker::make_result() {
-  const auto add = [&](const LoopRange& range) {
-    for (std::size_t k = range.begin; k < range.end; ++k) {
-      for (const std::uint32_t i : pieces_of(loops_[k]))
-        rings_.corners.push_back({points_[pieces_[i].from], pieces_[i].line, pieces_[i].reversed});
-      rings_.first_corner.push_back(static_cast<std::uint32_t>(rings_.corners.size()));
-    }
+  for (const Loop& loop : loops_) {
+    const auto begin = corners_.begin() + loop.begin, end = corners_.begin() + loop.end;
+    std::rotate(begin,
+                std::min_element(begin, end,
+                                 [&](std::uint32_t i, std::uint32_t j) { return is_before(pieces_[i].from, pieces_[j].from); }),
+                end);
+  }
+  std::vector<std::vector<const Loop*>> rings(regions_.size());
+  const auto add = [&](const LoopRange& range, std::vector<const Loop*>& to) {
+    for (std::size_t k = range.begin; k < range.end; ++k) to.push_back(&loops_[k]);
   };
+  for (std::size_t r = 0; r < regions_.size(); ++r) add(regions_[r], rings[r]);
+  for (std::size_t h = 0; h < holes_.size(); ++h) add(holes_[h], rings[region_of_hole_[h]]);
+  const auto is_first = [&](const Loop* a, const Loop* b) { return begins_before(*a, *b); };
+  for (auto& of_region : rings) std::sort(of_region.begin() + 1, of_region.end(), is_first);
+  std::sort(rings.begin(), rings.end(), [&](const auto& a, const auto& b) { return is_first(a.front(), b.front()); });
   // What bounds a region from several sides is one polygon, or several that were joined across a side, or by what lies between.
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    add(regions_[r]);
-    rings_.owner_of_region.push_back(owners_.find(pieces_[pieces_of(loops_[regions_[r].begin]).front()].owner));
-    for (std::size_t h = 0; h < holes_.size(); ++h)
-      if (region_of_hole_[h] == r) add(holes_[h]);
-    rings_.first_ring.push_back(static_cast<std::uint32_t>(rings_.first_corner.size() - 1));
+  for (const auto& of_region : rings) {
+    rings_.owner_of_region.push_back(owners_.find(pieces_[pieces_of(*of_region.front()).front()].owner));
+    for (const Loop* loop : of_region) {
+      for (const std::uint32_t i : pieces_of(*loop))
+        rings_.rings.push_back({points_[pieces_[i].from], pieces_[i].line, pieces_[i].reversed});
+      rings_.rings.end_row();
+    }
+    rings_.first_ring.push_back(static_cast<std::uint32_t>(rings_.rings.size()));
   }
   for (std::uint32_t k = 0; k < owners_.size(); ++k) rings_.region_owner.push_back(owners_.find(k));
 }

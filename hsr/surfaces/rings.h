@@ -5,17 +5,17 @@
 #include <span>
 #include <vector>
 
+#include "geometry/ragged.h"
 #include "hsr/visibility_map/map_predicates.h"
 
 namespace hsr::internal {
 
 /// Closed rings of corners in the map, and which of them bound one connected region.
 struct Rings {
-  std::vector<MapCorner> corners;
-  std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
-  std::vector<std::uint32_t> first_ring = {0};    ///< region k has the rings first_ring[k] ... ; one more than regions
-  std::vector<std::uint32_t> owner_of_region;     ///< the least of those whose sides bound it, or lie within
-  std::vector<std::uint32_t> region_owner;        ///< by owner: owner_of_region of the region that it is part of
+  Ragged<MapCorner> rings;
+  std::vector<std::uint32_t> first_ring = {0};  ///< region k has the rings first_ring[k] ... ; one more than regions
+  std::vector<std::uint32_t> owner_of_region;   ///< the least of those whose sides bound it, or lie within
+  std::vector<std::uint32_t> region_owner;      ///< by owner: owner_of_region of the region that it is part of
 };
 
 /// A side and the places of its ends in some coordinates of the image, in which turns are as they are seen.
@@ -33,6 +33,8 @@ struct PlacedSide {
 ///   (3) only true corners: no point of a ring is in line with its neighbours
 ///   (4) sides may come in any order and in any pieces; what lies on another side the other way round cancels, and what comes
 ///       twice counts once
+///   (5) a ring begins at its leftmost corner, of several the lowest; regions, and holes of one, ascend by where they begin, and
+///       of those that begin at one corner, by the next
 ///
 /// @pre the sides, cancelled, bound a part of the plane that lies to their left
 /// @throws InvariantError if they do not

@@ -3,13 +3,13 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <stop_token>
 #include <vector>
 
 #include "geometry/mesh.h"
 #include "geometry/number.h"
 #include "geometry/predicates.h"
+#include "geometry/ragged.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/symbols/map_point.h"
 #include "hsr/view/view.h"
@@ -23,15 +23,9 @@ struct Fragment {
 };
 
 struct VisibleFragments {
-  std::vector<Fragment> fragments;                ///< ascending by facet, hence by face
-  std::vector<std::uint32_t> first_corner = {0};  ///< ring r has corners[first_corner[r]] ... ; one more than rings
-  std::vector<MapCorner> corners;
+  std::vector<Fragment> fragments;  ///< ascending by facet, hence by face
+  Ragged<MapCorner> rings;
   DecisionCounts decisions;
-
-  std::size_t rings() const { return first_corner.size() - 1; }
-  std::span<const MapCorner> ring(std::uint32_t r) const {
-    return {corners.data() + first_corner[r], corners.data() + first_corner[r + 1]};
-  }
 };
 
 struct FragmentOptions {
@@ -54,8 +48,8 @@ std::vector<Rational> visible_areas(const Mesh& mesh, const View& view, const Vi
 ///   (1) fragments of different faces do not overlap, and together they cover the union of all images
 ///   (2) of two faces in one plane the one on top (TieRule) is visible; a face seen edge-on has no fragment
 ///   (3) a face that is cut into triangles has the fragments of its triangles
-///   (4) the result does not depend on the number of threads; roberts_surfaces(), and other stages, give the same rings, but in
-///       each facet perhaps in another order, from another corner on, and with corners by other names
+///   (4) the result does not depend on the number of threads; roberts_surfaces(), and other stages, give the same rings in the same
+///       order (rings.h), but perhaps with corners by other names
 ///
 /// @throws CancelledError if asked to stop by `options.stop`, InputError beyond 2^32 - 1 corners
 ///

@@ -358,6 +358,18 @@ TEST_CASE("a full disk is an error, not a success", "[cli]") {
   }
 }
 
+TEST_CASE("a limit on the size of files is an error that leaves nothing", "[cli]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  const std::string limit = "ulimit -f 1; ";  // of what the shell runs
+  for (const char* name : {"a.svg", "a.pdf", "a.json", "a.png"}) {
+    check_refused(run("draw " + model + " --edges all --fill --hidden dashed -o " + (d / name), limit), {name, "File too large"});
+    CHECK(d.files() == 1);
+  }
+  check_refused(run("compare " + model + " -q -o " + (d / "study"), limit), {"File too large"});
+  CHECK(d.files() == 1);
+}
+
 TEST_CASE("messages that cannot be written are no reason to die", "[cli]") {
   const Directory d;
   const std::string model = write(d / "cube.obj", cube);

@@ -107,7 +107,7 @@ TEST_CASE("the coordinates of fragments and of pieces are correctly rounded", "[
         REQUIRE(placed[k].rings.size() == f.end_ring - f.first_ring);
         holes += placed[k].rings.size() - 1;
         for (std::size_t r = 0; r < placed[k].rings.size(); ++r) {
-          const auto ring = fragments.ring(f.first_ring + static_cast<std::uint32_t>(r));
+          const auto ring = fragments.rings[f.first_ring + r];
           REQUIRE(placed[k].rings[r].size() == ring.size());
           for (std::size_t i = 0; i < ring.size(); ++i, ++corners)
             REQUIRE(wrong(image, placed[k].rings[r][i], exact_point(mesh, test.view, f.facet, ring[i].at)) == "");

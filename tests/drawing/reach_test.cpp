@@ -17,12 +17,11 @@ using namespace internal;
 void add(Fills& fills, const std::vector<std::vector<PaperPoint>>& rings, double opacity = 1) {
   Fill fill;
   fill.opacity = opacity;
-  fill.first_ring = fills.rings();
+  fill.first_ring = static_cast<std::uint32_t>(fills.rings.size());
   for (const auto& ring : rings) {
-    fills.points.insert(fills.points.end(), ring.begin(), ring.end());
-    fills.first_point.push_back(static_cast<std::uint32_t>(fills.points.size()));
+    fills.rings.push_row(ring);
   }
-  fill.end_ring = fills.rings();
+  fill.end_ring = static_cast<std::uint32_t>(fills.rings.size());
   fills.fills.push_back(fill);
 }
 
@@ -30,7 +29,7 @@ void add(Fills& fills, const std::vector<std::vector<PaperPoint>>& rings, double
 bool covers(const Fills& fills, const Fill& fill, double x, double y) {
   int winding = 0;
   for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
-    const auto ring = fills.ring(r);
+    const auto ring = fills.rings[r];
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const PaperPoint &p = ring[k], &q = ring[(k + 1) % ring.size()];
       const double px = static_cast<double>(p.x), py = static_cast<double>(p.y), qx = static_cast<double>(q.x),
@@ -138,8 +137,8 @@ TEST_CASE("fills reach beneath what is painted later beside them, and the pictur
       if (shown_at(plain, u, v) != shown_at(reaching, u, v)) ++differing;
     }
     CHECK(differing == 0);
-    CHECK(discs(plain, plain.points, 40).open > 100);
-    const Samples samples = discs(reaching, plain.points, 40);
+    CHECK(discs(plain, plain.rings.values(), 40).open > 100);
+    const Samples samples = discs(reaching, plain.rings.values(), 40);
     CHECK(samples.all > 600);
     CHECK(samples.open == 0);
   }
@@ -151,10 +150,10 @@ TEST_CASE("nothing reaches beneath what is seen through, but in a sheet, which i
   for (std::size_t i = 0; i < plain.fills.size(); ++i) plain.fills[i].layer = static_cast<std::uint32_t>(i);
   Fills reaching = plain;
   reach_beneath(reaching);
-  CHECK(reaching.points == plain.points);
+  CHECK(reaching.rings.values() == plain.rings.values());
   reaching = sheet_of_one;
   reach_beneath(reaching);
-  CHECK(discs(reaching, sheet_of_one.points, 40).open == 0);
+  CHECK(discs(reaching, sheet_of_one.rings.values(), 40).open == 0);
 }
 
 TEST_CASE("parts of a cut face lie over one another where nothing is painted between them", "[drawing][fills][cuts]") {

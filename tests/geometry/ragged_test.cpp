@@ -2,9 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <random>
-
 using namespace hsr;
-using namespace hsr::internal;
 
 namespace {
 
@@ -30,6 +28,29 @@ TEST_CASE("rows end where the next ones begin", "[geometry][ragged]") {
   CHECK(row(ragged, 2) == Values{3});
   ragged[1][0] = 4;
   CHECK(ragged.values() == Values{4, 2, 3});
+  CHECK(ragged.begin(1) == 0);
+  CHECK(ragged.begin(2) == 2);
+  CHECK(ragged.begin(3) == 3);
+}
+
+TEST_CASE("rows are added whole, and all rows of another after them", "[geometry][ragged]") {
+  Ragged<int> ragged, more;
+  ragged.push_row(Values{1, 2});
+  more.push_row(Values{});
+  more.push_row(Values{3});
+  more.push_row(Values{4, 5, 6});
+  ragged.append(more);
+  ragged.append(Ragged<int>());
+  REQUIRE(ragged.size() == 4);
+  CHECK(row(ragged, 0) == Values{1, 2});
+  CHECK(row(ragged, 1).empty());
+  CHECK(row(ragged, 2) == Values{3});
+  CHECK(row(ragged, 3) == Values{4, 5, 6});
+  ragged.clear();
+  CHECK(ragged.size() == 0);
+  CHECK(ragged.values().empty());
+  ragged.append(more);
+  CHECK(row(ragged, 2) == Values{4, 5, 6});
 }
 
 TEST_CASE("values are sorted into rows and stay in order there, again and again", "[geometry][ragged]") {

@@ -239,7 +239,7 @@ std::vector<std::size_t> SurfacesOracle::count_regions() const {
 
 std::vector<Place> SurfacesOracle::ring(const VisibleFragments& found, FacetId facet, std::uint32_t r) const {
   std::vector<Place> out;
-  for (const MapCorner& c : found.ring(r)) {
+  for (const MapCorner& c : found.rings[r]) {
     const auto at = exact_point(mesh_, view_, facet, c.at);
     out.push_back(image({exact(at[0]), exact(at[1]), exact(at[2])}));
   }

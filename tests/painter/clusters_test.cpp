@@ -50,14 +50,14 @@ TEST_CASE("Every piece is in one cluster", "[painter][clusters]") {
     const ProjectedMesh projected(mesh, view, Arithmetic::staged);
     const FacePieces pieces = face_pieces(projected);
     const Clusters found = clusters(projected, pieces);
-    std::vector<std::uint32_t> all = found.pieces;
+    std::vector<std::uint32_t> all = found.values();
     std::sort(all.begin(), all.end());
     REQUIRE(all.size() == pieces.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) CHECK(all[i] == i);
-    CHECK(found.first.back() == all.size());
+    CHECK(found.values().size() == all.size());
     for (std::size_t c = 0; c < found.size(); ++c) {
-      CHECK(found.first[c] < found.first[c + 1]);
-      CHECK(std::is_sorted(found.pieces.begin() + found.first[c], found.pieces.begin() + found.first[c + 1]));
+      CHECK(!found[c].empty());
+      CHECK(std::is_sorted(found[c].begin(), found[c].end()));
     }
     if (!projected.is_perspective()) CHECK(found.size() > 3);
   }

@@ -128,6 +128,23 @@ TEST_CASE("squares that pierce each other are cut once", "[painter][hard][P7][P8
   CHECK(split == 2);  // the cut, on both of its sides, is no line
 }
 
+TEST_CASE("where every face pierces many, planes cut them from the start", "[painter][hard][P7]") {
+  TestScene scene = from_above();
+  constexpr int n = 14;
+  for (int k = 0; k < n; ++k) {  // around the origin, each in a plane of its own
+    const double x = 9 - k, y = k * k % 11 - 5, z = k * k * k % 13 - 6;
+    scene.add_face({{x, y, z}, {-y - 1, x + 3, -z - 2}, {-x + y, -x - y, 1 - z / 2}});
+  }
+  scene.add_face({{38, -2, 0}, {42, -2, 0}, {42, 2, 0}, {38, 2, 0}});
+  scene.add_face({{39, -1, -1}, {39, 1, -1}, {41, 1, 1}, {41, -1, 1}});
+  const DepthSort result = sorted(scene);
+  CHECK(result.counts.piercing > 4 * n + 1);
+  CHECK(result.counts.cuts_at_intersections == 1);  // of the two squares that are no part of the tangle
+  CHECK(result.counts.largest_component >= n - 2);
+  const Mesh mesh = scene.mesh();
+  CHECK(result.order.pieces.size() < 2 * BspTree(mesh).order(scene.view).pieces.size());
+}
+
 TEST_CASE("a split piece keeps its lines", "[painter][hard][P5][P7]") {
   TestScene scene = from_above();
   scene.add_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}});  // not convex: three triangles

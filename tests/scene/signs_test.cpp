@@ -279,8 +279,8 @@ TEST_CASE("fragments, pieces and what is seen beside a line lie on the side that
       return turn(at(0), at(1), at(2)) == Sign::positive;
     };
     const VisibleFragments fragments = visible_fragments(scene);
-    REQUIRE(fragments.rings() == 1);
-    CHECK(is_counter_clockwise([&](std::size_t k) { return fragments.ring(0)[k].at.vertex; }));
+    REQUIRE(fragments.rings.size() == 1);
+    CHECK(is_counter_clockwise([&](std::size_t k) { return fragments.rings[0][k].at.vertex; }));
     for (const PaintersOrder& order : {BspTree(mesh).order(scene), depth_sort(scene).order}) {
       REQUIRE(order.pieces.size() == 1);
       CHECK(is_counter_clockwise([&](std::size_t k) { return order.corners[k].vertex; }));

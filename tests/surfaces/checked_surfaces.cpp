@@ -78,18 +78,15 @@ std::string canonical(const Mesh& mesh, const View& view, const VisibleFragments
     std::vector<std::string> rings;
     for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
       std::vector<std::array<Rational, 3>> ring;
-      for (const MapCorner& c : fragments.ring(r)) ring.push_back(exact_point(mesh, view, f.facet, c.at));
-      std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+      for (const MapCorner& c : fragments.rings[r]) ring.push_back(exact_point(mesh, view, f.facet, c.at));
       std::string text;
       for (const auto& p : ring) text += " (" + p[0].to_string() + ", " + p[1].to_string() + ", " + p[2].to_string() + ")";
       rings.push_back(text);
     }
-    std::sort(rings.begin() + 1, rings.end());
     std::string text = "triangle " + std::to_string(f.facet.value) + ":";
     for (const std::string& ring : rings) text += ring + ";";
     all.push_back(text);
   }
-  std::sort(all.begin(), all.end());
   std::string out;
   for (const std::string& line : all) out += line + "\n";
   return out;

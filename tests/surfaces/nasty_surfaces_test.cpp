@@ -251,15 +251,15 @@ TEST_CASE("the check finds fragments that are wrong", "[surfaces][check]") {
   SECTION("a corner is somewhere else") {
     VisibleFragments wrong = right;
     // The square inside, with a corner moved to the middle of the outer one's.
-    MapCorner& corner = wrong.corners[wrong.first_corner[wrong.fragments[1].first_ring]];
-    MapCorner& before = wrong.corners[wrong.first_corner[wrong.fragments[1].first_ring] + 3];
+    MapCorner& corner = wrong.rings[wrong.fragments[1].first_ring][0];
+    MapCorner& before = wrong.rings[wrong.fragments[1].first_ring][3];
     const VertexId old = corner.at.vertex, outer = VertexId(0);
     corner.at = MapPoint::of_vertex(outer);
     const auto line_to = [&](MapCorner& c, VertexId from, VertexId to) {
       c.line = MapLine::edge(from, to);
       c.reversed = to < from;
     };
-    line_to(corner, outer, wrong.corners[wrong.first_corner[wrong.fragments[1].first_ring] + 1].at.vertex);
+    line_to(corner, outer, wrong.rings[wrong.fragments[1].first_ring][1].at.vertex);
     line_to(before, before.at.vertex, outer);
     CHECK(old != outer);
     CHECK_FALSE(check(wrong).is_right());
@@ -288,17 +288,16 @@ TEST_CASE("the invariants find fragments that are wrong", "[surfaces][check]") {
     wrong.fragments[0].end_ring = wrong.fragments[0].first_ring + 1;
     // The square inside, with the outer one as what surrounds it: of the rings of fragment 0 the second is the hole.
     const std::uint32_t hole = right.fragments[0].first_ring + 1;
-    std::vector<MapCorner> outer(right.ring(0).begin(), right.ring(0).end());
-    wrong.corners.insert(wrong.corners.end(), outer.begin(), outer.end());
-    CHECK(right.ring(hole).size() == 4);
+    std::vector<MapCorner> outer(right.rings[0].begin(), right.rings[0].end());
+    CHECK(right.rings[hole].size() == 4);
     std::reverse(outer.begin(), outer.end());
-    std::copy(outer.begin(), outer.end(), wrong.corners.begin() + wrong.first_corner[wrong.fragments[1].first_ring]);
+    std::copy(outer.begin(), outer.end(), wrong.rings[wrong.fragments[1].first_ring].begin());
     CHECK_THROWS_AS(check_invariants(projected, wrong), InvariantError);
   }
   SECTION("a corner is somewhere else") {
-    MapCorner& corner = wrong.corners[wrong.first_corner[wrong.fragments[1].first_ring]];
-    const MapCorner& next = wrong.corners[wrong.first_corner[wrong.fragments[1].first_ring] + 1];
-    MapCorner& before = wrong.corners[wrong.first_corner[wrong.fragments[1].first_ring] + 3];
+    MapCorner& corner = wrong.rings[wrong.fragments[1].first_ring][0];
+    const MapCorner& next = wrong.rings[wrong.fragments[1].first_ring][1];
+    MapCorner& before = wrong.rings[wrong.fragments[1].first_ring][3];
     corner.at = MapPoint::of_vertex(VertexId(0));
     corner.line = MapLine::edge(VertexId(0), next.at.vertex);
     corner.reversed = false;

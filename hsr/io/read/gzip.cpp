@@ -1,5 +1,6 @@
 #include "hsr/io/read/gzip.h"
 
+#include <sys/resource.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -37,7 +38,24 @@ struct Inflater {
   }
 };
 
+/// What the last member says of its size, modulo 2^32: no more than a hint, as nobody has checked it yet.
+std::size_t size_at_end(std::string_view in) {
+  if (in.size() < 18) return 0;
+  std::size_t size = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+    size |= static_cast<std::size_t>(static_cast<unsigned char>(in[in.size() - 4 + k])) << (8 * k);
+  // Zeros behind the data, or something else: what comes out is counted in any case.
+  return size / 2000 > in.size() ? 0 : size;
+}
+
 }  // namespace
+
+std::size_t most_inflated() {
+  constexpr std::size_t most = std::size_t{1} << 32;
+  rlimit memory{};
+  if (::getrlimit(RLIMIT_DATA, &memory) != 0 || memory.rlim_cur == RLIM_INFINITY) return most;
+  return std::min(most, static_cast<std::size_t>(memory.rlim_cur / 4));
+}
 
 bool is_gzip(std::string_view bytes) { return bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b'; }
 
@@ -51,6 +69,8 @@ Bytes gunzip(const Source& source, std::size_t most) {
   const auto refuse = [&](const std::string& what) {
     source.refuse("byte " + std::to_string(at - z.avail_in), "found " + what + ", expected gzip data");
   };
+  const std::string too_large = "gzip data that inflates to more than " + std::to_string(most) + " bytes";
+  if (size_at_end(in) > most) refuse(too_large);
   for (;;) {
     if (z.avail_in == 0 && at < in.size()) {
       const std::size_t n = std::min<std::size_t>(in.size() - at, std::numeric_limits<uInt>::max());
@@ -67,7 +87,7 @@ Bytes gunzip(const Source& source, std::size_t most) {
     z.avail_out = static_cast<uInt>(Pieces::piece - out.used_of_last);
     const int status = inflate(&z, Z_NO_FLUSH);
     out.used_of_last = Pieces::piece - z.avail_out;
-    if (out.size() > most) refuse("gzip data that inflates to more than " + std::to_string(most) + " bytes");
+    if (out.size() > most) refuse(too_large);
     if (status == Z_STREAM_END) {
       const std::string_view rest = in.substr(at - z.avail_in);
       if (rest.find_first_not_of('\0') == std::string_view::npos) return out.joined();

@@ -156,7 +156,7 @@ FragmentText fragment_text(const Mesh& mesh, const View& view, const VisibleFrag
   out.text += ", \"rings\": [";
   for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
     std::vector<std::array<Rational, 3>> ring;
-    for (const MapCorner& c : all.ring(r)) ring.push_back(exact_point(mesh, view, f.facet, c.at));
+    for (const MapCorner& c : all.rings[r]) ring.push_back(exact_point(mesh, view, f.facet, c.at));
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
     if (r == f.first_ring) out.start = ring.front();
     out.text += r == f.first_ring ? "[" : ", [";

@@ -24,7 +24,7 @@ PaperFrame frame_around(const Fills& fills, std::span<const Fill> some) {
   PaperFrame frame = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (const Fill& fill : some)
     for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r)
-      for (const PaperPoint& p : fills.ring(r)) {
+      for (const PaperPoint& p : fills.rings[r]) {
         const double x = static_cast<double>(p.x) / 1000, y = static_cast<double>(p.y) / 1000;
         frame = {std::min(frame.left, x), std::min(frame.top, y), std::max(frame.right, x), std::max(frame.bottom, y)};
       }
@@ -38,8 +38,8 @@ void append_fill(std::string& out, const Fills& fills, const Fill& fill) {
   }
   out += "rg\n";
   for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
-    if (fills.ring(r).empty()) continue;
-    append_path(out, fills.ring(r));
+    if (fills.rings[r].empty()) continue;
+    append_path(out, fills.rings[r]);
     out += "h\n";
   }
   out += "f\n";

@@ -66,7 +66,7 @@ void paint_fills(cairo_t* c, const Fills& fills, const Pens& pens) {
       },
       [&](const Fill& fill, double opacity) {
         cairo_set_source_rgba(c, fill.colour[0] / 255.0, fill.colour[1] / 255.0, fill.colour[2] / 255.0, opacity);
-        for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.ring(r));
+        for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) add_ring(c, fills.rings[r]);
         cairo_fill(c);
       },
       [&] {

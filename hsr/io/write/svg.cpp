@@ -80,8 +80,8 @@ void append_faces(std::string& out, std::span<const std::uint32_t> faces) {
 
 void append_rings(std::string& out, const Fills& fills, const Fill& fill) {
   for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
-    if (fills.ring(r).empty()) continue;
-    append_points(out, fills.ring(r));
+    if (fills.rings[r].empty()) continue;
+    append_points(out, fills.rings[r]);
     out += 'Z';
   }
 }

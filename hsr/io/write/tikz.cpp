@@ -111,7 +111,7 @@ void append_fills(std::string& out, const Fills& fills) {
         if (opacity < 1) out += ", fill opacity=" + length(std::round(opacity * 1000) / 1000);
         out += "] ";
         for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r)
-          if (!fills.ring(r).empty()) append_path(out, fills.ring(r), true);
+          if (!fills.rings[r].empty()) append_path(out, fills.rings[r], true);
         out += ";\n";
       },
       [&] { out += "\\end{scope}\n"; },

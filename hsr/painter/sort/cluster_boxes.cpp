@@ -9,8 +9,8 @@ namespace {
 
 ImageBox box_of(const MapPredicates& map, const FacePieces& pieces, std::size_t i) {
   ImageBox box = ImageBox::nothing();
-  for (const VertexId v : pieces.ring(i)) box.add(map.projected().box(v, v));
-  if (!pieces.ring(i).empty()) return box;
+  for (const VertexId v : pieces.rings[i]) box.add(map.projected().box(v, v));
+  if (!pieces.rings[i].empty()) return box;
   for (const MapPoint& p : pieces.shape(map.projected(), i).points) {
     if (p.is_vertex) {
       box.add(map.projected().box(p.vertex, p.vertex));
@@ -29,7 +29,7 @@ ClusterBoxes::ClusterBoxes(const ProjectedMesh& projected, const FacePieces& pie
     : clusters_(clusters), looked_for_(looked_for), boxes_(pieces.size()), tree_of_(clusters.size(), nullptr) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes_.size(), 1024), [&](const auto& range) {
     const MapPredicates map(projected);
-    for (std::size_t i = range.begin(); i != range.end(); ++i) boxes_[i] = box_of(map, pieces, clusters.pieces[i]);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) boxes_[i] = box_of(map, pieces, clusters.values()[i]);
   });
   std::vector<ImageBox> flat;
   if (looked_for == InDepth::apart) {
@@ -39,7 +39,7 @@ ClusterBoxes::ClusterBoxes(const ProjectedMesh& projected, const FacePieces& pie
   const std::span<const ImageBox> boxes = looked_for == InDepth::apart ? flat : boxes_;
   constexpr std::size_t small = 64;
   for (std::size_t c = 0; c < clusters.size(); ++c) {
-    const std::size_t first = clusters.first[c], count = clusters.first[c + 1] - first;
+    const std::size_t first = clusters.begin(c), count = clusters[c].size();
     if (count > small) tree_of_[c] = &trees_.emplace_back(boxes.subspan(first, count));
   }
 }

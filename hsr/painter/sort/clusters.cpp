@@ -31,8 +31,8 @@ std::vector<Box> boxes_of(const ProjectedMesh& projected, const FacePieces& piec
       for (const VertexId v : corners)
         for (std::size_t axis = 0; axis < 3; ++axis) boxes[i][axis].add(projected.point(v)[static_cast<int>(axis)]);
     };
-    add(pieces.ring(i));
-    if (!pieces.ring(i).empty()) return;
+    add(pieces.rings[i]);
+    if (!pieces.rings[i].empty()) return;
     const TriangleId end = facet_end(mesh, pieces.facet[i]);
     for (TriangleId t = first_triangle(pieces.facet[i]); t < end; t = TriangleId(t.value + 1U)) add(mesh.triangles[t]);
   });
@@ -132,7 +132,7 @@ Clusters Parting::all() {
   std::vector<std::vector<std::uint32_t>> open(1);  // the farthest last
   open[0].resize(boxes_.size());
   std::iota(open[0].begin(), open[0].end(), 0U);
-  found.pieces.reserve(boxes_.size());
+  found.reserve(0, boxes_.size());
   while (!open.empty()) {
     const std::vector<std::uint32_t> group = std::move(open.back());
     open.pop_back();
@@ -141,8 +141,7 @@ Clusters Parting::all() {
       for (int axis = 0; axis < 3; ++axis)
         if (Slabs s = slabs(axis, group); s.count > best.count) best = std::move(s);
     if (best.count == 1) {
-      found.pieces.insert(found.pieces.end(), group.begin(), group.end());
-      found.first.push_back(static_cast<std::uint32_t>(found.pieces.size()));
+      found.push_row(group);
       continue;
     }
     const auto axis = static_cast<std::size_t>(best.axis);
@@ -159,18 +158,17 @@ Clusters Parting::all() {
 
 }  // namespace
 
-std::vector<std::uint32_t> Clusters::cluster_of() const {
-  std::vector<std::uint32_t> cluster(pieces.size());
-  for (std::uint32_t c = 0; c < size(); ++c)
-    for (std::uint32_t k = first[c]; k < first[c + 1]; ++k) cluster[pieces[k]] = c;
+std::vector<std::uint32_t> cluster_of_pieces(const Clusters& clusters) {
+  std::vector<std::uint32_t> cluster(clusters.values().size());
+  for (std::uint32_t c = 0; c < clusters.size(); ++c)
+    for (const std::uint32_t piece : clusters[c]) cluster[piece] = c;
   return cluster;
 }
 
 Clusters one_cluster(const FacePieces& pieces) {
   Clusters all;
-  all.pieces.resize(pieces.size());
-  std::iota(all.pieces.begin(), all.pieces.end(), 0U);
-  all.first.push_back(static_cast<std::uint32_t>(pieces.size()));
+  for (std::uint32_t k = 0; k < pieces.size(); ++k) all.push_back(k);
+  all.end_row();
   return all;
 }
 

@@ -9,14 +9,8 @@ namespace hsr::internal {
 
 /// Pieces in groups that may be painted one after another: planes that no piece crosses part them, and what lies beyond such a
 /// plane, as seen from the viewpoint, hides nothing on its own side. What is in one group still has to be sorted.
-struct Clusters {
-  std::vector<std::uint32_t> pieces;       // by cluster, these from far to near; ascending in each
-  std::vector<std::uint32_t> first = {0};  // by cluster, one more
-
-  std::size_t size() const { return first.size() - 1; }
-  /// By piece.
-  std::vector<std::uint32_t> cluster_of() const;
-};
+/// A row for each group, these from far to near; ascending in each.
+using Clusters = Ragged<std::uint32_t>;
 
 /// Looks for planes across the axes, and again within what they leave, as long as there are more than a few pieces. Of touching
 /// pieces none is found.
@@ -26,5 +20,8 @@ Clusters clusters(const ProjectedMesh& projected, const FacePieces& pieces);
 
 /// All of them in one.
 Clusters one_cluster(const FacePieces& pieces);
+
+/// By piece: the cluster that it is in.
+std::vector<std::uint32_t> cluster_of_pieces(const Clusters& clusters);
 
 }  // namespace hsr::internal

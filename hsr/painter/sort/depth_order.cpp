@@ -98,14 +98,14 @@ class Search {
 /// What is behind a piece that comes before its turn, and has not come yet, with depths that are apart.
 void Search::find_behind(std::uint32_t piece) {
   if (place_of_.empty()) {
-    cluster_of_ = clusters_.cluster_of();
+    cluster_of_ = cluster_of_pieces(clusters_);
     place_of_.resize(pieces_.size());
-    for (std::uint32_t k = 0; k < place_of_.size(); ++k) place_of_[clusters_.pieces[k]] = k;
+    for (std::uint32_t k = 0; k < place_of_.size(); ++k) place_of_[clusters_.values()[k]] = k;
   }
-  const std::uint32_t c = cluster_of_[piece], first = clusters_.first[c];
+  const std::uint32_t c = cluster_of_[piece], first = clusters_.begin(c);
   const ImageBox& box = boxes_[place_of_[piece]];
   const auto look_at = [&](std::uint32_t place) {
-    const std::uint32_t other = clusters_.pieces[place];
+    const std::uint32_t other = clusters_.values()[place];
     if (!(boxes_[place].nearest < box.farthest) || state_[other] == State::done) return;
     if (pieces_.facet[other] == pieces_.facet[piece]) return;
     ++compared_;
@@ -122,7 +122,7 @@ void Search::find_behind(std::uint32_t piece) {
         return true;
       });
   } else {
-    for (std::uint32_t place = first; place < clusters_.first[c + 1]; ++place)
+    for (std::uint32_t place = first; place < clusters_.begin(c + 1); ++place)
       if (touch_in_image(boxes_[place], box)) look_at(place);
   }
 }
@@ -159,7 +159,7 @@ bool Search::finish(std::uint32_t root) {
 
 std::optional<std::vector<std::uint32_t>> Search::order() {
   for (const std::uint32_t place : sorted_by_key(boxes_, pieces_.size())) {
-    const std::uint32_t piece = clusters_.pieces[place];
+    const std::uint32_t piece = clusters_.values()[place];
     if (state_[piece] == State::waiting && !finish(piece)) return std::nullopt;
   }
   return std::move(order_);

@@ -33,7 +33,10 @@ struct Neighbour {
 class Sorter {
  public:
   Sorter(const SceneView& scene, const DepthSortOptions& options)
-      : options_(options), mesh_(scene.mesh()), projected_(scene.parts().projected(options.stop)), overlaps_(projected_, options.classic) {}
+      : options_(options),
+        mesh_(scene.mesh()),
+        projected_(scene.parts().projected(options.stop)),
+        overlaps_(projected_, options.classic) {}
 
   DepthSort sort();
 
@@ -41,6 +44,7 @@ class Sorter {
   OverlapGraph relate_whole();
   void order_whole(const std::vector<std::uint32_t>& order);
   void begin_cutting(const OverlapGraph& found);
+  void order_dense_components();
   void resolve_piercing();
   void resolve_cycles();
   void resolve(std::vector<std::uint32_t> nodes);
@@ -53,6 +57,7 @@ class Sorter {
   const PieceOfFacet& shaped(std::uint32_t piece);
   bool may_overlap(std::uint32_t p, std::uint32_t q);
   void count_pieces(std::size_t more);
+  void count_component(std::size_t size);
   template <class F>
   void for_each_neighbour(std::uint32_t piece, const F& visit) const;
   Graph graph_of(const std::vector<std::uint32_t>& nodes) const;
@@ -115,7 +120,7 @@ OverlapGraph Sorter::relate_whole() {
 
 void Sorter::order_whole(const std::vector<std::uint32_t>& order) {
   result_.order.pieces.reserve(faces_.size());
-  result_.order.corners.reserve(faces_.corners.size());
+  result_.order.corners.reserve(faces_.rings.values().size());
   for (const std::uint32_t piece : by_cluster(order, clusters_.size(), [&](std::uint32_t p) { return cluster_of_[p]; }))
     append(projected_, faces_, piece, result_.order);
 }
@@ -229,11 +234,38 @@ bool Sorter::split(std::uint32_t piece, const MapHalfPlane& line) {
   return true;
 }
 
+/// Where each piece pierces many, all that are in cycles with them are ordered by planes at once: cut pair by pair, their parts
+/// pierce most of the rest again.
+void Sorter::order_dense_components() {
+  constexpr std::size_t dense = 4;  // pairs to a piece
+  if (options_.classic || piercing_.size() <= dense) return;
+  // Of two that pierce each other each is in front of the other somewhere.
+  const Graph graph = make_graph(pieces_.size(), [&](const auto& visit) {
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+      for (const Neighbour& n : neighbours_[i])
+        if (!n.before || n.piercing) visit(i, n.piece);
+  });
+  for (const std::vector<std::uint32_t>& component : cyclic_components(graph)) {
+    std::size_t pairs = 0;
+    for (const std::uint32_t piece : component)
+      for (const Neighbour& n : neighbours_[piece]) pairs += n.piercing && n.piece > piece ? 1U : 0U;
+    if (pairs <= dense * component.size()) continue;
+    count_component(component.size());
+    order_by_planes(component);
+  }
+}
+
+void Sorter::count_component(std::size_t size) {
+  ++result_.counts.cyclic_components;
+  result_.counts.largest_component = std::max<std::uint64_t>(result_.counts.largest_component, size);
+}
+
 void Sorter::resolve_piercing() {
   while (!piercing_.empty()) {
     const auto [a, b] = piercing_.front();
     piercing_.pop_front();
     if (is_cut_[a] != 0 || is_cut_[b] != 0) continue;  // their parts have been looked at
+    if (block_of_[a] != none) continue;                // and so is b: what pierces it is in one component with it
     const MapHalfPlane line{MapLine::meet(pieces_[a].facet, pieces_[b].facet), Sign::positive};
     if (!split(a, line) && !split(b, line)) throw InvariantError("depth_sort: pieces that pierce each other are not cut");
     ++result_.counts.cuts_at_intersections;
@@ -259,12 +291,11 @@ Graph Sorter::graph_of(const std::vector<std::uint32_t>& nodes) const {
 void Sorter::resolve_cycles() {
   std::vector<std::uint32_t> alive;
   for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-    if (is_cut_[i] == 0) alive.push_back(i);
+    if (is_cut_[i] == 0 && block_of_[i] == none) alive.push_back(i);
   const Graph graph = graph_of(alive);
   if (topological_order(graph).size() == alive.size()) return;
   for (const std::vector<std::uint32_t>& component : cyclic_components(graph)) {
-    ++result_.counts.cyclic_components;
-    result_.counts.largest_component = std::max<std::uint64_t>(result_.counts.largest_component, component.size());
+    count_component(component.size());
     std::vector<std::uint32_t> nodes;
     nodes.reserve(component.size());
     for (const std::uint32_t k : component) nodes.push_back(alive[k]);
@@ -392,7 +423,7 @@ void Sorter::emit() {
   if (order.size() != piece_of.size() && projected_.arithmetic() != Arithmetic::double_only)
     throw InvariantError("depth_sort: a cycle is left");
   result_.order.pieces.reserve(pieces_.size());
-  result_.order.corners.reserve(faces_.corners.size());
+  result_.order.corners.reserve(faces_.rings.values().size());
   for (const std::uint32_t node : by_cluster(order, clusters_.size(), [&](std::uint32_t k) { return cluster_at[k]; })) {
     if (piece_of[node] != none) {
       const std::uint32_t piece = piece_of[node];
@@ -409,7 +440,7 @@ void Sorter::emit() {
 DepthSort Sorter::sort() {
   faces_ = face_pieces(projected_);
   clusters_ = options_.classic ? one_cluster(faces_) : clusters(projected_, faces_);
-  cluster_of_ = clusters_.cluster_of();
+  cluster_of_ = cluster_of_pieces(clusters_);
   const OverlapGraph found = relate_whole();
   DepthSortCounts& c = result_.counts;
   c.clusters = clusters_.size();
@@ -424,6 +455,7 @@ DepthSort Sorter::sort() {
   result_.order.decisions += found.decisions;
   if (result_.order.pieces.size() == faces_.size()) return std::move(result_);
   begin_cutting(found);
+  order_dense_components();
   resolve_piercing();
   resolve_cycles();
   emit();

@@ -47,7 +47,8 @@ struct DepthSortOptions {
 ///
 /// The relation of every two faces whose images overlap is found by the tests of Newell, Newell & Sancha. Faces that pierce
 /// each other are cut along their intersection; then, where the relations have cycles, only faces in these are cut: at a side
-/// of a neighbour that parts what is painted earlier from what is painted later, and where that leads nowhere at planes.
+/// of a neighbour that parts what is painted earlier from what is painted later, and where that leads nowhere at planes. Faces
+/// that hold one another in cycles, of which each pierces more than eight on average, are cut at planes from the start.
 ///
 ///   (1) along every line of sight through the interiors of two pieces the farther comes first; of coplanar ones the one
 ///       on top (TieRule)

@@ -14,8 +14,7 @@ namespace {
 
 void add_ring(FacePieces& pieces, FacetId facet, std::span<const VertexId> ring) {
   pieces.facet.push_back(facet);
-  pieces.corners.insert(pieces.corners.end(), ring.begin(), ring.end());
-  pieces.first_corner.push_back(static_cast<std::uint32_t>(pieces.corners.size()));
+  pieces.rings.push_row(ring);
 }
 
 void add(FacePieces& pieces, MapPredicates& map, FacetId facet) {
@@ -44,11 +43,9 @@ void add(FacePieces& pieces, MapPredicates& map, FacetId facet) {
 
 void append(FacePieces& all, FacePieces& part) {
   const auto first_piece = static_cast<std::uint32_t>(all.size());
-  const auto first = static_cast<std::uint32_t>(all.corners.size());
   all.facet.insert(all.facet.end(), part.facet.begin(), part.facet.end());
-  all.corners.insert(all.corners.end(), part.corners.begin(), part.corners.end());
-  check_countable(all.corners.size(), "corners of faces");
-  for (std::size_t k = 1; k < part.first_corner.size(); ++k) all.first_corner.push_back(first + part.first_corner[k]);
+  check_countable(all.rings.values().size() + part.rings.values().size(), "corners of faces");
+  all.rings.append(part.rings);
   for (const std::uint32_t piece : part.cut) all.cut.push_back(first_piece + piece);
   std::move(part.cut_shape.begin(), part.cut_shape.end(), std::back_inserter(all.cut_shape));
 }
@@ -56,7 +53,7 @@ void append(FacePieces& all, FacePieces& part) {
 }  // namespace
 
 ConvexPiece FacePieces::shape(const ProjectedMesh& projected, std::size_t piece) const {
-  const std::span<const VertexId> whole = ring(piece);
+  const std::span<const VertexId> whole = rings[piece];
   if (!whole.empty()) return convex_piece(projected, first_triangle(facet[piece]), whole);
   return cut_shape[static_cast<std::size_t>(std::lower_bound(cut.begin(), cut.end(), piece) - cut.begin())];
 }
@@ -76,8 +73,7 @@ FacePieces face_pieces(const ProjectedMesh& projected) {
   });
   FacePieces all;
   all.facet.reserve(n);
-  all.first_corner.reserve(n + 1);
-  all.corners.reserve(3 * n);
+  all.rings.reserve(n, 3 * n);
   for (FacePieces& part : parts) append(all, part);
   return all;
 }

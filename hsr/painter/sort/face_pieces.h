@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "geometry/ragged.h"
 #include "hsr/visibility_map/convex_piece.h"
 
 namespace hsr::internal {
@@ -11,17 +11,12 @@ namespace hsr::internal {
 /// All facets that are not seen edge-on, beyond the near plane, as convex pieces, ascending by facet: one of a convex facet, or
 /// one of each of its triangles. A piece that nothing has cut is no more than its vertices: most scenes need no other.
 struct FacePieces {
-  std::vector<FacetId> facet;                     // by piece
-  std::vector<std::uint32_t> first_corner = {0};  // by piece, one more
-  std::vector<VertexId> corners;                  // as the triangles of the facet run
-  std::vector<std::uint32_t> cut;                 // ascending: the pieces that the near plane has cut, which have no corners
-  std::vector<ConvexPiece> cut_shape;             // by place in `cut`
+  std::vector<FacetId> facet;          // by piece
+  Ragged<VertexId> rings;              // by piece, as the triangles of the facet run; empty: the near plane has cut it
+  std::vector<std::uint32_t> cut;      // ascending: the pieces that the near plane has cut
+  std::vector<ConvexPiece> cut_shape;  // by place in `cut`
 
   std::size_t size() const { return facet.size(); }
-  /// Empty: the near plane has cut the piece.
-  std::span<const VertexId> ring(std::size_t piece) const {
-    return {corners.data() + first_corner[piece], corners.data() + first_corner[piece + 1]};
-  }
   /// The piece by its sides, as it is seen.
   ConvexPiece shape(const ProjectedMesh& projected, std::size_t piece) const;
 };

@@ -59,7 +59,7 @@ void append(const Mesh& mesh, const PieceOfFacet& piece, PaintersOrder& order) {
 void append(const ProjectedMesh& projected, const FacePieces& pieces, std::size_t piece, PaintersOrder& order) {
   const Mesh& mesh = projected.mesh();
   const FacetId facet = pieces.facet[piece];
-  const std::span<const VertexId> ring = pieces.ring(piece);
+  const std::span<const VertexId> ring = pieces.rings[piece];
   if (ring.empty()) {
     append(mesh, {facet, pieces.shape(projected, piece)}, order);
     return;

@@ -31,12 +31,13 @@ struct Extent {
 /// than 2^-24, as all is at most 1 and a little. Powers of two round nothing.
 ImageTriangles image_triangles(const ProjectedMesh& projected, const FacePieces& pieces) {
   ImageTriangles images;
-  if (!(projected.image_error() < HUGE_VAL) || pieces.corners.empty()) return images;
+  const std::vector<VertexId>& corners = pieces.rings.values();
+  if (!(projected.image_error() < HUGE_VAL) || corners.empty()) return images;
   using Range = tbb::blocked_range<std::size_t>;
   const Extent all = tbb::parallel_reduce(
-      Range(0, pieces.corners.size(), 4096), Extent(),
+      Range(0, corners.size(), 4096), Extent(),
       [&](const Range& range, Extent extent) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) extent.add(projected.image(pieces.corners[i]));
+        for (std::size_t i = range.begin(); i < range.end(); ++i) extent.add(projected.image(corners[i]));
         return extent;
       },
       [](const Extent& x, const Extent& y) { return x.joined(y); });
@@ -54,7 +55,7 @@ ImageTriangles image_triangles(const ProjectedMesh& projected, const FacePieces&
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   parallel_for_each(images.triangles.size(), [&](std::size_t i) {
     ImageTriangle& t = images.triangles[i];
-    const std::span<const VertexId> ring = pieces.ring(i);
+    const std::span<const VertexId> ring = pieces.rings[i];
     if (ring.size() != 3) {
       t.x.fill(nan);
       return;

@@ -81,9 +81,9 @@ OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pie
       throw_if_stopped(stop);
       const Work& w = work[part];
       Finder finder(projected, pieces, images, classic);
-      const auto look_at = [&](std::size_t i, std::size_t k) { finder.look_at(clusters.pieces[i], clusters.pieces[k]); };
+      const auto look_at = [&](std::size_t i, std::size_t k) { finder.look_at(clusters.values()[i], clusters.values()[k]); };
       BoxTree::PairSearch search;
-      const std::size_t first = clusters.first[w.first_cluster];
+      const std::size_t first = clusters.begin(w.first_cluster);
       for (std::uint32_t leaf = w.first_leaf; leaf < w.end_leaf; ++leaf) {
         if (touching)
           w.tree->visit_pairs<BoxTree::Depth::touching>(
@@ -94,8 +94,8 @@ OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pie
           });
       }
       for (std::size_t c = w.first_cluster; w.tree == nullptr && c < w.end_cluster; ++c)
-        for (std::size_t i = clusters.first[c]; i < clusters.first[c + 1]; ++i)
-          for (std::size_t k = i + 1; k < clusters.first[c + 1]; ++k)
+        for (std::size_t i = clusters.begin(c); i < clusters.begin(c + 1); ++i)
+          for (std::size_t k = i + 1; k < clusters.begin(c + 1); ++k)
             if (touch_in_image(boxes[i], boxes[k]) && touch_in_depth(boxes[i], boxes[k]) == touching) look_at(i, k);
       parts[part] = finder.take();
     }

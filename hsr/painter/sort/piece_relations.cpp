@@ -4,7 +4,7 @@ namespace hsr::internal {
 
 Overlap PieceRelations::relation(std::uint32_t i, std::uint32_t k) {
   if (i != first_) turn_to(i);
-  if (is_whole_ && !pieces_.ring(k).empty())
+  if (is_whole_ && !pieces_.rings[k].empty())
     if (const auto how = whole_.relation(k)) return *how;
   if (shape_.shape.points.empty()) shape_ = shape(i);
   return overlaps_.relation(shape_, shape(k));
@@ -25,7 +25,7 @@ DecisionCounts PieceRelations::decisions() {
 void PieceRelations::turn_to(std::uint32_t i) {
   first_ = i;
   shape_ = {};
-  is_whole_ = !pieces_.ring(i).empty();
+  is_whole_ = !pieces_.rings[i].empty();
   if (is_whole_) whole_.turn_to(i);
 }
 

@@ -19,7 +19,7 @@ void make_lines(const ProjectedMesh& projected, std::span<const VertexId> ring, 
 
 void WholeOverlaps::prepare(std::uint32_t piece, Whole& whole) const {
   whole.facet = pieces_.facet[piece];
-  whole.ring = pieces_.ring(piece);
+  whole.ring = pieces_.rings[piece];
   whole.inner = projected_.facing(whole.facet);
   whole.lines.clear();
   whole.has_plane = false;
@@ -97,7 +97,7 @@ Sides WholeOverlaps::sides(const Whole& plane, const Whole& corners) {
 }
 
 std::optional<Overlap> WholeOverlaps::relation(std::uint32_t piece) {
-  const std::size_t corners = pieces_.ring(piece).size();
+  const std::size_t corners = pieces_.rings[piece].size();
   const ImageTriangle *const a = first_.image, *const b = a != nullptr && corners == 3 ? &images_.triangles[piece] : nullptr;
   exact_.counts().filter += 2 * first_.ring.size() * corners;
   PreparedTriangle::Both by_floats;

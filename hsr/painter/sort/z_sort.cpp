@@ -34,7 +34,7 @@ PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
       sum += d;
       ++corners;
     };
-    for (const VertexId v : pieces.ring(i)) add(projected.point(v));
+    for (const VertexId v : pieces.rings[i]) add(projected.point(v));
     if (corners == 0)
       for (const MapPoint& p : pieces.shape(projected, i).points)
         add(p.is_vertex ? projected.point(p.vertex) : map.point(p, pieces.facet[i]).p);

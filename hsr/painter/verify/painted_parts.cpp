@@ -105,8 +105,8 @@ PaintedParts::PaintedParts(const std::vector<PaintedPolygon>& polygons, const Vi
   PaintedSides sides(points_, rows_, view);
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     add(sides, i);
-    first_part_.push_back(static_cast<std::uint32_t>(parts_.size()));
-    if (first_part_[i] < first_part_[i + 1]) ++polygons_with_area_;
+    parts_.end_row();
+    if (!parts_[i].empty()) ++polygons_with_area_;
   }
   points_.place(rows_);
 }
@@ -190,8 +190,8 @@ void PaintedParts::add_convex(PaintedSides& sides, std::uint32_t polygon, std::v
 
 std::vector<ImageBox> PaintedParts::boxes() const {
   std::vector<ImageBox> boxes;
-  boxes.reserve(parts_.size());
-  for (const PaintedPart& part : parts_) {
+  boxes.reserve(parts().size());
+  for (const PaintedPart& part : parts()) {
     ImageBox box = ImageBox::nothing();
     for (const std::uint32_t c : corners_of(part)) {
       const BoundedPoint2& at = points_.place_of(c);

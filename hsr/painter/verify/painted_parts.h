@@ -27,13 +27,13 @@ class PaintedParts {
   /// @throws InputError for a polygon that has to be cut into triangles and has corners that are no doubles
   PaintedParts(const std::vector<PaintedPolygon>& polygons, const View& view);
 
-  std::span<const PaintedPart> parts() const { return parts_; }
+  std::span<const PaintedPart> parts() const { return parts_.values(); }
   std::span<const std::uint32_t> corners_of(const PaintedPart& part) const {
     return {corners_.data() + part.first, corners_.data() + part.end};
   }
   /// The numbers of the parts of a polygon: from the first to before the second.
   std::array<std::uint32_t, 2> parts_of(std::uint32_t polygon) const {
-    return {first_part_[polygon], first_part_[polygon + 1]};
+    return {parts_.begin(polygon), parts_.begin(polygon + 1)};
   }
   const PaintedPoints& points() const { return points_; }
   const ImageRows& rows() const { return rows_; }
@@ -50,9 +50,8 @@ class PaintedParts {
 
   PaintedPoints points_;
   ImageRows rows_;
-  std::vector<PaintedPart> parts_;
+  Ragged<PaintedPart> parts_;  // by polygon
   std::vector<std::uint32_t> corners_;
-  std::vector<std::uint32_t> first_part_ = {0};  // by polygon
   std::uint64_t triangulated_ = 0, polygons_with_area_ = 0;
 };
 

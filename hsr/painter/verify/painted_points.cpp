@@ -64,17 +64,19 @@ std::size_t PaintedPoints::Hash::operator()(const Point3& p) const {
 }
 
 PaintedPoints::PaintedPoints(const std::vector<PaintedPolygon>& polygons) {
-  for (const PaintedPolygon& p : polygons) first_.push_back(static_cast<std::uint32_t>(first_.back() + p.corners.size()));
-  std::vector<std::optional<Point3>> given(first_.back());
+  Ragged<std::optional<Point3>> given;
+  for (const PaintedPolygon& p : polygons) given.push_row(std::vector<std::optional<Point3>>(p.corners.size()));
   tbb::parallel_for(std::size_t{0}, polygons.size(), [&](std::size_t i) {
-    for (std::size_t k = 0; k < polygons[i].corners.size(); ++k) given[first_[i] + k] = as_point(polygons[i].corners[k]);
+    for (std::size_t k = 0; k < polygons[i].corners.size(); ++k) given[i][k] = as_point(polygons[i].corners[k]);
   });
-  corners_.reserve(given.size());
-  for (std::size_t i = 0; i < polygons.size(); ++i)
+  corners_.reserve(given.size(), given.values().size());
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
     for (std::size_t k = 0; k < polygons[i].corners.size(); ++k) {
-      const auto& p = given[first_[i] + k];
+      const auto& p = given[i][k];
       corners_.push_back(p ? add_double(*p) : add_rational(polygons[i].corners[k]));
     }
+    corners_.end_row();
+  }
   for (std::uint32_t n = 0; n < points_.size(); ++n)
     if (is_double(n)) bit_range_.add(points_[n]);
 }

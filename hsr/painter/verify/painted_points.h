@@ -11,6 +11,7 @@
 #include "geometry/error_bounded.h"
 #include "geometry/homogeneous_point.h"
 #include "geometry/predicates.h"
+#include "geometry/ragged.h"
 #include "geometry/rational_vector.h"
 #include "hsr/painter/verify/image_rows.h"
 #include "hsr/painter/verify/verify.h"
@@ -23,9 +24,7 @@ class PaintedPoints {
   explicit PaintedPoints(const std::vector<PaintedPolygon>& polygons);
 
   /// The numbers of the corners of a polygon as given.
-  std::span<const std::uint32_t> corners_of(std::uint32_t polygon) const {
-    return {corners_.data() + first_[polygon], corners_.data() + first_[polygon + 1]};
-  }
+  std::span<const std::uint32_t> corners_of(std::uint32_t polygon) const { return corners_[polygon]; }
   /// The number of a point that may be new: where a polygon is cut.
   std::uint32_t number_of(const RationalVector& p);
 
@@ -54,7 +53,7 @@ class PaintedPoints {
   std::uint32_t add_double(const Point3& p);
   std::uint32_t add_rational(const RationalVector& p);
 
-  std::vector<std::uint32_t> first_ = {0}, corners_;
+  Ragged<std::uint32_t> corners_;  // by polygon
   std::vector<Point3> points_;
   std::vector<std::uint32_t> exact_;  // by number: the place in rationals_
   std::vector<RationalVector> rationals_;
