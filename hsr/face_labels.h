@@ -18,16 +18,25 @@ struct FaceLabels {
   std::vector<std::uint32_t> material;
 };
 
-/// Which object each face of a scene is of, where two or more are told apart; for what is written.
-struct FaceObjects {
+/// Which object each face and each wire of a scene is of, where two or more are told apart; for what is written.
+struct SceneObjects {
   static constexpr std::uint32_t none = 0xffffffffU;
+
+  struct Wire {
+    EdgeId edge;
+    std::uint32_t object = none;  ///< none: wires of several objects run along this edge, or of none
+  };
 
   std::vector<std::string> names;      ///< in the file's words
   std::vector<std::uint32_t> of_face;  ///< index of a name, or none; empty like names
+  std::vector<Wire> wires;             ///< ascending by edge, each edge once
 
   bool are_told_apart() const { return names.size() > 1; }
   /// The object that all of these faces are of; none: they are of several, or of none.
   std::uint32_t object_of(std::span<const FaceId> faces) const;
+  /// The object that the wires along an edge are of; none: they are of several, or of none, or there is no wire.
+  /// Cost: O(log n) in wires.
+  std::uint32_t object_of_wire(EdgeId edge) const;
 };
 
 }  // namespace hsr

@@ -134,10 +134,14 @@ class Joiner {
     add_geometry(part);
     const auto first_object = static_cast<std::uint32_t>(all_.objects.size());
     for (std::string& name : objects) all_.objects.push_back(std::move(name));
-    for (std::size_t f = 0; f < faces; ++f) {
-      const std::uint32_t own = part.face_object.empty() ? 0 : part.face_object[f];
-      all_.face_object.push_back(own == none ? none : first_object + own);
-    }
+    const auto append_objects = [&](std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& own, std::size_t count) {
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::uint32_t object = !own.empty() ? own[k] : part.objects.empty() ? 0 : none;
+        all.push_back(object == none ? none : first_object + object);
+      }
+    };
+    append_objects(all_.face_object, part.face_object, faces);
+    append_objects(all_.segment_object, part.segment_object, part.polygons.segments.size());
     const auto first_colour = static_cast<std::uint32_t>(all_.palette.size());
     all_.palette.insert(all_.palette.end(), part.palette.begin(), part.palette.end());
     append(all_.face_colour, part.face_colour, faces_before, faces, [&](std::uint32_t c) { return first_colour + c; });

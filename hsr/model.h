@@ -31,16 +31,17 @@ struct Model {
   std::string format;  ///< "OBJ", "PLY binary little-endian", "STL ascii", ... gzip said too
   std::vector<Point3> points;
   Polygons polygons;
-  std::vector<Colour> palette;               ///< the colours in use; empty: the file has none
-  std::vector<std::uint32_t> face_colour;    ///< index into palette for each face; empty like palette. 0xffffffff: none
-  std::vector<std::string> objects;          ///< names of objects or groups, by first use
-  std::vector<std::uint32_t> face_object;    ///< index into objects for each face; empty if objects is
-  std::vector<std::string> materials;        ///< names of materials, by first use; empty: the file names none
-  std::vector<std::uint32_t> face_material;  ///< index into materials for each face; empty like materials. 0xffffffff: none
-  std::optional<char> up_axis;               ///< 'y' where the format says which axis is up
-  std::optional<double> unit;                ///< millimetres in a unit of the model, where the format says
-  std::vector<StoredCamera> cameras;         ///< no two of one name
-  std::vector<std::string> notes;            ///< what the reader passed over or repaired, one line each
+  std::vector<Colour> palette;                ///< the colours in use; empty: the file has none
+  std::vector<std::uint32_t> face_colour;     ///< index into palette for each face; empty like palette. 0xffffffff: none
+  std::vector<std::string> objects;           ///< names of objects or groups, by first use
+  std::vector<std::uint32_t> face_object;     ///< index into objects for each face; empty if objects is
+  std::vector<std::uint32_t> segment_object;  ///< as face_object, for each of the segments
+  std::vector<std::string> materials;         ///< names of materials, by first use; empty: the file names none
+  std::vector<std::uint32_t> face_material;   ///< index into materials for each face; empty like materials. 0xffffffff: none
+  std::optional<char> up_axis;                ///< 'y' where the format says which axis is up
+  std::optional<double> unit;                 ///< millimetres in a unit of the model, where the format says
+  std::vector<StoredCamera> cameras;          ///< no two of one name
+  std::vector<std::string> notes;             ///< what the reader passed over or repaired, one line each
 };
 
 /// Which object each face belongs to, and of which material it is: what the file names, or, in a file that names no material, the
@@ -48,6 +49,7 @@ struct Model {
 FaceLabels labels_of(const Model& model);
 
 /// The objects that the file tells apart; nothing where it has one or none.
-FaceObjects objects_of(const Model& model);
+/// @pre `mesh` was made of the model's points and polygons
+SceneObjects objects_of(const Model& model, const Mesh& mesh);
 
 }  // namespace hsr

@@ -61,19 +61,27 @@ void select(Model& model, const ObjectSelection& selection) {
   std::vector<std::string> names = model.objects;
   if (names.empty()) names = {std::filesystem::path(model.name).filename().string()};
   const std::vector<Fate> fate = fates(selection, names);
-  const auto fate_of = [&](std::size_t f) {
-    const std::uint32_t object = model.face_object.empty() ? 0 : model.face_object[f];
+  const auto fate_of = [&](const std::vector<std::uint32_t>& objects, std::size_t k) {
+    const std::size_t of_unnamed = model.objects.empty() ? 0 : fate.size();
+    const std::size_t object = objects.empty() ? of_unnamed : objects[k];
     if (object < fate.size()) return fate[object];
     return selection.only.empty() ? Fate::kept : Fate::gone;
   };
   Polygons kept;
-  if (selection.only.empty()) kept.segments = model.polygons.segments;
+  std::vector<std::uint32_t> object_of_kept;
+  for (std::size_t k = 0; k < model.polygons.segments.size(); ++k) {
+    if (fate_of(model.segment_object, k) == Fate::gone) continue;
+    kept.segments.push_back(model.polygons.segments[k]);
+    if (!model.segment_object.empty()) object_of_kept.push_back(model.segment_object[k]);
+  }
+  model.segment_object = std::move(object_of_kept);
   kept.is_ghost.assign(model.polygons.size(), 0);
   for (std::size_t f = 0; f < model.polygons.size(); ++f) {
     const auto corners = model.polygons[f];
-    if (fate_of(f) != Fate::gone) kept.corners.insert(kept.corners.end(), corners.begin(), corners.end());
+    const Fate of_face = fate_of(model.face_object, f);
+    if (of_face != Fate::gone) kept.corners.insert(kept.corners.end(), corners.begin(), corners.end());
     kept.first.push_back(static_cast<std::uint32_t>(kept.corners.size()));
-    kept.is_ghost[f] = fate_of(f) == Fate::ghost ? 1 : 0;
+    kept.is_ghost[f] = of_face == Fate::ghost ? 1 : 0;
   }
   model.polygons = std::move(kept);
 }

@@ -16,8 +16,8 @@ struct ObjectSelection {
   bool is_empty() const { return only.empty() && hide.empty() && ghost.empty(); }
 };
 
-/// Makes the faces of objects that are not wanted faces without corners, so that all others keep their numbers, and marks ghosts.
-/// A model without objects is one object, named like its file. Wires are of no object: they go where `only` is given.
+/// Makes the faces of objects that are not wanted faces without corners, so that all others keep their numbers, takes out their
+/// wires, and marks the faces of ghosts: wires hide nothing anyway. A model without objects is one object, named like its file.
 /// @throws InputError for a name that is none of the model's (the line lists these), or that is hidden and asked for
 void select(Model& model, const ObjectSelection& selection);
 

@@ -244,7 +244,7 @@ class DrawCommand {
   DrawRequest request_;
   CommandContext context_;
   ViewedModel scene_;
-  FaceObjects objects_;
+  SceneObjects objects_;
   std::optional<SceneView> prepared_;
   std::optional<SceneView> exact_;  // the same, but where arithmetic is compared: checks are exact
   VisibleLines lines_;
@@ -259,7 +259,7 @@ class DrawCommand {
 
 void DrawCommand::read() {
   scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance, a_.page.unit);
-  objects_ = objects_of(scene_.model);
+  objects_ = objects_of(scene_.model, scene_.mesh);
   request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = scene_.chosen.field_of_view;
   const std::string unit_note = a_.page.adopt_unit(scene_.model, request_.drawing);

@@ -131,7 +131,7 @@ class OrderCommand {
     context_.report.set("view", cli::json_of(scene_.view()));
     prepared_ = scene_.prepared({.coplanar = a_.scene.which_coplanar()});
     request_.drawing.field_of_view = scene_.chosen.field_of_view;
-    objects_ = objects_of(scene_.model);
+    objects_ = objects_of(scene_.model, scene_.mesh);
     request_.drawing.objects = &objects_;
     context_.say_notes_of(scene_);
     if (const std::string note = a_.page.adopt_unit(scene_.model, request_.drawing); !note.empty()) context_.note(note);
@@ -159,7 +159,7 @@ class OrderCommand {
   OrderRequest request_;
   CommandContext context_;
   ViewedModel scene_;
-  FaceObjects objects_;
+  SceneObjects objects_;
   std::optional<SceneView> prepared_;
   PaintersOrder order_;
   std::optional<Drawing> drawing_;  // made when a page is asked for

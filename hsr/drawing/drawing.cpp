@@ -55,19 +55,19 @@ IndexedVector<VertexId, HomogeneousPoint> images(const Projection& projection, c
 }
 
 /// By line; empty: they are not told apart.
-std::vector<std::uint32_t> objects_of_lines(const Mesh& mesh, const VisibleLines& lines, const FaceObjects* objects) {
+std::vector<std::uint32_t> objects_of_lines(const Mesh& mesh, const VisibleLines& lines, const SceneObjects* objects) {
   std::vector<std::uint32_t> of_line;
   if (objects == nullptr || !objects->are_told_apart()) return of_line;
   of_line.resize(lines.lines.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, of_line.size(), 1024), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i)
-      of_line[i] = objects->object_of(faces_at(mesh, lines, lines.lines[i]));
+      of_line[i] = object_of(*objects, lines.lines[i], faces_at(mesh, lines, lines.lines[i]));
   });
   return of_line;
 }
 
 /// Those of one object together, as nothing of them overlaps.
-void tell_apart(Fills& fills, const FaceObjects& objects) {
+void tell_apart(Fills& fills, const SceneObjects& objects) {
   for (Fill& fill : fills.fills) {
     std::vector<FaceId> faces;
     for (std::uint32_t k = fill.first_face; k < fill.end_face; ++k) faces.emplace_back(fills.faces[k]);

@@ -40,7 +40,7 @@ struct DrawingOptions {
   /// Millimetres: lines that are joined to one another and together shorter than this are left out, such as freckles on scans.
   double min_length = 0;
   /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
-  const FaceObjects* objects = nullptr;
+  const SceneObjects* objects = nullptr;
 };
 
 /// Some lines of one style, joined end to end.
@@ -48,7 +48,7 @@ struct Polyline {
   bool hidden = false, closed = false;  ///< closed: the last point is joined to the first, which is not repeated
   EdgeClass edge_class = EdgeClass::outline;
   std::uint32_t first_point = 0, end_point = 0, first_edge = 0, end_edge = 0, first_face = 0, end_face = 0;
-  std::uint32_t object = FaceObjects::none;  ///< of Drawing::objects; none: of several
+  std::uint32_t object = SceneObjects::none;  ///< of Drawing::objects; none: of several
 };
 
 /// A part of the page in one colour.
@@ -57,7 +57,7 @@ struct Fill {
   double opacity = 1;       ///< more than 0, at most 1
   std::uint32_t layer = 0;  ///< of what is seen through: fills of one layer do not overlap, and one opacity makes them a sheet
   std::uint32_t first_ring = 0, end_ring = 0, first_face = 0, end_face = 0;
-  std::uint32_t object = FaceObjects::none;  ///< of Drawing::objects; none: of several
+  std::uint32_t object = SceneObjects::none;  ///< of Drawing::objects; none: of several
 };
 
 /// A line that is painted between fills: of a painting in which one is seen through another.

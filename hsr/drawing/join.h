@@ -12,7 +12,7 @@ namespace hsr::internal {
 struct PaperLine {
   PaperPoint from, to;
   std::uint32_t style = 0;
-  std::uint32_t object = 0xffffffffU;  ///< FaceObjects::none: of several, or none is told apart
+  std::uint32_t object = 0xffffffffU;  ///< SceneObjects::none: of several, or none is told apart
 };
 
 /// Lines in a row.

@@ -19,7 +19,7 @@ struct Stroke {
   bool hidden = false;
   EdgeClass edge_class = EdgeClass::outline;
   std::uint32_t first_source = 0, end_source = 0;  ///< the lines that are drawn by it
-  std::uint32_t object = 0xffffffffU;              ///< of the line on top; FaceObjects::none: of several
+  std::uint32_t object = 0xffffffffU;              ///< of the line on top; SceneObjects::none: of several
 };
 
 struct Overlay {

@@ -32,13 +32,30 @@ std::vector<std::span<const CoincidentFaces>> logs_of(const std::vector<FoundInB
   return logs;
 }
 
-/// Whether bodies touch all around a part of an edge: its faces must lead to where they do, and it must lie inside of bodies, since
-/// two that overlap have faces that coincide on the outside, too.
+/// A part of an edge in pieces: each is inside of bodies, or outside, all along.
+std::vector<EdgePart> cut_where_bodies_begin(TriangleOcclusion& occlusion, EdgeId id, const EdgePart& part,
+                                             const std::vector<TriangleId>& passed_through) {
+  const auto is_before = [&](const Breakpoint& x, const Breakpoint& y) { return occlusion.order(x, y) == Sign::negative; };
+  std::vector<EdgePart> all = {part};
+  if (passed_through.empty() || !occlusion.start(id, part.from, part.to)) return all;
+  std::vector<Breakpoint> places;
+  for (const TriangleId t : passed_through) places.push_back(occlusion.place({Cut::Kind::face, 0, t.value, 0}));
+  std::sort(places.begin(), places.end(), is_before);
+  Breakpoint last = occlusion.first();
+  for (const Breakpoint& place : places) {
+    if (!is_before(last, place) || !is_before(place, occlusion.last())) continue;
+    all.back().to = place.cut;
+    all.push_back({part.found, place.cut, part.to});
+    last = place;
+  }
+  return all;
+}
+
+/// Whether bodies touch all around a part of an edge whose faces lead to where they do: it must lie inside of bodies, since two that
+/// overlap have faces that coincide on the outside, too.
 TouchingRegions::Verdict verdict(const ProjectedMesh& projected, EdgeId id, const EdgePart& part, const CoincidentFaces& around,
-                                 TouchingRegions& regions, const InsideBodies& inside) {
+                                 const InsideBodies& inside) {
   using Verdict = TouchingRegions::Verdict;
-  const Verdict by_faces = regions.verdict(around);
-  if (by_faces != Verdict::touch) return by_faces;
   const Edge& edge = projected.mesh().edges[id];
   const auto point = [&](const Cut& cut) {
     const auto p = exact_point(projected.mesh(), inside.view(), SupportingLine{edge.a, edge.b, {}}, cut);
@@ -50,26 +67,41 @@ TouchingRegions::Verdict verdict(const ProjectedMesh& projected, EdgeId id, cons
 }
 
 /// Parts whose classes wait for the log, now that it is complete; neighbours that are alike become one.
-void decide_parts(const ProjectedMesh& projected, EdgeId id, std::vector<EdgePart>& parts,
+void decide_parts(const ProjectedMesh& projected, TriangleOcclusion& occlusion, EdgeId id, std::vector<EdgePart>& parts,
                   const std::vector<CoincidentFaces>& log, TouchingRegions& regions, const InsideBodies& inside) {
   using Verdict = TouchingRegions::Verdict;
-  for (EdgePart& p : parts) {
-    const std::optional<EdgeClass> in_doubt = std::exchange(p.found.in_doubt, std::nullopt);
-    if (!p.found.is_undecided()) continue;
-    const Verdict around = verdict(projected, id, p, log[p.found.alike - 1], regions, inside);
-    p.found.alike = 0;
-    if (around == Verdict::apart) continue;
-    p.found.behind.reset();
-    if (around == Verdict::in_doubt) p.found.seen = in_doubt;
-    if (around == Verdict::touch && p.found.seen) p.found.hidden = EdgeClass::smooth;
-    p.found = with_wire(projected.mesh().edges[id], p.found);
-  }
   std::vector<EdgePart> all;
-  for (const EdgePart& p : parts) {
+  const auto add = [&](const EdgePart& p) {
     if (!all.empty() && all.back().found == p.found)
       all.back().to = p.to;
     else
       all.push_back(p);
+  };
+  const auto decided = [&](EdgePart p, Verdict around) {
+    const std::optional<EdgeClass> in_doubt = std::exchange(p.found.in_doubt, std::nullopt);
+    p.found.alike = 0;
+    if (around == Verdict::apart) return p;
+    p.found.behind.reset();
+    if (around == Verdict::in_doubt) p.found.seen = in_doubt;
+    if (around == Verdict::touch && p.found.seen) p.found.hidden = EdgeClass::smooth;
+    p.found = with_wire(projected.mesh().edges[id], p.found);
+    return p;
+  };
+  std::optional<std::vector<TriangleId>> passed_through;
+  for (const EdgePart& p : parts) {
+    if (!p.found.is_undecided()) {
+      add(decided(p, Verdict::apart));
+      continue;
+    }
+    const CoincidentFaces& around = log[p.found.alike - 1];
+    const Verdict by_faces = regions.verdict(around);
+    if (by_faces != Verdict::touch) {
+      add(decided(p, by_faces));
+      continue;
+    }
+    if (!passed_through) passed_through = inside.passed_through(projected.mesh().edges[id]);
+    for (const EdgePart& piece : cut_where_bodies_begin(occlusion, id, p, *passed_through))
+      add(decided(piece, verdict(projected, id, piece, around, inside)));
   }
   parts = std::move(all);
 }
@@ -101,7 +133,7 @@ struct ClassifiedEdges::Finder {
   }
   std::optional<EdgeClass> decide(EdgeId id, std::vector<EdgePart>& parts, TouchingRegions& regions,
                                   const InsideBodies& inside) {
-    decide_parts(classifier.projected(), id, parts, block.log, regions, inside);
+    decide_parts(classifier.projected(), occlusion, id, parts, block.log, regions, inside);
     return take(id, parts);
   }
   /// Logs what coincides along an edge, and no more.

@@ -22,6 +22,15 @@ struct Part {
   Part(const Point3& a, const Point3& b) : from(a), to(b), middle(sum(a, 0.5, minus(b, a))) {}
 };
 
+/// Where the line from p to q passes a triangle: positive, through its inside; zero, through its border. @pre it crosses its plane
+Sign place_in_triangle(Predicates& exact, const Point3& p, const Point3& q, const Point3& a, const Point3& b, const Point3& c) {
+  const Sign ab = exact.side(Plane::of_face(p, q, a), b), bc = exact.side(Plane::of_face(p, q, b), c),
+             ca = exact.side(Plane::of_face(p, q, c), a);
+  const auto is_one_of_them = [&](Sign s) { return ab == s || bc == s || ca == s; };
+  if (is_one_of_them(Sign::positive) && is_one_of_them(Sign::negative)) return Sign::negative;
+  return is_one_of_them(Sign::zero) ? Sign::zero : Sign::positive;
+}
+
 /// Whether the segment from the middle of a part to q, which is outside of all, crosses a triangle; nothing: it touches the border,
 /// or runs in the plane. @return false where the part lies in the plane, be its middle rounded out of it or not
 std::optional<bool> crosses(Predicates& exact, const Part& part, const Point3& q, const Point3& a, const Point3& b,
@@ -32,12 +41,8 @@ std::optional<bool> crosses(Predicates& exact, const Part& part, const Point3& q
   const Sign at_p = lies_in_plane ? Sign::zero : exact.side(plane, p), at_q = exact.side(plane, q);
   if (at_p == Sign::zero) return at_q == Sign::zero ? std::nullopt : std::optional(false);
   if (at_p * at_q != Sign::negative) return false;
-  const Sign ab = exact.side(Plane::of_face(p, q, a), b), bc = exact.side(Plane::of_face(p, q, b), c),
-             ca = exact.side(Plane::of_face(p, q, c), a);
-  const auto is_one_of_them = [&](Sign s) { return ab == s || bc == s || ca == s; };
-  if (is_one_of_them(Sign::positive) && is_one_of_them(Sign::negative)) return false;
-  if (is_one_of_them(Sign::zero)) return std::nullopt;
-  return true;
+  const Sign place = place_in_triangle(exact, p, q, a, b, c);
+  return place == Sign::zero ? std::nullopt : std::optional(place == Sign::positive);
 }
 
 }  // namespace
@@ -64,6 +69,21 @@ bool InsideBodies::contain_middle(const Point3& from, const Point3& to, std::siz
       if (faces % copies != 0 || faces / copies % 2 == 0) return false;
     }
   return true;
+}
+
+std::vector<TriangleId> InsideBodies::passed_through(const Edge& edge) const {
+  const Mesh& mesh = parts_.mesh();
+  const Point3 &from = mesh.points[edge.a], &to = mesh.points[edge.b];
+  Predicates exact(bits_);
+  std::vector<TriangleId> all;
+  parts_.space_tree().visit_near(from, to, 0, [&](TriangleId t) {
+    const auto& c = mesh.triangles[t];
+    const Point3 &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
+    const Plane plane = Plane::of_face(p, q, r);
+    if (exact.side(plane, from) * exact.side(plane, to) != Sign::negative) return;
+    if (place_in_triangle(exact, from, to, p, q, r) != Sign::negative) all.push_back(t);
+  });
+  return all;
 }
 
 /// Nothing: each of some ways touches a border.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "geometry/bit_range.h"
 #include "geometry/point.h"
@@ -25,6 +26,9 @@ class InsideBodies {
   /// number of faces is between the two. Faces that touch it do not count.
   /// @param copies how many times each face is stored
   bool contain_middle(const Point3& from, const Point3& to, std::size_t copies) const;
+  /// The triangles through whose inside or border an edge passes, from one side to the other: between two of them it does not lead
+  /// into a body, or out of one. Exact: yes.
+  std::vector<TriangleId> passed_through(const Edge& edge) const;
 
  private:
   std::optional<std::size_t> crossed(const Point3& from, const Point3& to, int axis, bool forward) const;

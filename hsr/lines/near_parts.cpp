@@ -91,9 +91,10 @@ std::vector<EdgePart> NearParts::of_edge(TriangleOcclusion& occlusion, EdgeId id
 PartClass NearParts::of_intersection(const Point3& from, const Point3& to) const {
   std::vector<CoincidentFaces> log;
   PartClass found = class_at(from, to, 0.5, contacts(from, to), false, &log).value_or(PartClass{EdgeClass::intersection});
-  if (found.hidden) found.seen = found.hidden;
-  // Nothing passes through anything else: what bends here has its edges, and these know whether bodies touch in all of it.
-  if (found.alike != 0 && found.seen != EdgeClass::intersection) found.seen = EdgeClass::smooth;
+  // Where bodies touch nothing passes through anything else: what ends here has its edges, and these know what is seen and what is
+  // hidden of them.
+  const bool may_touch = found.hidden || found.alike != 0;
+  if (may_touch && found.seen != EdgeClass::intersection) found.seen = EdgeClass::smooth;
   return found;
 }
 

@@ -41,6 +41,12 @@ std::vector<FaceId> faces_at(const Mesh& mesh, const VisibleLines& lines, const 
   return faces;
 }
 
+std::uint32_t object_of(const SceneObjects& objects, const Line& line, std::span<const FaceId> faces) {
+  const bool is_of_edge = !line.is_intersection() && !line.is_ghost;
+  if (is_of_edge && (line.edge_class == EdgeClass::wire || faces.empty())) return objects.object_of_wire(line.edge);
+  return objects.object_of(faces);
+}
+
 SupportingLine supporting_line_of(const Mesh& mesh, const VisibleLines& lines, const Line& line) {
   if (line.is_intersection()) return {{}, {}, lines.intersections[line.intersection]};
   const Edge& edge = mesh.edges[line.edge];

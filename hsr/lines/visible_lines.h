@@ -8,6 +8,7 @@
 #include "geometry/mesh.h"
 #include "geometry/number.h"
 #include "geometry/predicates.h"
+#include "hsr/face_labels.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/symbols/cut.h"
 #include "hsr/view/view.h"
@@ -78,6 +79,11 @@ VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const
 /// The faces at a line, ascending, each once: those of its edge, or of an intersection those that meet. Of an edge that faces and
 /// ghosts have, the one line has the faces, the other the ghosts.
 std::vector<FaceId> faces_at(const Mesh& mesh, const VisibleLines& lines, const Line& line);
+
+/// The object that a line is of: a wire's own, and else the one that all faces at the line are of; none: they are of several. A wire
+/// that runs along an edge of faces is a wire only where they make nothing more of it.
+/// @param faces faces_at() the line
+std::uint32_t object_of(const SceneObjects& objects, const Line& line, std::span<const FaceId> faces);
 
 /// What a line runs along: from the vertex a to b, or, where they are not valid, along an intersection.
 struct SupportingLine {

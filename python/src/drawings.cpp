@@ -105,7 +105,7 @@ class Drawer {
   const Ticket& ticket_;
   Scene scene_;
   cli::ChosenView chosen_;
-  FaceObjects objects_;
+  SceneObjects objects_;
   std::optional<SceneView> prepared_;
   std::optional<SceneView> exact_;  // the same, but where arithmetic is compared
   VisibleLines lines_;
@@ -120,7 +120,7 @@ void Drawer::choose_view() {
   chosen_ = cli::choose_view(request_.view, scene_.mesh(), model);
   for (const std::string& note : {chosen_.note, chosen_.up_axis_note})
     if (!note.empty()) page_.notes.push_back(note);
-  objects_ = objects_of(model);
+  objects_ = objects_of(model, scene_.mesh());
   request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = chosen_.field_of_view;
   if (const std::string note = request_.page.adopt_unit(model, request_.drawing); !note.empty()) page_.notes.push_back(note);

@@ -87,6 +87,7 @@ std::shared_ptr<SceneData> joined(const std::vector<std::shared_ptr<SceneData>>&
     append(all.cameras, m.cameras);
     all.objects.push_back(std::to_string(k));
     all.face_object.resize(all.polygons.size(), static_cast<std::uint32_t>(k));
+    all.segment_object.resize(all.polygons.segments.size(), static_cast<std::uint32_t>(k));
     if (k == 0 || all.up_axis == m.up_axis) all.up_axis = m.up_axis;
     if (k == 0 || all.unit == m.unit) all.unit = m.unit;
   }

@@ -1,6 +1,7 @@
 // What makes the scene of a command: several models, standard input, objects by name, ghosts, oblique views, units.
 #include <array>
 #include <catch2/catch.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -120,6 +121,71 @@ TEST_CASE("objects are drawn, left out or ghosts by their names", "[cli][O3][O4]
   // A file that names nothing is one object.
   const std::string plain = write(d / "plain.obj", cube);
   CHECK(run("draw " + plain + " -o " + (d / "x.svg") + " --ghost plain.obj").status == 0);
+}
+
+/// Three boxes with a wire of the first above it, one of an object of its own, and one of no object that is named.
+std::string boxes_with_wires() {
+  return "v 0 0 9\nv 1 0 9\nv 0 0 8\nv 1 0 8\nv 0 0 7\nv 1 0 7\nl 5 6\n" + box("front block", 7, 0, 0, 0, 1) + "l 1 2\n" +
+         box("back & block", 15, 0, 3, 0, 2) + "o rail\nl 3 4\n";
+}
+
+TEST_CASE("wires are of the objects that they stand in", "[cli][wires][O1][O3][O7][O8]") {
+  const Directory d;
+  const std::string model = write(d / "a.obj", boxes_with_wires());
+  const auto lines = [&](const std::string& options) {
+    REQUIRE(run("draw " + model + " --view front -q -o " + (d / "x.json") + " -o " + (d / "x.svg") + " " + options).status ==
+            0);
+    return json::parse(contents(d / "x.json"));
+  };
+  // The names of the wires' objects, by height.
+  const auto wires = [](const json& all) {
+    std::map<int, std::string> names;
+    for (const json& line : all["lines"])
+      if (line["class"] == "wire") names[line["edge"][0]] = all["objects"][line["object"].get<std::size_t>()];
+    return names;
+  };
+  using Names = std::map<int, std::string>;
+  CHECK(wires(lines("")) == Names{{0, "front block"}, {2, "rail"}, {4, "default"}});
+  const std::string svg = contents(d / "x.svg");
+  for (const std::string name : {"front_block", "rail", "default"})
+    CHECK(count(svg, "<g id=\"visible-wire-" + name + "\" class=\"object\"") == 1);
+  CHECK(wires(lines("--only \"front block\"")) == Names{{0, "front block"}});
+  CHECK(wires(lines("--only rail")) == Names{{2, "rail"}});
+  CHECK(lines("--only rail")["lines"].size() == 1);
+  CHECK(wires(lines("--hide rail")) == Names{{0, "front block"}, {4, "default"}});
+  CHECK(wires(lines("--hide \"front block\" --hide default")) == Names{{2, "rail"}});
+  // A wire hides nothing, so a ghost's is as it was.
+  const json ghost = lines("--ghost \"front block\" --ghost rail");
+  CHECK(wires(ghost) == wires(lines("")));
+  CHECK(wires(lines("--only \"back & block\" --ghost rail")) == Names{{2, "rail"}});
+  // A file that names nothing is one object, wires and all.
+  const std::string rod = write(d / "rod.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), cube_file = write(d / "cube.obj", cube);
+  REQUIRE(run("draw " + rod + " " + cube_file + " --only rod.obj -q -o " + (d / "x.json")).status == 0);
+  CHECK(wires(json::parse(contents(d / "x.json"))) == Names{{0, "rod.obj"}});
+  REQUIRE(run("draw " + rod + " --only rod.obj -q -o " + (d / "x.json")).status == 0);
+  CHECK(json::parse(contents(d / "x.json"))["lines"].size() == 1);
+  REQUIRE(
+      run("order " + model + " --view front --only rail --only \"front block\" --edges wire -q -o " + (d / "x.svg")).status ==
+      0);
+  CHECK(count(contents(d / "x.svg"), "<g id=\"visible-wire-rail\"") == 1);
+}
+
+TEST_CASE("a wire along the edge of a face is of its own object only where it is a wire", "[cli][wires][O7]") {
+  const Directory d;
+  // Two flat triangles of one object, a wire of another along the diagonal between them and along one side.
+  const std::string model = write(d / "a.obj",
+                                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no plate\nf 1 2 3\nf 1 3 4\no rail\nl 1 3\nl "
+                                  "1 2\no rail 2\nl 2 1\nl 4 2\no rail\nl 2 4\n");
+  REQUIRE(run("draw " + model + " --view top -q -o " + (d / "x.json")).status == 0);
+  std::map<std::string, std::string> objects;
+  const json all = json::parse(contents(d / "x.json"));
+  for (const json& line : all["lines"])
+    objects[line["edge"].dump() + " " + line["class"].get<std::string>()] =
+        line.contains("object") ? all["objects"][line["object"].get<std::size_t>()] : "none";
+  CHECK(objects["[0,2] wire"] == "rail");
+  CHECK(objects["[0,1] boundary"] == "plate");
+  CHECK(objects["[1,3] wire"] == "none");  // wires of two objects
+  CHECK(objects.size() == 6);
 }
 
 TEST_CASE("a ghost has no fill, and a check of fragments does not see it", "[cli][O4]") {

@@ -129,6 +129,34 @@ TEST_CASE("a building turned by any angle is one drawing, with a tolerance", "[d
   CHECK(noisy > 0);  // it is the tolerance that mends them
 }
 
+// Turned, the sides of what fills a hole in a wall pierce the wall's, here and there, by an ulp. Elsewhere its rim is an ulp behind the
+// wall's side, and hidden.
+TEST_CASE("what fills a wall from side to side is not seen, turned by any angle, with a tolerance",
+          "[drawing][tolerance][T1]") {
+  TestScene straight;
+  add_box(straight, {0, 0, 0}, {10, 0.3, 3});
+  add_box(straight, {1, 0, 1}, {2, 0.3, 2.1});
+  add_box(straight, {4, 0, 0}, {4.4, 0.3, 3});
+  add_box(straight, {6, -0.25, 1}, {7, 0, 1.1});
+  straight.view = parallel_view({1, -1, 1}, {0, 0, 1});
+  const auto seen = [](const TestScene& scene, double tolerance) {
+    std::vector<Segment> all = drawn(scene, tolerance);
+    all.erase(std::remove_if(all.begin(), all.end(), [](const Segment& s) { return s.hidden; }), all.end());
+    return all;
+  };
+  const auto expected = seen(straight, 0);
+  int noisy = 0;
+  for (int degrees = 3; degrees < 360; degrees += 17) {
+    TestScene scene = straight;
+    for (Point3& p : scene.points) p = turned(p, degrees);
+    scene.view = parallel_view(turned({1, -1, 1}, degrees), {0, 0, 1});
+    INFO(degrees << " degrees");
+    CHECK(difference(expected, seen(scene, 1e-13)) == "");
+    noisy += difference(expected, seen(scene, 0)).empty() ? 0 : 1;
+  }
+  CHECK(noisy > 0);
+}
+
 TEST_CASE("a building on a national grid is one drawing, with a tolerance", "[drawing][tolerance][T1]") {
   const TestScene straight = building();
   const auto expected = drawn(straight, 0);

@@ -33,6 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     demand(m.polygons.first.back() == m.polygons.corners.size());
     demand(m.face_colour.empty() || m.face_colour.size() == m.polygons.size());
     demand(m.face_object.empty() || m.face_object.size() == m.polygons.size());
+    demand(m.segment_object.size() == (m.objects.empty() ? 0 : m.polygons.segments.size()));
+    for (const std::uint32_t o : m.segment_object) demand(o < m.objects.size());
     for (const std::uint32_t c : m.face_colour) demand(c == 0xffffffffU || c < m.palette.size());
     for (const std::uint32_t o : m.face_object) demand(o < m.objects.size());
   } catch (const hsr::InputError& e) {

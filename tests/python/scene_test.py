@@ -105,6 +105,24 @@ class Forms(unittest.TestCase):
         lines = hsr.visible_lines(scene, "front")
         self.assertEqual([hsr.edge_class_names[k] for k in lines.edge_class], ["wire"])
 
+    def test_wires_of_objects(self):
+        rod = Thing(points=[[0, 0, 5], [0, 0, 7]], cells=[("line", [[0, 1]])])
+        parts = [(V, F), rod, Thing(points=[[0, 0, 8], [0, 0, 9]], cells=[("line", [[0, 1]])])]
+
+        def wires(**selection):
+            lines = hsr.visible_lines(hsr.scene(parts, **selection), "front")
+            return {int(edge[0]) for edge, k in zip(lines.edge, lines.edge_class) if hsr.edge_class_names[k] == "wire"}
+
+        self.assertEqual(wires(), {8, 10})
+        self.assertEqual(wires(only="0"), set())
+        self.assertEqual(wires(only="1"), {8})
+        self.assertEqual(wires(hide=["2"]), {8})
+        self.assertEqual(wires(ghost=["1", "2"]), {8, 10})
+        with tempfile.TemporaryDirectory() as directory:
+            path = pathlib.Path(directory) / "x.svg"
+            hsr.draw(hsr.scene(parts), str(path), view="front")
+            self.assertIn('id="visible-wire-2" class="object" data-object="2"', path.read_text())
+
     def test_no_faces(self):
         for faces in ([], numpy.zeros((0, 3), dtype=int)):
             self.assertEqual(len(hsr.visible_lines((V, faces))), 0)

@@ -44,6 +44,7 @@ TEST_CASE("several models become one, their faces, wires and colours one after t
   a.palette = {{255, 0, 0, 255}};
   a.face_colour = {0, 0xffffffffU};
   a.polygons.segments = {{0, 4}};
+  a.segment_object = {1};
   b.palette = {{0, 255, 0, 255}};
   b.face_colour = {0};
   b.polygons.segments = {{1, 2}};
@@ -61,6 +62,7 @@ TEST_CASE("several models become one, their faces, wires and colours one after t
   CHECK(m.face_material == std::vector<std::uint32_t>{0xffffffffU, 0xffffffffU, 0});
   CHECK(m.objects == std::vector<std::string>{"plate", "bolt", "b.stl"});  // b names none: the file's name
   CHECK(m.face_object == std::vector<std::uint32_t>{0, 1, 2});
+  CHECK(m.segment_object == std::vector<std::uint32_t>{1, 2});
   CHECK(m.notes == std::vector<std::string>{"b.stl: something"});
   CHECK(m.name == "a.obj + b.stl");
   CHECK((all.unit == "mm" && !all.is_y_up));

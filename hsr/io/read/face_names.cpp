@@ -2,15 +2,20 @@
 
 namespace hsr::internal::read {
 
-void FaceNames::label(std::size_t faces) {
-  if (of_face_.size() + 1 < faces) of_face_.resize(faces - 1, fallback_.empty() ? none : number_of(fallback_));
+void FaceNames::label(Labels& labels) {
+  if (!is_used_) {
+    is_used_ = true;
+    const bool has_fallback = !fallback_.empty() && of_face_.before_first_name + of_wire_.before_first_name > 0;
+    const std::uint32_t unnamed = has_fallback ? number_of(fallback_) : none;
+    for (Labels* const before : {&of_face_, &of_wire_}) before->numbers.assign(before->before_first_name, unnamed);
+  }
   if (number_ == none) {
     if (name_)
       number_ = number_of(is_new_ ? unused(*name_) : *name_);
     else if (!fallback_.empty())
       number_ = number_of(fallback_);
   }
-  of_face_.push_back(number_);
+  labels.numbers.push_back(number_);
 }
 
 std::uint32_t FaceNames::number_of(const std::string& name) {

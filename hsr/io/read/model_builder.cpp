@@ -55,8 +55,9 @@ Model ModelBuilder::finish(bool may_be_empty) {
     source_.refuse("", model_.points.empty() ? "found no points, faces or lines, expected a model"
                                              : "has points but no faces or lines: nothing to draw");
   colour_by_corners();
-  (objects_.empty() ? groups_ : objects_).move_to(model_.objects, model_.face_object);
-  materials_.move_to(model_.materials, model_.face_material);
+  (objects_.empty() ? groups_ : objects_).move_to(model_.objects, model_.face_object, model_.segment_object);
+  std::vector<std::uint32_t> of_wire;
+  materials_.move_to(model_.materials, model_.face_material, of_wire);
   return std::move(model_);
 }
 

@@ -12,10 +12,10 @@
 
 namespace hsr::internal::read {
 
-/// Puts a Model together, face by face. Colours, objects and materials that no face uses leave no trace.
+/// Puts a Model together, face by face. Colours, objects and materials that nothing uses leave no trace.
 ///
-/// Faces before the first name of an object are of the object "default" (unless it is called otherwise), those before the first material of none. A face
-/// without a colour of its own has the mean colour of its corners.
+/// Faces and wires before the first name of an object are of the object "default" (unless it is called otherwise), faces before the first
+/// material of none. A face without a colour of its own has the mean colour of its corners.
 class ModelBuilder {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
@@ -38,9 +38,9 @@ class ModelBuilder {
     if (model_.polygons.corners.size() > most) too_many("corners");
     model_.polygons.first.push_back(static_cast<std::uint32_t>(model_.polygons.corners.size()));
     if (colour_ || !model_.face_colour.empty()) note_colour();
-    objects_.add_face(faces());
-    groups_.add_face(faces());
-    materials_.add_face(faces());
+    objects_.add_face();
+    groups_.add_face();
+    materials_.add_face();
   }
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     add_corner(a);
@@ -48,7 +48,11 @@ class ModelBuilder {
     add_corner(c);
     end_face();
   }
-  void add_segment(std::uint32_t a, std::uint32_t b) { model_.polygons.segments.push_back({a, b}); }
+  void add_segment(std::uint32_t a, std::uint32_t b) {
+    model_.polygons.segments.push_back({a, b});
+    objects_.add_wire();
+    groups_.add_wire();
+  }
   std::size_t faces() const { return model_.polygons.size(); }
   std::size_t segments() const { return model_.polygons.segments.size(); }
 
@@ -58,13 +62,13 @@ class ModelBuilder {
     colour_ = colour;
     colour_index_ = none;
   }
-  /// The object of the faces that follow; the same name means the same object.
+  /// The object of the faces and wires that follow; the same name means the same object.
   void set_object(std::string name) { objects_.set(std::move(name)); }
   /// As set_object, but a new object: if there is one of that name already, "name [2]" and so on.
   void start_object(std::string name) { objects_.start(std::move(name)); }
-  /// What the object of faces before the first name is called.
+  /// What the object of faces and wires before the first name is called.
   void call_first_object(std::string name) { objects_.set_fallback(std::move(name)); }
-  /// The group of the faces that follow. Groups are the objects of a file that names no object.
+  /// The group of the faces and wires that follow. Groups are the objects of a file that names no object.
   void set_group(std::string name) { groups_.set(std::move(name)); }
   /// The material of the faces that follow; nothing: none.
   void set_material(std::optional<std::string> name) { materials_.set(std::move(name)); }

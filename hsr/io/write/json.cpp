@@ -18,11 +18,9 @@ using namespace internal;
 
 namespace {
 
-/// The object that the faces are of, if they are of one.
-void append_object(std::string& out, const FaceObjects* objects, std::span<const FaceId> faces) {
-  if (objects == nullptr) return;
-  const std::uint32_t object = objects->object_of(faces);
-  if (object == FaceObjects::none) return;
+/// The object of what is written, if it is of one.
+void append_object(std::string& out, std::uint32_t object) {
+  if (object == SceneObjects::none) return;
   out += ", \"object\": ";
   append_integer(out, object);
 }
@@ -58,7 +56,7 @@ class LineWriter {
     const std::vector<FaceId> faces = faces_at(mesh_, lines_, line);
     append_faces(out, faces);
     out += ']';
-    append_object(out, objects_, faces);
+    if (objects_ != nullptr) append_object(out, object_of(*objects_, line, faces));
     out += ", \"visible\": [";
     append_intervals(out, line, false);
     out += "], \"hidden\": [";
@@ -131,7 +129,7 @@ class LineWriter {
   const Mesh& mesh_;
   const View& view_;
   const VisibleLines& lines_;
-  const FaceObjects* objects_;
+  const SceneObjects* objects_;
   Numbers numbers_;
   bool why_;
   IntervalPlaces places_;
@@ -153,7 +151,8 @@ FragmentText fragment_text(const Mesh& mesh, const View& view, const VisibleFrag
   out.face = mesh.face_of[first_triangle(f.facet)].value;
   out.text = "{\"face\": ";
   append_integer(out.text, out.face);
-  append_object(out.text, options.objects, std::array{mesh.face_of[first_triangle(f.facet)]});
+  if (options.objects != nullptr)
+    append_object(out.text, options.objects->object_of(std::array{mesh.face_of[first_triangle(f.facet)]}));
   out.text += ", \"rings\": [";
   for (std::uint32_t r = f.first_ring; r < f.end_ring; ++r) {
     std::vector<std::array<Rational, 3>> ring;
@@ -193,7 +192,7 @@ void append_fragments(std::string& out, const Mesh& mesh, const View& view, cons
   out += "\n]";
 }
 
-void append_names(std::string& out, const FaceObjects* objects) {
+void append_names(std::string& out, const SceneObjects* objects) {
   if (objects == nullptr || !objects->are_told_apart()) return;
   out += ", \"objects\": [";
   const char* comma = "";

@@ -22,7 +22,7 @@ struct JsonOptions {
   bool why = false;                             ///< with "by", the faces that hide: only if the lines have their occluders
   /// Names of objects at the top, and at each line and fragment that is of one of them its number among these; nullptr, or fewer
   /// than two: none of this is written.
-  const FaceObjects* objects = nullptr;
+  const SceneObjects* objects = nullptr;
 };
 
 /// Visible lines as JSON, "hsr-lines/1" (docs/conventions.md, "JSON").

@@ -22,10 +22,10 @@ std::vector<Layer> layers_of(const Drawing& drawing) {
 }
 
 void ObjectComments::append(std::string& out, std::uint32_t object) {
-  if (object < names_.size() && names_[object].empty()) object = FaceObjects::none;
+  if (object < names_.size() && names_[object].empty()) object = SceneObjects::none;
   if (object == object_) return;
   object_ = object;
-  out += object == FaceObjects::none ? "% of several objects" : "% object: " + printable(names_[object]);
+  out += object == SceneObjects::none ? "% of several objects" : "% object: " + printable(names_[object]);
   out += '\n';
 }
 

@@ -63,7 +63,7 @@ class ObjectComments {
 
  private:
   const std::vector<std::string>& names_;
-  std::uint32_t object_ = FaceObjects::none;
+  std::uint32_t object_ = SceneObjects::none;
 };
 
 }  // namespace hsr::internal

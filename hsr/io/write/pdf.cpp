@@ -100,11 +100,11 @@ class PdfLayers {
   void begin(std::string& contents, const std::string& name) { layers_.push_back({group(contents, "(" + name + ")"), {}}); }
   /// What follows is of this object of the layer that was begun last. Objects without a name have no group.
   void begin_object(std::string& contents, std::uint32_t object) {
-    if (object < objects_.size() && objects_[object].empty()) object = FaceObjects::none;
+    if (object < objects_.size() && objects_[object].empty()) object = SceneObjects::none;
     if (object == open_) return;
     end_object(contents);
     open_ = object;
-    if (object != FaceObjects::none) layers_.back().objects.push_back(group(contents, text_string(objects_[object])));
+    if (object != SceneObjects::none) layers_.back().objects.push_back(group(contents, text_string(objects_[object])));
   }
   void end(std::string& contents) {
     end_object(contents);
@@ -149,15 +149,15 @@ class PdfLayers {
     return groups_.back();
   }
   void end_object(std::string& contents) {
-    if (open_ != FaceObjects::none) contents += "EMC\n";
-    open_ = FaceObjects::none;
+    if (open_ != SceneObjects::none) contents += "EMC\n";
+    open_ = SceneObjects::none;
   }
 
   PdfFile& file_;
   const std::vector<std::string>& objects_;
   std::vector<std::size_t> groups_;
   std::vector<NestedLayer> layers_;
-  std::uint32_t open_ = FaceObjects::none;
+  std::uint32_t open_ = SceneObjects::none;
 };
 
 /// The contents of the page, and what they refer to.

@@ -45,11 +45,11 @@ class ObjectGroups {
 
   /// What follows is of this object of that layer. Objects without a name have no group.
   void begin(std::string& out, const std::string& layer, std::uint32_t object) {
-    if (object < names_.size() && names_[object].empty()) object = FaceObjects::none;
+    if (object < names_.size() && names_[object].empty()) object = SceneObjects::none;
     if (object == open_) return;
     end(out);
     open_ = object;
-    if (object == FaceObjects::none) return;
+    if (object == SceneObjects::none) return;
     out += "<g id=\"" + prefix_ + layer + '-' + ids_[object] + "\" class=\"object\" data-object=\"";
     append_text(out, names_[object]);
     out += "\" inkscape:label=\"";
@@ -57,15 +57,15 @@ class ObjectGroups {
     out += "\">\n";
   }
   void end(std::string& out) {
-    if (open_ != FaceObjects::none) out += "</g>\n";
-    open_ = FaceObjects::none;
+    if (open_ != SceneObjects::none) out += "</g>\n";
+    open_ = SceneObjects::none;
   }
 
  private:
   const std::vector<std::string>& names_;
   std::vector<std::string> ids_;
   const std::string& prefix_;
-  std::uint32_t open_ = FaceObjects::none;
+  std::uint32_t open_ = SceneObjects::none;
 };
 
 void append_faces(std::string& out, std::span<const std::uint32_t> faces) {

@@ -83,6 +83,13 @@ TEST_CASE("glTF: nodes place their meshes, parents before children, and give the
   CHECK(notes(R"({"mesh": 0}, {"camera": 0, "rotation": [0, 0, 0.6, 0.8]})").empty());
 }
 
+TEST_CASE("glTF: lines are of the object of their node", "[read][gltf][wires][R12]") {
+  const Model m = read_model("a.glb", scene(R"({"name": "left", "mesh": 0}, {"name": "right", "mesh": 0})", primitive(3)));
+  CHECK(m.polygons.segments.size() == 8);
+  CHECK(m.objects == std::vector<std::string>{"left", "right"});
+  CHECK(m.segment_object == std::vector<std::uint32_t>{0, 0, 0, 0, 1, 1, 1, 1});
+}
+
 TEST_CASE("glTF: only the default scene is read", "[read][gltf]") {
   const std::string nodes = R"({"mesh": 0}, {"mesh": 0, "translation": [9, 0, 0]})";
   CHECK(read_model("a.glb", scene(nodes, primitive(4, false), R"(, "scene": 1, "scenes": [{"nodes": [0]}, {"nodes": [1]}])"))

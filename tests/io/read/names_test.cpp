@@ -25,6 +25,23 @@ TEST_CASE("OBJ: objects are named by o, in a file without any by g", "[read][obj
   CHECK(g.face_object == Numbers{0, 1, 0});
 }
 
+TEST_CASE("OBJ: a wire is of the object or group that it stands in", "[read][obj][names][wires][R12]") {
+  const std::string l = "l 1 2\n";
+  const Model o = read_model("a.obj", four + l + f + "o house\ng roof\n" + l + f + "o rail\n" + l + "o house\nl 1 2 3\n");
+  CHECK(o.objects == Names{"default", "house", "rail"});
+  CHECK(o.face_object == Numbers{0, 1});
+  CHECK(o.segment_object == Numbers{0, 1, 2, 1, 1});
+  const Model g = read_model("a.obj", four + f + "g axis\n" + l + "g\n" + l);
+  CHECK(g.objects == Names{"default", "axis"});
+  CHECK(g.face_object == Numbers{0});
+  CHECK(g.segment_object == Numbers{1, 0});
+  const Model only_wires = read_model("a.obj", four + "o first\n" + l + "o second\n" + l);
+  CHECK(only_wires.objects == Names{"first", "second"});
+  CHECK(only_wires.face_object.empty());
+  CHECK(only_wires.segment_object == Numbers{0, 1});
+  CHECK(read_model("a.obj", four + f + l + "o unused\n").segment_object.empty());
+}
+
 TEST_CASE("OBJ: materials are those of usemtl, with or without a library", "[read][obj][names][R13]") {
   const Model m = read_model("a.obj", four + f + "usemtl lib\\wood\\\n" + f + "usemtl \"deep red\"\n" + f + "usemtl\n" + f +
                                           "usemtl lib\\wood\\\n" + f + "usemtl unused\n");
