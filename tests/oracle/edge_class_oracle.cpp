@@ -253,6 +253,25 @@ std::vector<Around> triangles_around(const Mesh& mesh, EdgeId id) {
   return all;
 }
 
+// Where an edge passes through triangles, from one side to the other: there it may lead into a body, or out of one.
+std::vector<Q> passages(const Mesh& mesh, EdgeId id) {
+  const Vec a(mesh.points[mesh.edges[id].a]), b(mesh.points[mesh.edges[id].b]);
+  std::vector<Q> all;
+  for (const auto& t : mesh.triangles) {
+    const std::array<Vec, 3> corners = {Vec(mesh.points[t[0]]), Vec(mesh.points[t[1]]), Vec(mesh.points[t[2]])};
+    const Vec normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const Q height_a = dot(normal, a - corners[0]), height_b = dot(normal, b - corners[0]);
+    if (sgn(height_a) * sgn(height_b) >= 0) continue;
+    const Q at = height_a / (height_a - height_b);
+    const Vec p = a + at * (b - a);
+    bool is_inside = true;
+    for (std::size_t k = 0; k < 3; ++k)
+      is_inside = is_inside && sgn(dot(cross(normal, corners[(k + 1) % 3] - corners[k]), p - corners[k])) >= 0;
+    if (is_inside) all.push_back(at);
+  }
+  return all;
+}
+
 }  // namespace
 
 bool is_within_face(const Mesh& mesh, TriangleId t, std::size_t k) {
@@ -296,6 +315,8 @@ std::vector<RawPart> raw_parts(const Mesh& mesh, EdgeId id, const ClassAt& empty
         const Q t = x.at_a[k] / (x.at_a[k] - x.at_b[k]);
         if (t > beyond->from && t < beyond->to) cuts.push_back(t);
       }
+  for (const Q& t : passages(mesh, id))
+    if (t > beyond->from && t < beyond->to) cuts.push_back(t);
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   const Vec a(mesh.points[mesh.edges[id].a]), b(mesh.points[mesh.edges[id].b]);
