@@ -13,6 +13,7 @@
 #include "geometry/predicates.h"
 #include "geometry/vector3.h"
 #include "hsr/scene/near_contact.h"
+#include "hsr/scene/repeated_triangles.h"
 #include "hsr/scene/space_tree.h"
 
 namespace hsr::internal {
@@ -194,31 +195,40 @@ std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& far
   const std::size_t n = mesh.triangles.size();
   if (n > most_triangles) return 0;
   const SpaceTree tree(mesh);
-  std::vector<std::atomic<std::uint8_t>> is_near(mesh.faces.size());
+  const RepeatedTriangles repeated(mesh);
+  std::vector<std::atomic<std::uint8_t>> is_near(n);
   std::atomic<double> most = 0;
   parallel_for_each(n, [&](std::size_t i) {
     const TriangleId s(i);
     constexpr double large = 1000;
-    if (!(least_height(mesh, s) > large * tolerance)) return;
+    if (repeated.first(s) != s || !(least_height(mesh, s) > large * tolerance)) return;
     const Flat flat(mesh, s);
     Predicates exact(bit_range(mesh.points));
     tree.visit_near_triangle(mesh, s, tolerance, [&](TriangleId t) {
-      if (t <= s || mesh.face_of[s] == mesh.face_of[t]) return;
+      if (t <= s || repeated.first(t) != t || mesh.face_of[s] == mesh.face_of[t]) return;
       const auto& d = mesh.triangles[t];
       if (std::any_of(d.begin(), d.end(), [&](VertexId v) { return mesh.has_corner(s, v); })) return;
       const double off = std::max(flat.farthest(mesh, t), Flat(mesh, t).farthest(mesh, s));
       if (off > tolerance || !(least_height(mesh, t) > large * tolerance) || !is_off_plane(mesh, s, t, exact) ||
           !touch_along_a_line(mesh, s, t, tolerance))
         return;
-      is_near[mesh.face_of[s].value].store(1, std::memory_order_relaxed);
-      is_near[mesh.face_of[t].value].store(1, std::memory_order_relaxed);
+      is_near[s.value].store(1, std::memory_order_relaxed);
+      is_near[t.value].store(1, std::memory_order_relaxed);
       double seen = most.load(std::memory_order_relaxed);
       while (off > seen && !most.compare_exchange_weak(seen, off, std::memory_order_relaxed)) {
       }
     });
   });
   farthest = most;
-  return static_cast<std::size_t>(std::count_if(is_near.begin(), is_near.end(), [](const auto& f) { return f.load() != 0; }));
+  std::size_t faces = 0;
+  for (std::size_t i = 0; i < n;) {
+    const FaceId f = mesh.face_of[TriangleId(i)];
+    bool is_one = false;
+    for (; i < n && mesh.face_of[TriangleId(i)] == f; ++i)
+      is_one = is_one || is_near[repeated.first(TriangleId(i)).value].load() != 0;
+    faces += is_one ? 1U : 0U;
+  }
+  return faces;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <unordered_set>
 
 #include "geometry/bounded_point.h"
 #include "geometry/cancel.h"
@@ -19,6 +20,7 @@
 #include "hsr/scene/float_triangle.h"
 #include "hsr/scene/half_space.h"
 #include "hsr/scene/occlusion_pyramid.h"
+#include "hsr/scene/repeated_triangles.h"
 #include "hsr/symbols/cut_plane.h"
 
 namespace hsr::internal {
@@ -48,12 +50,13 @@ std::vector<FloatTriangle> along_tree(const ProjectedMesh& projected, const Occl
 class Finder {
  public:
   Finder(const ProjectedMesh& projected, const Occluders* occluders, const std::vector<FloatTriangle>* placed,
-         const OcclusionPyramid* pyramid, std::vector<std::uint8_t>& has_contact)
+         const OcclusionPyramid* pyramid, const RepeatedTriangles* repeated, std::vector<std::uint8_t>& has_contact)
       : projected_(projected),
         mesh_(projected.mesh()),
         occluders_(occluders),
         placed_(placed),
         pyramid_(pyramid),
+        repeated_(repeated),
         exact_(projected.predicates()),
         has_contact_(has_contact) {}
 
@@ -66,7 +69,8 @@ class Finder {
  private:
   PlaneFilter filter(std::uint32_t i) const;
   std::array<Sign, 3> sides(const PlaneFilter& filter, TriangleId s, TriangleId t);
-  void look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<TriangleIntersection>& found);
+  std::optional<TriangleIntersection> look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k);
+  std::optional<std::uint64_t> key_of_repeated(TriangleId s, TriangleId t) const;
   /// Long triangles that lie behind one another touch by their boxes and are apart by their planes only, which exact_ tells as
   /// soon.
   bool floats_pay() const { return asked_of_floats_ < 256 || told_by_floats_ * 2 > asked_of_floats_; }
@@ -91,6 +95,8 @@ class Finder {
   const Occluders* occluders_;                // null: only segment() is asked for
   const std::vector<FloatTriangle>* placed_;  // the same triangles along their tree
   const OcclusionPyramid* pyramid_;
+  const RepeatedTriangles* repeated_;              // null: as placed_
+  std::unordered_set<std::uint64_t> do_not_meet_;  // of repeated triangles
   Predicates exact_;
   std::vector<std::uint8_t>& has_contact_;
   BoxTree::PairSearch search_;
@@ -143,11 +149,16 @@ void Finder::look_around(std::uint32_t leaf, std::vector<TriangleIntersection>& 
         mark_bridges(t, s);
         continue;
       }
+      const auto key = key_of_repeated(s, t);
+      if (key && do_not_meet_.count(*key) > 0) continue;
       if (k != turned_to) {
         turned_to = k;
         of_s = filter(i);
       }
-      look_at(s, of_s, on, found);
+      if (const auto crossing = look_at(s, of_s, on))
+        found.push_back(*crossing);
+      else if (key)
+        do_not_meet_.insert(*key);
     }
   });
 }
@@ -165,22 +176,30 @@ bool Finder::meet_in_an_edge(TriangleId s, const PlaneFilter& filter, TriangleId
   return common == 2 && filter(projected_.point(apex)).is_certain() && is_single(s) && is_single(t);
 }
 
-void Finder::look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k, std::vector<TriangleIntersection>& found) {
+/// One number for all pairs that have in common what these have; nothing: both triangles are the first of their kind.
+std::optional<std::uint64_t> Finder::key_of_repeated(TriangleId s, TriangleId t) const {
+  const TriangleId p = repeated_->first(s), q = repeated_->first(t);
+  if (p == s && q == t) return std::nullopt;
+  return std::uint64_t{std::min(p, q).value} << 32U | std::max(p, q).value;
+}
+
+/// What two triangles have in common, and which sides of one lie in the other.
+std::optional<TriangleIntersection> Finder::look_at(TriangleId s, const PlaneFilter& of_s, std::uint32_t k) {
   const TriangleId t = occluders_->triangles[k];
-  if (meet_in_an_edge(s, of_s, t)) return;
+  if (meet_in_an_edge(s, of_s, t)) return std::nullopt;
   const std::array<Sign, 3> at_t = sides(of_s, s, t);
   const auto zeros = [](const std::array<Sign, 3>& at) { return std::count(at.begin(), at.end(), Sign::zero); };
-  if (!straddles(at_t) && zeros(at_t) < 2) return;  // on one side but for a point
+  if (!straddles(at_t) && zeros(at_t) < 2) return std::nullopt;  // on one side but for a point
   const PlaneFilter of_t = filter(k);
   const std::array<Sign, 3> at_s = sides(of_t, t, s);
   if (zeros(at_t) >= 2) mark_contacts(s, t, at_t);
   if (zeros(at_s) >= 2) mark_contacts(t, s, at_s);
-  if (!passes_through(t, at_t) || !passes_through(s, at_s)) return;
+  if (!passes_through(t, at_t) || !passes_through(s, at_s)) return std::nullopt;
   if (straddles(at_t) && straddles(at_s)) {
-    if (!cross_beyond_common_corner(s, t)) return;
-    if (certainly_no_segment(chord(s, at_s, of_t), chord(t, at_t, of_s))) return;
+    if (!cross_beyond_common_corner(s, t)) return std::nullopt;
+    if (certainly_no_segment(chord(s, at_s, of_t), chord(t, at_t, of_s))) return std::nullopt;
   }
-  if (const auto crossing = segment(std::min(s, t), std::max(s, t))) found.push_back(*crossing);
+  return segment(std::min(s, t), std::max(s, t));
 }
 
 /// Marks the sides of t that lie in the plane of `flat` and may overlap it.
@@ -361,13 +380,14 @@ Intersections find_intersections(const ProjectedMesh& projected, const Occluders
   constexpr std::size_t block = 64;
   const std::size_t n = occluders.tree.leaf_count();
   const auto placed = along_tree(projected, occluders);
+  const RepeatedTriangles repeated(projected.mesh());
   std::vector<std::vector<TriangleIntersection>> parts((n + block - 1) / block);
   std::vector<DecisionCounts> counts(parts.size());
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
       throw_if_stopped(stop);
-      Finder finder(projected, &occluders, &placed, pyramid, all.has_contact);
+      Finder finder(projected, &occluders, &placed, pyramid, &repeated, all.has_contact);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t leaf = part * block; leaf < end; ++leaf)
         finder.look_around(static_cast<std::uint32_t>(leaf), parts[part]);
@@ -403,7 +423,7 @@ Intersections intersections_of(const ProjectedMesh& projected, const MeetingFace
   };
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
     throw_if_stopped(stop);
-    Finder finder(projected, nullptr, nullptr, nullptr, all.has_contact);
+    Finder finder(projected, nullptr, nullptr, nullptr, nullptr, all.has_contact);
     for (std::size_t k = part * block; k < std::min((part + 1) * block, known.pairs.size()); ++k) {
       const auto [s, t] = known.pairs[k];
       if (!is_wanted(s) || !is_wanted(t)) continue;
