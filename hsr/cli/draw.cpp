@@ -301,7 +301,7 @@ void DrawCommand::note_idle_options() {
 /// Noise of the model that shows in the drawing, and the tolerance that mends it.
 void DrawCommand::note_noise() {
   if (request_.lines.tolerance > 0 || a_.common.quiet) return;
-  const InputNoise noise = noise_of(scene_.mesh);
+  const InputNoise noise = context_.report.timed("noise", [&] { return noise_of(scene_.mesh); });
   if (noise.tolerance == 0) return;
   std::string signs;
   if (noise.open_edges > 0) signs = fmt::format("{} edges of one face would close", noise.open_edges);

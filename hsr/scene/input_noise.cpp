@@ -196,6 +196,7 @@ std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& far
   if (n > most_triangles) return 0;
   const SpaceTree tree(mesh);
   const RepeatedTriangles repeated(mesh);
+  const BitRange bits = bit_range(mesh.points);
   std::vector<std::atomic<std::uint8_t>> is_near(n);
   std::atomic<double> most = 0;
   parallel_for_each(n, [&](std::size_t i) {
@@ -203,7 +204,7 @@ std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& far
     constexpr double large = 1000;
     if (repeated.first(s) != s || !(least_height(mesh, s) > large * tolerance)) return;
     const Flat flat(mesh, s);
-    Predicates exact(bit_range(mesh.points));
+    Predicates exact(bits);
     tree.visit_near_triangle(mesh, s, tolerance, [&](TriangleId t) {
       if (t <= s || repeated.first(t) != t || mesh.face_of[s] == mesh.face_of[t]) return;
       const auto& d = mesh.triangles[t];
