@@ -2,8 +2,11 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 #include <numbers>
+#include <stop_token>
+#include <thread>
 
 #include "geometry/error.h"
 #include "hsr/check/sample_checks.h"
@@ -128,13 +131,19 @@ TEST_CASE("squares that pierce each other are cut once", "[painter][hard][P7][P8
   CHECK(split == 2);  // the cut, on both of its sides, is no line
 }
 
-TEST_CASE("where every face pierces many, planes cut them from the start", "[painter][hard][P7]") {
+/// Triangles around the origin, each in a plane of its own: nearly every two pierce each other.
+TestScene tangle(int n) {
   TestScene scene = from_above();
-  constexpr int n = 14;
-  for (int k = 0; k < n; ++k) {  // around the origin, each in a plane of its own
+  for (int k = 0; k < n; ++k) {
     const double x = 9 - k, y = k * k % 11 - 5, z = k * k * k % 13 - 6;
     scene.add_face({{x, y, z}, {-y - 1, x + 3, -z - 2}, {-x + y, -x - y, 1 - z / 2}});
   }
+  return scene;
+}
+
+TEST_CASE("where every face pierces many, planes cut them from the start", "[painter][hard][P9]") {
+  constexpr int n = 14;
+  TestScene scene = tangle(n);
   scene.add_face({{38, -2, 0}, {42, -2, 0}, {42, 2, 0}, {38, 2, 0}});
   scene.add_face({{39, -1, -1}, {39, 1, -1}, {41, 1, 1}, {41, -1, 1}});
   const DepthSort result = sorted(scene);
@@ -143,6 +152,20 @@ TEST_CASE("where every face pierces many, planes cut them from the start", "[pai
   CHECK(result.counts.largest_component >= n - 2);
   const Mesh mesh = scene.mesh();
   CHECK(result.order.pieces.size() < 2 * BspTree(mesh).order(scene.view).pieces.size());
+}
+
+TEST_CASE("a tangle is refused with its bound, and left when asked to stop", "[painter][hard]") {
+  const TestScene scene = tangle(14), large = tangle(200);
+  const Mesh mesh = scene.mesh(), large_mesh = large.mesh();
+  CHECK_THROWS_WITH(depth_sort(mesh, scene.view, {.most_pieces = 40}),
+                    "depth sort: this scene takes more than 40 pieces, expected fewer");
+  std::stop_source stop;
+  std::thread asks([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    stop.request_stop();
+  });
+  CHECK_THROWS_AS(depth_sort(large_mesh, large.view, {.most_pieces = 50'000, .stop = stop.get_token()}), CancelledError);
+  asks.join();
 }
 
 TEST_CASE("a split piece keeps its lines", "[painter][hard][P5][P7]") {

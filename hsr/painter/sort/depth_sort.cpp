@@ -74,6 +74,7 @@ class Sorter {
   std::vector<NearBox> boxes_;             // of pieces that have their shape
   std::vector<std::uint8_t> is_cut_;       // its parts stand for it
   std::size_t cuts_ = 0;
+  std::size_t cuts_by_planes_ = 0;  // each makes one piece more, in blocks_
   // The relations that were found first, by piece; those of parts of pieces.
   Ragged<Neighbour> neighbours_;
   std::vector<std::vector<Neighbour>> more_neighbours_;
@@ -201,7 +202,7 @@ void Sorter::relate(std::uint32_t part, const Neighbour& of_whole) {
 }
 
 void Sorter::count_pieces(std::size_t more) {
-  if (pieces_.size() - cuts_ + more > most_)
+  if (pieces_.size() - cuts_ + cuts_by_planes_ + more > most_)
     throw InputError("depth sort: this scene takes more than " + std::to_string(most_) + " pieces, expected fewer");
 }
 
@@ -388,9 +389,12 @@ void Sorter::order_by_planes(const std::vector<std::uint32_t>& component) {
     pieces.push_back(shaped(p));
     block_of_[p] = static_cast<std::uint32_t>(blocks_.size());
   }
-  blocks_.push_back(ordered_by_planes(overlaps_.map(), std::move(pieces),
-                                      most_ - std::min(most_, pieces_.size() - cuts_) + component.size(),
-                                      result_.counts.cuts_in_cycles));
+  blocks_.push_back(ordered_by_planes(overlaps_.map(), std::move(pieces), [&] {
+    throw_if_stopped(options_.stop);
+    count_pieces(1);
+    ++cuts_by_planes_;
+    ++result_.counts.cuts_in_cycles;
+  }));
 }
 
 void Sorter::emit() {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
-#include "geometry/error.h"
 
 namespace hsr::internal {
 
@@ -71,12 +69,11 @@ class Divider {
 
 }  // namespace
 
-std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<PieceOfFacet> pieces, std::size_t most,
-                                            std::uint64_t& cuts) {
+std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<PieceOfFacet> pieces,
+                                            const std::function<void()>& before_cut) {
   Divider divider(map);
   std::vector<PieceOfFacet> done;
   std::vector<std::vector<PieceOfFacet>> waiting;  // the farthest last
-  std::size_t count = pieces.size();
   waiting.push_back(std::move(pieces));
   while (!waiting.empty()) {
     std::vector<PieceOfFacet> all = std::move(waiting.back());
@@ -91,11 +88,8 @@ std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<Piec
     for (PieceOfFacet& piece : all) {
       switch (divider.where(piece, plane)) {
         case Where::both:
+          before_cut();
           near.push_back(divider.cut_off_near(piece, plane));
-          ++cuts;
-          if (++count > most)
-            throw InputError("the order of this scene would take more than " + std::to_string(most) +
-                             " pieces: expected fewer, see --method depth-sort");
           [[fallthrough]];
         case Where::far:
           far.push_back(std::move(piece));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -10,10 +11,10 @@ namespace hsr::internal {
 /// Orders pieces from far to near by the planes of some of them, cutting what a plane passes through: always possible. For the
 /// pieces that are in cycles; bsp.h has the tree that is kept.
 ///
-/// @param cuts gets the number of cuts added @throws InputError if there are more than `most` pieces
+/// @param before_cut is called before each cut, and may throw
 /// Exact: yes. Deterministic. Cost: O(n log n) where the planes divide well, O(n^2) pieces at worst. Never recursive.
 /// Source: Fuchs, Kedem & Naylor 1980.
-std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<PieceOfFacet> pieces, std::size_t most,
-                                            std::uint64_t& cuts);
+std::vector<PieceOfFacet> ordered_by_planes(MapPredicates& map, std::vector<PieceOfFacet> pieces,
+                                            const std::function<void()>& before_cut);
 
 }  // namespace hsr::internal
