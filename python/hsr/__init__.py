@@ -7,7 +7,7 @@ results are rounded once, correctly, and are the same for any number of threads.
     threads: at most so many [all]
     progress: a function of the share done, 0 ... 1, called now and then on the caller's thread; what it raises ends the work
     coplanar: of faces that coincide the "first" in the scene is on top, or the "last" ["first"]
-    edges: "all", or classes of edges, as a list or with commas ["outline,sharp,boundary,intersection,wire,material"]
+    edges: "all", or classes of edges, as a list or with commas ["outline,sharp,boundary,intersection,wire,material,section,hatching"]
     crease: degrees; edges that deviate more from flat are sharp; or two, such as (30, 25) [30]
     tolerance: noise of the scene, in its units, that classes of edges pass over [0]
 
