@@ -16,7 +16,6 @@
 #include "hsr/cli/drawing_check.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/messages.h"
-#include "hsr/cli/model_section.h"
 #include "hsr/cli/outline_only.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
@@ -194,11 +193,8 @@ DrawRequest parse(const DrawArguments& a) {
   request.drawing.leave_out_near = true;
   if (a.outline_only && request.wants(Format::json))
     throw InputError("--outline-only: json has lines and no outline, expected svg, pdf, eps, dxf, tex, hpgl or png");
-  if (!a.view.section.empty())
-    for (const auto& [is_asked, what] : {std::pair{a.why, "--why names faces, and caps are none"},
-                                         std::pair{a.outline_only, "--outline-only has no outline of caps"},
-                                         std::pair{request.wants(Format::csv), "csv: a z-buffer knows no caps"}})
-      if (is_asked) throw InputError(std::string("--section: ") + what + ", expected one without the other");
+  if (!a.view.section.empty() && request.wants(Format::csv))
+    throw InputError("--section: the z-buffers of a csv know no caps, expected a view without a section");
   if (a.outline_only) ask_for_outline_only(request.lines, request.drawing);
   request.scene.hidden_lines = a.why || request.drawing.hidden != HiddenLines::none || request.wants(Format::json);
   request.merge = a.merge == "none" ? Merge::none : a.merge == "coplanar" ? Merge::coplanar : Merge::colour;
@@ -216,7 +212,7 @@ class DrawCommand {
   void run() {
     read();
     find_lines();
-    section_.find(scene_, *prepared_, request_.lines.classes, request_.drawing, context_);
+    context_.find_section(scene_, *prepared_, request_.lines.classes, request_.drawing, section_);
     find_fragments();
     check();
     measure_errors();
@@ -256,7 +252,7 @@ class DrawCommand {
   std::optional<SceneView> prepared_;
   std::optional<SceneView> exact_;  // the same, but where arithmetic is compared: checks are exact
   VisibleLines lines_;
-  ModelSection section_;
+  std::optional<Section> section_;
   std::optional<VisibleLines> every_line_;  // of all edges, which bound the fragments
   std::optional<VisibleFragments> fragments_;
   std::vector<ErrorAgainstTime> errors_;

@@ -1,23 +1,18 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
-#include "hsr/cli/command_context.h"
 #include "hsr/drawing/drawing.h"
+#include "hsr/model.h"
 #include "hsr/surfaces/section.h"
 
 namespace hsr::cli {
 
-/// What the section of a view cuts closed bodies to, for a drawing.
-class ModelSection {
- public:
-  /// Finds it and tells the drawing, with a note on what does not close; of a view without a section, nothing.
-  /// @pre this outlives the drawing
-  void find(const ViewedModel& model, const SceneView& scene, const EdgeClasses& classes, DrawingOptions& drawing,
-            CommandContext& context);
-
- private:
-  std::optional<Section> section_;
-};
+/// What the section of a view cuts closed bodies to, for a drawing; of a view without a section, nothing.
+/// @param drawing is told of it @param found outlives the drawing
+/// @return a note on what does not close, or empty
+std::string find_section(const Model& model, const SceneView& scene, const EdgeClasses& classes, DrawingOptions& drawing,
+                         std::optional<Section>& found);
 
 }  // namespace hsr::cli

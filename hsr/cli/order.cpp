@@ -11,7 +11,6 @@
 #include "hsr/cli/commands.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/messages.h"
-#include "hsr/cli/model_section.h"
 #include "hsr/cli/output_summary.h"
 #include "hsr/cli/page_arguments.h"
 #include "hsr/cli/page_writing.h"
@@ -136,7 +135,7 @@ class OrderCommand {
     request_.drawing.objects = &objects_;
     context_.say_notes_of(scene_);
     if (const std::string note = a_.page.adopt_unit(scene_.model, request_.drawing); !note.empty()) context_.note(note);
-    section_.find(scene_, *prepared_, request_.lines.classes, request_.drawing, context_);
+    context_.find_section(scene_, *prepared_, request_.lines.classes, request_.drawing, section_);
     find_order();
     note_coincident_faces();
     note_wires();
@@ -161,7 +160,7 @@ class OrderCommand {
 
   const OrderArguments& a_;
   OrderRequest request_;
-  ModelSection section_;
+  std::optional<Section> section_;
   CommandContext context_;
   ViewedModel scene_;
   SceneObjects objects_;

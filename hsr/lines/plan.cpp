@@ -325,6 +325,8 @@ LinePlan internal::plan_lines(const SceneView& scene, const LineOptions& options
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options) {
   require(options.method != LineMethod::appel || !options.why,
           "visible_lines: appel counts layers and does not say which faces they are; roberts does");
+  if (scene.view().section && options.why)
+    throw InputError("section: its caps hide, too, and are no faces to be named, expected a view without a section, or no why");
   throw_if_stopped(options.stop);
   return Plan(scene, options).run();
 }

@@ -129,8 +129,8 @@ TEST_CASE("planes that are none, or have no viewer's side, are refused", "[cli][
   check_refused(run("draw " + model + " --section 0,0,0@0,0,0" + svg), {"normal"});
   check_refused(run("draw " + model + " --view top --section x=0.5" + svg), {"edge-on"});
   check_refused(run("draw " + model + " --eye 3,0.5,0.5 --target 0,0.5,0.5 --near 2.5 --section x=0.25" + svg), {"near plane"});
-  check_refused(run("draw " + model + " --section x=0.5 --why -o " + (d / "a.json")), {"--why"});
-  check_refused(run("draw " + model + " --section x=0.5 --outline-only" + svg), {"--outline-only"});
+  check_refused(run("draw " + model + " --section x=0.5 --why -o " + (d / "a.json")), {"section", "why"});
+  check_refused(run("draw " + model + " --section x=0.5 --outline-only" + svg), {"section", "outline"});
   check_refused(run("draw " + model + " --section x=0.5 -o " + (d / "a.csv")), {"csv"});
   check_refused(run("draw " + model + " --section x=0.5 --fill --method roberts" + svg), {"roberts"});
   check_refused(run("compare " + model + " --section x=0.5 -o " + (d / "c")), {"--section"});
