@@ -54,6 +54,8 @@ class TriangleOcclusion {
 
   /// Where the plane of `cut` crosses the line. @pre it separates the ends of the line
   Breakpoint place(const Cut& cut);
+  /// The same if it is strictly between the ends of the part that is looked at. @param cut by the sides of a triangle
+  std::optional<Breakpoint> place_within(const Cut& cut);
 
   /// The ends of the part that is looked at: beyond the near plane.
   const Breakpoint& first() const { return first_; }
@@ -104,5 +106,8 @@ class TriangleOcclusion {
   std::optional<PlaneFilter> edge_sight_;  // of the edge's view plane, once it was asked for
   Breakpoint first_, last_, from_, to_;
 };
+
+/// Sorts the shadows along the line that was turned to, and replaces what overlaps or touches by its union.
+void unite(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows);
 
 }  // namespace hsr::internal
