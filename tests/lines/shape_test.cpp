@@ -108,6 +108,24 @@ TEST_CASE("a column under a slab is dashed, be it a body of its own or not", "[l
   CHECK(by_visibility(touching.ink()) == by_visibility(fused.ink()));
 }
 
+/// A sheet at z = 0, of one face, and a column under it whose head touches it.
+TEST_CASE("nothing of a column under a single sheet is seen on the sheet", "[lines][shape][C17]") {
+  Labelled x;
+  x.add_face({{0, 0, 0}, {10, 0, 0}, {10, 8, 0}, {0, 8, 0}}, 0);
+  x.add_box({3, 3, -1}, {6, 5, 0}, 1);
+  for (const Point3& direction : {Point3{0, 0, 1}, Point3{1, -1, 2}}) {
+    x.scene.view = scenes::from_direction(direction);
+    INFO(x.ink());
+    CHECK(lines_of(x, "visible") == lines_of(x, "visible boundary") + lines_of(x, "visible joint"));
+    CHECK(lines_of(x, "visible boundary") == 4);
+    CHECK(lines_of(x, "hidden") >= 4);  // its foot
+  }
+  // From below it is seen where it is joined, and the sheet is behind it.
+  x.scene.view = scenes::from_direction({1, -1, -2});
+  CHECK(lines_of(x, "visible boundary") == 4);
+  CHECK(lines_of(x, "visible") > 4 + 6);
+}
+
 TEST_CASE("the foot of a wall seen edge-on is an edge like any other", "[lines][shape][C2][C7]") {
   Labelled x;
   x.add_face({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}});
