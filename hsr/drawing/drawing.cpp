@@ -20,6 +20,7 @@
 #include "hsr/drawing/pen_order.h"
 #include "hsr/drawing/placement.h"
 #include "hsr/drawing/reach.h"
+#include "hsr/drawing/section_drawing.h"
 #include "hsr/drawing/short_chains.h"
 #include "hsr/view/frustum.h"
 
@@ -282,6 +283,7 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
       Fills placed = placed_fills(place, *regions);
       if (options.outline_only) return placed;
       if (options.objects != nullptr && options.objects->are_told_apart()) tell_apart(placed, *options.objects);
+      add_section_fills(placed, place, options);
       reach_beneath(placed);
       return placed;
     };
@@ -392,6 +394,7 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
     }
     collector.add(chains.passes[c], chains.closed[c] != 0, distinct, of_line);
   }
+  add_section_lines(drawing, place, options);
   if (options.sort_for_pen) sort_for_pen(drawing);
   return drawing;
 }

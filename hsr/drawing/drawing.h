@@ -13,6 +13,7 @@
 #include "hsr/face_labels.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/regions.h"
+#include "hsr/surfaces/section.h"
 
 namespace hsr {
 
@@ -39,6 +40,12 @@ struct DrawingOptions {
   bool outline_only = false;
   /// Millimetres: lines that are joined to one another and together shorter than this are left out, such as freckles on scans.
   double min_length = 0;
+  /// The caps of the view's section: their borders and hatching lie over all lines, and with regions their faces over all fills.
+  /// nullptr: none.
+  const Section* section = nullptr;
+  EdgeClasses section_classes = drawn_classes;  ///< which of these are drawn
+  std::vector<Colour> cap_colours = {};         ///< by cap; empty: white
+  double hatch_scale = 1;  ///< with in_frame_units: millimetres of paper to a unit of the frame, for the hatching
   /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
   const SceneObjects* objects = nullptr;
 };

@@ -15,6 +15,7 @@
 #include "hsr/drawing/placed_pieces.h"
 #include "hsr/drawing/placement.h"
 #include "hsr/drawing/reach.h"
+#include "hsr/drawing/section_drawing.h"
 #include "hsr/lines/edge_classifier.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/view_parts.h"
@@ -151,8 +152,9 @@ void add_lines(Fills& fills, const std::vector<PlacedPiece>& pieces, const std::
 /// Makes the fills of a painting, step by step.
 class FillPainter {
  public:
-  FillPainter(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours, double opacity)
-      : scene_(scene), order_(order), colours_(colours), opacity_(opacity) {}
+  FillPainter(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours, double opacity,
+              const DrawingOptions& options)
+      : scene_(scene), order_(order), colours_(colours), opacity_(opacity), options_(options) {}
 
   bool is_opaque() const {
     return opacity_ >= 1 && std::all_of(order_.pieces.begin(), order_.pieces.end(), [&](const OrderedPiece& p) {
@@ -192,6 +194,7 @@ class FillPainter {
       if (!fills.fills.empty()) last_of_layer[group.layer] = static_cast<std::uint32_t>(fills.fills.size() - 1);
     }
     if (asked != nullptr) add_lines(fills, pieces, last_of_layer, layers);
+    add_section_fills(fills, place, options_);
     reach_beneath(fills);
     return fills;
   }
@@ -235,6 +238,7 @@ class FillPainter {
   const PaintersOrder& order_;
   const std::vector<Colour>& colours_;
   double opacity_;
+  const DrawingOptions& options_;
 };
 
 /// Those that nothing hides.
@@ -249,7 +253,7 @@ VisibleLines lines_on_top(const SceneView& scene, LineOptions options, bool only
 
 Drawing paint_on_page(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours,
                       const LineOptions& lines, const DrawingOptions& options, const PaintingOptions& painting) {
-  const FillPainter painter(scene, order, colours, painting.opacity);
+  const FillPainter painter(scene, order, colours, painting.opacity, options);
   const bool with_pieces = painting.paints_lines_with_pieces || !painter.is_opaque();
   std::vector<std::optional<EdgeClass>> asked;
   if (with_pieces) asked = asked_classes(scene.parts(), lines);

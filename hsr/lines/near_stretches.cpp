@@ -41,7 +41,7 @@ std::vector<NearStretch> NearStretches::of_line(TriangleOcclusion& occlusion, co
   // Where the border of a triangle crosses the line, by name; nothing where the place at the parameter `at` is not near that border.
   const auto add_place = [&](TriangleId triangle, std::size_t side, double at, double rise) {
     if (side == 3) return;
-    auto place = occlusion.place_within(half_spaces(projected_, triangle, occlusion.exact())[side].cut);
+    auto place = occlusion.crossing(half_spaces(projected_, triangle, occlusion.exact())[side].cut);
     if (!place) return;
     // Of a line that ends where planes an ulp apart meet doubles may not tell where it is crossed.
     if (place->error == HUGE_VAL) place->t = at;

@@ -59,11 +59,12 @@ Breakpoint TriangleOcclusion::place(const Cut& cut) {
   return bound(cut, at(filter, plane, a_, false), at(filter, plane, b_, false));
 }
 
-std::optional<Breakpoint> TriangleOcclusion::place_within(const Cut& cut) {
+std::optional<Breakpoint> TriangleOcclusion::crossing(const Cut& cut) {
   const Plane plane = cut_plane(projected_, cut);
   const PlaneFilter filter = projected_.filter(plane);
   const auto is_on = [&](const End& end, const Cut& its) {
-    return is_edge() ? end.vertex.value == cut.u || end.vertex.value == cut.v : cut == its;
+    const bool is_by_vertices = cut.kind == Cut::Kind::sight || cut.kind == Cut::Kind::line;
+    return is_edge() ? is_by_vertices && (end.vertex.value == cut.u || end.vertex.value == cut.v) : cut == its;
   };
   const Value at_a = at(filter, plane, a_, is_on(a_, first_.cut)), at_b = at(filter, plane, b_, is_on(b_, last_.cut));
   if (at_a.sign * at_b.sign != Sign::negative) return std::nullopt;
@@ -313,10 +314,12 @@ void TriangleOcclusion::edge_on(TriangleId triangle, std::vector<HiddenInterval>
     if (!clip(line_cut(u, v), line, a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v, inner, runs_outside))
       return;
   }
-  // Points of the edge in the near plane itself have nothing of T in front of them.
-  if (near_cuts && is_edge() && projected_.beyond_near(a_.vertex) == Sign::zero &&
-      projected_.beyond_near(b_.vertex) == Sign::zero)
-    return;
+  // Points of the line in the near plane itself have nothing of T in front of them.
+  const auto is_in_near = [&](const End& end) {
+    if (end.vertex.is_valid()) return projected_.beyond_near(end.vertex) == Sign::zero;
+    return exact_.side(projected_.near_plane(), s_plane_, t_plane_, end.cut) == Sign::zero;
+  };
+  if (near_cuts && is_in_near(a_) && is_in_near(b_)) return;
   add();
 }
 

@@ -54,8 +54,8 @@ class TriangleOcclusion {
 
   /// Where the plane of `cut` crosses the line. @pre it separates the ends of the line
   Breakpoint place(const Cut& cut);
-  /// The same if it is strictly between the ends of the part that is looked at. @param cut by the sides of a triangle
-  std::optional<Breakpoint> place_within(const Cut& cut);
+  /// The same; nothing where it does not separate the ends of the part that is looked at.
+  std::optional<Breakpoint> crossing(const Cut& cut);
 
   /// The ends of the part that is looked at: beyond the near plane.
   const Breakpoint& first() const { return first_; }

@@ -89,7 +89,7 @@ std::vector<std::uint32_t> as_ring(std::span<const std::uint32_t> corners) {
 enum class Before { nothing, some, all };
 
 Before before_near(PaintedSides& sides, const ImageRows& rows, std::span<const std::uint32_t> ring) {
-  if (rows.parallel) return Before::nothing;
+  if (!rows.cuts) return Before::nothing;
   bool before = false, beyond = false;
   for (const std::uint32_t c : ring) {
     const Sign s = sides.near(c);
@@ -165,7 +165,7 @@ void PaintedParts::add_cut(PaintedSides& sides, std::uint32_t polygon, std::span
   std::vector<std::uint32_t> out;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const RationalVector p = points_.exact(ring[k]), q = points_.exact(ring[(k + 1) % ring.size()]);
-    const Rational s = rows_.depth(p) - rows_.near, t = rows_.depth(q) - rows_.near;
+    const Rational s = rows_.beyond_near(p), t = rows_.beyond_near(q);
     if (s.sign() != Sign::negative) out.push_back(ring[k]);
     if (s.sign() * t.sign() != Sign::negative) continue;
     const Rational u = s / (s - t);
