@@ -5,6 +5,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -184,6 +185,26 @@ Range part_near(const PaperLine& weak, const PaperLine& strong) {
   return part;
 }
 
+/// A line in doubles, which hold the coordinates and their differences exactly.
+struct LineInDoubles {
+  double x, y, dx, dy, length;
+
+  explicit LineInDoubles(const PaperLine& line)
+      : x(static_cast<double>(line.from.x)),
+        y(static_cast<double>(line.from.y)),
+        dx(static_cast<double>(line.to.x - line.from.x)),
+        dy(static_cast<double>(line.to.y - line.from.y)),
+        length(std::hypot(dx, dy)) {}
+
+  /// Whether both ends are farther than least_on_paper from the line of the other, on one side of it: then no step is near. Of
+  /// coordinates below 2^41 the roundings move the line by less than 2^-6, and steps are off theirs by less than 1.
+  bool is_certainly_beside(const LineInDoubles& other) const {
+    const double from = other.dx * (y - other.y) - other.dy * (x - other.x), to = from + (other.dx * dy - other.dy * dx);
+    const double most = (least_on_paper + 2) * other.length;
+    return (from > most && to > most) || (from < -most && to < -most);
+  }
+};
+
 /// Which lines come within least_on_paper of a square of the paper.
 class Squares {
  public:
@@ -204,12 +225,14 @@ class Squares {
     tbb::parallel_sort(entries_.begin(), entries_.end());
   }
 
-  /// Lines near which the line may be, ascending.
-  void candidates(const PaperLine& line, std::vector<std::uint32_t>& found) const {
+  /// Lines near which the line may be, and that are asked for, ascending.
+  template <class IsAskedFor>
+  void candidates(const PaperLine& line, const IsAskedFor& is_asked_for, std::vector<std::uint32_t>& found) const {
     found.clear();
     each(line, [&](std::int64_t column, std::int64_t row) {
       auto e = std::lower_bound(entries_.begin(), entries_.end(), Entry{column, row, 0});
-      for (; e != entries_.end() && e->column == column && e->row == row; ++e) found.push_back(e->line);
+      for (; e != entries_.end() && e->column == column && e->row == row; ++e)
+        if (is_asked_for(e->line)) found.push_back(e->line);
     });
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -267,13 +290,16 @@ DistinctLines without_near(const std::vector<PaperLine>& lines, const Chains& ch
   std::vector<std::uint32_t> rank(lines.size());
   for (std::uint32_t r = 0; r < order.size(); ++r) rank[order[r]] = r;
   const Squares squares(lines);
+  const std::vector<LineInDoubles> in_doubles(lines.begin(), lines.end());
   std::vector<std::vector<std::uint32_t>> stronger(lines.size());  // that it runs beside
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines.size(), 512), [&](const auto& range) {
     std::vector<std::uint32_t> candidates;
     for (std::size_t k = range.begin(); k != range.end(); ++k) {
-      squares.candidates(lines[k], candidates);
+      const auto may_stand_for_it = [&](std::uint32_t other) {
+        return rank[other] < rank[k] && !in_doubles[k].is_certainly_beside(in_doubles[other]);
+      };
+      squares.candidates(lines[k], may_stand_for_it, candidates);
       for (const std::uint32_t other : candidates) {
-        if (rank[other] >= rank[k]) continue;
         const Range part = part_near(lines[k], lines[other]);
         if (part.first <= part.last) stronger[k].push_back(other);
       }

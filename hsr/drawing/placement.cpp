@@ -60,12 +60,18 @@ struct Box {
 
 Wide wide(const Rational& x) { return enclose(x).middle; }
 
+/// Whether the error is far below the place to which the box is rounded. Where planes meet at an angle of some ulps it is not.
+bool is_known(const Enclosure (&p)[2]) {
+  const Wide most = std::max(std::fabs(p[0].middle), std::fabs(p[1].middle));
+  return p[0].is_finite() && p[1].is_finite() && p[0].error <= most * 0x1p-48 && p[1].error <= most * 0x1p-48;
+}
+
 void add_line(Box& box, const Projection& projection, const VisibleLines& lines, const Line& line) {
   const SupportingLine support = supporting_line_of(projection.mesh(), lines, line);
   for (const std::uint32_t cut : {line.first_cut, line.end_cut - 1}) {
     const HomogeneousPoint h = projection.at(support, lines.cuts[cut]);
     const Enclosure p[2] = {h.x / h.w, h.y / h.w};
-    if (p[0].is_finite() && p[1].is_finite()) {
+    if (is_known(p)) {
       for (int k = 0; k < 2; ++k) box.add(k, p[k].middle);
     } else {
       const auto exact = projection.exact(support, lines.cuts[cut]);

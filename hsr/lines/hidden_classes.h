@@ -1,15 +1,31 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/line_options.h"
+#include "hsr/lines/near_stretches.h"
 #include "hsr/lines/visible_lines.h"
+#include "hsr/scene/occluders.h"
+#include "hsr/scene/projected_mesh.h"
 
 namespace hsr::internal {
 
-/// Parts of edges that have another class where they are hidden become several lines, one for each interval, in the class that
-/// they have there; of classes that are not asked for there are none.
-/// @param lines the first of them those of the edges
-VisibleLines with_hidden_classes(const Mesh& mesh, const View& view, const ClassifiedEdges& edges, const LineOptions& options,
+/// With a tolerance: which triangles touch an edge, and all triangles, without any that are left out as hidden.
+struct NearOccluders {
+  const NearStretches& stretches;
+  const Occluders& all;
+};
+
+/// The classes of lines where they are hidden, by line, if these are others. Empty: of none.
+using HiddenClasses = std::vector<std::optional<EdgeClass>>;
+
+/// Lines that have another class where they are hidden become several, one for each interval, in the class that they have there; of
+/// classes that are not asked for there are none. What of an edge is hidden only by noise has the class of what is seen.
+/// @param lines the first of them those of `edges` @param near nullptr: without a tolerance
+VisibleLines with_hidden_classes(const ProjectedMesh& projected, const View& view, const ClassifiedEdges& edges,
+                                 const LineOptions& options, const NearOccluders* near, const HiddenClasses& hidden,
                                  VisibleLines lines);
 
 }  // namespace hsr::internal

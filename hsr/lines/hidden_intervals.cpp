@@ -16,33 +16,6 @@
 
 namespace hsr::internal {
 
-/// Sorts `cast` and replaces what overlaps or touches by its union.
-void HiddenIntervals::unite(std::vector<HiddenInterval>& cast) {
-  if (cast.size() < 2) return;
-  const auto before = [&](const HiddenInterval& x, const HiddenInterval& y) {
-    return occlusion_.order(x.from, y.from) == Sign::negative;
-  };
-  // Both sorts are stable and stay within bounds even where --arithmetic double gives no order at all. The first takes no
-  // memory, which for a few shadows, as most edges have, costs more than to sort them.
-  if (cast.size() <= 16) {
-    for (auto i = cast.begin() + 1; i != cast.end(); ++i) {
-      auto at = i;
-      while (at != cast.begin() && before(*i, *(at - 1))) --at;
-      std::rotate(at, i, i + 1);
-    }
-  } else {
-    std::stable_sort(cast.begin(), cast.end(), before);
-  }
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < cast.size(); ++i) {
-    if (occlusion_.order(cast[i].from, cast[last].to) == Sign::positive)
-      cast[++last] = cast[i];
-    else if (occlusion_.order(cast[last].to, cast[i].to) == Sign::negative)
-      cast[last].to = cast[i].to;
-  }
-  cast.resize(last + 1);
-}
-
 /// Property (1) of the result, where the build checks its invariants.
 void HiddenIntervals::check_ascending([[maybe_unused]] std::span<const HiddenInterval> hidden) {
 #ifdef HSR_CHECKS
@@ -89,7 +62,7 @@ void HiddenIntervals::sort_by_face() {
   for (auto i = cast_.begin(); i != cast_.end();) {
     const auto end = std::find_if(i, cast_.end(), [&](const HiddenInterval& s) { return s.face != i->face; });
     one_face_.assign(i, end);
-    unite(one_face_);
+    unite(occlusion_, one_face_);
     by_face_.insert(by_face_.end(), one_face_.begin(), one_face_.end());
     i = end;
   }
@@ -127,7 +100,7 @@ void HiddenIntervals::add_whole(const LineTask& tiled, bool is_hidden) {
 }
 
 void HiddenIntervals::add(const LineTask& tiled, std::vector<HiddenInterval>& cast) {
-  unite(cast);
+  unite(occlusion_, cast);
   check_ascending(cast);
   Line line = begun(tiled);
   if (options_.why) name_occluders(cast, by_face_);
@@ -187,7 +160,7 @@ void HiddenIntervals::cast_on(const Stretch& stretch, const ImageBox& box, const
     // Now and then the shadows so far are united: together they may hide all of it. As their number doubles, so that a long
     // edge behind many separate faces costs no more than sorting them a few times.
     if (cast_.size() < 2 * united + 4) return true;
-    unite(cast_);
+    unite(occlusion_, cast_);
     united = cast_.size();
     return !one_covers(0);
   });
@@ -246,7 +219,7 @@ bool HiddenIntervals::cast_unhidden(const LineTask& line, const Occluders& occlu
     around.farthest = std::max(around.farthest, part.hidden_from);
     cast_on(looked_at_.back(), around, occluders);
   }
-  unite(cast_);
+  unite(occlusion_, cast_);
   if (!close_gaps()) return false;
   add(line, cast_);
   return true;

@@ -73,7 +73,6 @@ class HiddenIntervals {
     double error = 0;
   };
 
-  void unite(std::vector<HiddenInterval>& cast);
   void check_ascending(std::span<const HiddenInterval> hidden);
   void sort_by_face();
   void name_occluders(std::span<const HiddenInterval> hidden, std::span<const HiddenInterval> by_face);

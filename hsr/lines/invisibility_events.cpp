@@ -1,8 +1,21 @@
 #include "hsr/lines/invisibility_events.h"
 
+#include <bit>
+
 #include "hsr/scene/line_filter.h"
 
 namespace hsr::internal {
+
+namespace {
+
+/// How many bits are set in the lowest eight: one of a leaf's boxes each.
+unsigned count_of(unsigned bits) {
+  bits -= bits >> 1U & 0x55U;
+  bits = (bits & 0x33U) + (bits >> 2U & 0x33U);
+  return (bits + (bits >> 4U)) & 0xfU;
+}
+
+}  // namespace
 
 void InvisibilityEvents::add(InvisibilityChange change, std::vector<InvisibilityChange>& changes) {
   course_.left += change.left;
@@ -35,29 +48,54 @@ EdgeWalk InvisibilityEvents::find(EdgeId id, const ImageBox& box, std::vector<In
   }
   const std::size_t before = changes.size();
   using Depth = BoxTree::Depth;
-  const auto visit = [&]<Depth depth>(const BoxTree& tree, bool shares, const std::vector<std::uint32_t>& leaves,
-                                      const auto& f) {
-    if (shares) {
-      for (const std::uint32_t leaf : leaves)
-        if (!tree.visit_leaf<depth>(leaf, box, f)) return;
-    } else if constexpr (depth == Depth::hiding) {
-      tree.visit(box, f);
-    } else {
-      tree.visit_touching(box, f);
-    }
-  };
-  visit.operator()<Depth::hiding>(layers_.tree(), shares_edge_leaves_, edge_leaves_, [&](std::uint32_t i) {
+  const auto cross_one = [&](std::uint32_t i) {
     const OccludingEdge& occluding = layers_.edges()[i];
     if (occluding.edge != id) cross(edge, occluding, changes);
     return !course_.is_degenerate;
-  });
-  if (!course_.is_degenerate)
-    visit.operator()<Depth::touching>(occluders_.tree, shares_face_leaves_, face_leaves_, [&](std::uint32_t i) {
-      if (layers_.counts(occluders_.triangles[i])) pierce(edge, occluders_.triangles[i], changes);
-      return !course_.is_degenerate;
-    });
+  };
+  if (shares_edge_leaves_)
+    for (const std::uint32_t leaf : edge_leaves_) {
+      if (!layers_.tree().visit_leaf<Depth::hiding>(leaf, box, cross_one)) break;
+    }
+  else
+    layers_.tree().visit(box, cross_one);
+  if (!course_.is_degenerate) pierce_faces(edge, box, changes);
   if (course_.is_degenerate) changes.resize(before);
   return course_;
+}
+
+/// Where many boxes of each leaf overlap, as those of long slivers do, the view plane of the edge tells most of a leaf apart at once.
+void InvisibilityEvents::pierce_faces(const Edge& edge, const ImageBox& box, std::vector<InvisibilityChange>& changes) {
+  using Depth = BoxTree::Depth;
+  constexpr unsigned many = 4;
+  const BoxTree& tree = occluders_.tree;
+  const std::vector<LeafCorners>* corners = nullptr;
+  LeafPlane sight;
+  if (leaves_ > 256 && boxes_ > many * leaves_ && exact_.filter_is_proven()) {
+    corners = &occluders_.leaf_corners();
+    sight = LeafPlane(projected_.filter(projected_.sight_plane(edge.a, edge.b)));
+  }
+  const auto pierce_leaf = [&](std::uint32_t leaf, unsigned hit) {
+    ++leaves_;
+    boxes_ += count_of(hit);
+    if (corners != nullptr) {
+      const unsigned beside = hit & (*corners)[leaf].beside(sight);
+      pairs_ += count_of(beside);
+      hit &= ~beside;
+    }
+    for (; hit != 0; hit &= hit - 1) {
+      const TriangleId t = occluders_.triangles[tree.box_at(leaf, static_cast<std::size_t>(std::countr_zero(hit)))];
+      if (layers_.counts(t)) pierce(edge, t, changes);
+      if (course_.is_degenerate) return false;
+    }
+    return true;
+  };
+  if (!shares_face_leaves_) {
+    tree.visit_leaves<Depth::touching>(box, pierce_leaf);
+    return;
+  }
+  for (const std::uint32_t leaf : face_leaves_)
+    if (const unsigned hit = tree.overlaps<Depth::touching>(leaf, box); hit != 0 && !pierce_leaf(leaf, hit)) return;
 }
 
 void InvisibilityEvents::cross(const Edge& edge, const OccludingEdge& occluding, std::vector<InvisibilityChange>& changes) {

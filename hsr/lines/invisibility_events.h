@@ -56,6 +56,7 @@ class InvisibilityEvents {
 
  private:
   void cross(const Edge& edge, const OccludingEdge& occluding, std::vector<InvisibilityChange>& changes);
+  void pierce_faces(const Edge& edge, const ImageBox& box, std::vector<InvisibilityChange>& changes);
   void pierce(const Edge& edge, TriangleId t, std::vector<InvisibilityChange>& changes);
   void add(InvisibilityChange change, std::vector<InvisibilityChange>& changes);
 
@@ -64,6 +65,7 @@ class InvisibilityEvents {
   const Occluders& occluders_;
   Predicates exact_;
   std::uint64_t pairs_ = 0;
+  std::size_t leaves_ = 0, boxes_ = 0;  // of faces that were looked at
   // The leaves that may matter to the edges turned to; if they are too many, each edge looks for its own.
   std::vector<std::uint32_t> edge_leaves_, face_leaves_;
   bool shares_edge_leaves_ = false, shares_face_leaves_ = false;

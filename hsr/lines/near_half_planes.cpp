@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "geometry/vector3.h"
-#include "hsr/scene/facet.h"
 
 namespace hsr::internal {
 
@@ -47,13 +46,14 @@ void NearHalfPlanes::add(TriangleId triangle) {
 
 void NearHalfPlanes::add(TriangleId triangle, const Point3& into, double reach) {
   const double turn = std::atan2(dot(into, left_), dot(into, to_eye_));
-  const FacetId facet = facet_of(mesh_, triangle);
+  const FaceId face = mesh_.face_of[triangle];
   for (std::size_t k = 0; k < all_.size(); ++k) {
     Angle& known = angles_[k];
     if (std::fabs(turned(turn - known.turn)) > slack(std::min(reach, known.reach))) continue;
-    if (std::find(known.facets.begin(), known.facets.end(), facet) == known.facets.end()) {
-      known.facets.push_back(facet);
-      share(all_[k], mesh_.face_of[triangle]);
+    // Noise makes triangles of a face: near a diagonal two of them are one half-plane.
+    if (!known.has(face)) {
+      known.faces.push_back(face);
+      share(all_[k], face);
     }
     // The one that reaches farther tells its direction better.
     if (reach > known.reach) {
@@ -62,8 +62,8 @@ void NearHalfPlanes::add(TriangleId triangle, const Point3& into, double reach) 
     }
     return;
   }
-  angles_.push_back({turn, reach, {facet}});
-  all_.push_back({triangle, {}, Sign::zero, false, mesh_.face_of[triangle]});
+  angles_.push_back({turn, reach, {face}});
+  all_.push_back({triangle, {}, Sign::zero, false, face});
   const double across = std::sin(turn);
   if (std::fabs(across) > slack(reach)) all_.back().side = sign_of(across);
   all_.back().is_front = all_.back().side == Sign::zero && std::cos(turn) > 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -30,7 +31,9 @@ class NearHalfPlanes : public HalfPlanes {
   struct Angle {
     double turn;   // from the eye to the left, radians
     double reach;  // how far from the line it goes
-    std::vector<FacetId> facets;
+    std::vector<FaceId> faces;
+
+    bool has(FaceId face) const { return std::find(faces.begin(), faces.end(), face) != faces.end(); }
   };
   void add(TriangleId triangle, const Point3& into, double reach);
   const Angle& angle(const HalfPlane& h) const { return angles_[static_cast<std::size_t>(&h - all_.data())]; }

@@ -1,101 +1,84 @@
 #include "hsr/lines/near_parts.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "geometry/vector3.h"
 #include "hsr/lines/near_half_planes.h"
-#include "hsr/scene/half_space.h"
-#include "hsr/symbols/cut_plane.h"
+#include "hsr/lines/visible_lines.h"
+#include "hsr/scene/facet.h"
 
 namespace hsr::internal {
 
-namespace {
-
-double length_of(const Point3& a) {
-  const double most = norm_max(a);
-  return most > 0 ? most * std::sqrt(dot(over(a, most), over(a, most))) : 0;
-}
-
-}  // namespace
-
-std::vector<NearParts::Contact> NearParts::contacts(const Point3& a, const Point3& b) const {
-  std::vector<Contact> all;
-  triangles_.visit_near(a, b, tolerance_, [&](TriangleId t) {
-    if (const auto contact = near_contact(mesh_, t, a, b, tolerance_)) all.push_back({*contact, t});
-  });
-  std::sort(all.begin(), all.end(), [](const Contact& x, const Contact& y) { return x.triangle < y.triangle; });
-  return all;
-}
-
-/// The class at a parameter of the line, by the faces that are near there; nothing: none is.
-std::optional<PartClass> NearParts::class_at(const Point3& a, const Point3& b, double at, const std::vector<Contact>& near,
+/// The class at a parameter of the line, by the faces that touch it there; nothing: none does.
+std::optional<PartClass> NearParts::class_at(const Point3& a, const Point3& b, double at, std::span<const TriangleId> touching,
                                              bool only_diagonal, std::vector<CoincidentFaces>* log) const {
-  NearHalfPlanes half_planes(mesh_, view_, a, b, sum(a, at, minus(b, a)), tolerance_, projected_.ties());
-  for (const Contact& c : near)
-    if (c.from <= at && at <= c.to) half_planes.add(c.triangle);
+  const ProjectedMesh& projected = classifier_.projected();
+  NearHalfPlanes half_planes(projected.mesh(), view_, a, b, sum(a, at, minus(b, a)), stretches_.tolerance(), projected.ties());
+  for (const TriangleId t : touching) half_planes.add(t);
   if (half_planes.all().empty()) return std::nullopt;
   return classifier_(half_planes, only_diagonal, log);
 }
 
-/// Where the border of a triangle crosses the edge, by name; nothing where that is not near the parameter `at`.
-void NearParts::add_place(TriangleOcclusion& occlusion, EdgeId id, TriangleId triangle, std::size_t side, double at,
-                          double length, std::vector<Breakpoint>& places) const {
-  if (side == 3) return;
-  const Edge& edge = mesh_.edges[id];
-  const HalfSpace h = half_spaces(projected_, triangle, occlusion.exact())[side];
-  Sign ends[2];
-  for (std::size_t k = 0; k < 2; ++k) {
-    const VertexId v = k == 0 ? edge.a : edge.b;
-    ends[k] = v.value == h.cut.u || v.value == h.cut.v ? Sign::zero : projected_.side(h.plane, v, occlusion.exact());
-  }
-  if (ends[0] * ends[1] != Sign::negative) return;
-  const Breakpoint place = occlusion.place(h.cut);
-  if (std::fabs(place.t - at) * length > 8 * tolerance_) return;
-  if (occlusion.order(occlusion.first(), place) == Sign::negative && occlusion.order(place, occlusion.last()) == Sign::negative)
-    places.push_back(place);
-}
-
 std::vector<EdgePart> NearParts::of_edge(TriangleOcclusion& occlusion, EdgeId id, std::vector<CoincidentFaces>* log) const {
   if (!occlusion.start(id)) return {whole_edge(classifier_, occlusion, id, nullptr)};
-  const Edge& edge = mesh_.edges[id];
-  const Point3 &a = mesh_.points[edge.a], &b = mesh_.points[edge.b];
-  const double length = length_of(minus(b, a));
-  const std::vector<Contact> near = contacts(a, b);
-  std::vector<Breakpoint> places;
-  for (const Contact& c : near) {
-    add_place(occlusion, id, c.triangle, c.side_from, c.from, length, places);
-    add_place(occlusion, id, c.triangle, c.side_to, c.to, length, places);
-  }
-  std::stable_sort(places.begin(), places.end(),
-                   [&](const Breakpoint& x, const Breakpoint& y) { return occlusion.order(x, y) == Sign::negative; });
+  const Mesh& mesh = classifier_.projected().mesh();
+  const Edge& edge = mesh.edges[id];
   std::vector<EdgePart> parts;
-  Breakpoint from = occlusion.first();
-  for (std::size_t k = 0; k <= places.size(); ++k) {
-    const Breakpoint& to = k < places.size() ? places[k] : occlusion.last();
-    // Of places nearer to one another than the tolerance, and to an end, one is enough.
-    const bool is_short = (to.t - from.t) * length <= 2 * tolerance_;
-    if (is_short && (k < places.size() || !parts.empty())) continue;
-    const auto around = class_at(a, b, (from.t + to.t) / 2, near, edge.diagonal && !edge.of_face, log);
+  for (const NearStretch& s : stretches_.of_edge(occlusion, id)) {
+    const auto around = class_at(mesh.points[edge.a], mesh.points[edge.b], (s.from.t + s.to.t) / 2, s.touching,
+                                 edge.diagonal && !edge.of_face, log);
     const PartClass found = around ? with_wire(edge, *around) : classifier_(occlusion.exact(), id);
     if (!parts.empty() && parts.back().found == found)
-      parts.back().to = to.cut;
+      parts.back().to = s.to.cut;
     else
-      parts.push_back({found, from.cut, to.cut});
-    from = to;
+      parts.push_back({found, s.from.cut, s.to.cut});
   }
-  parts.back().to = occlusion.last().cut;
   return parts;
 }
 
-PartClass NearParts::of_intersection(const Point3& from, const Point3& to) const {
+PartClass NearParts::of_intersection(const Intersection& meet, const Point3& a, const Point3& b, double at,
+                                     std::span<const TriangleId> touching) const {
+  const ProjectedMesh& projected = classifier_.projected();
+  const Mesh& mesh = projected.mesh();
+  const Point3 middle = sum(a, at, minus(b, a));
+  const FaceId faces[2] = {mesh.face_of[first_triangle(meet.s)], mesh.face_of[first_triangle(meet.t)]};
+  NearHalfPlanes half_planes(mesh, view_, a, b, middle, stretches_.tolerance(), projected.ties());
+  NearHalfPlanes of_both(mesh, view_, a, b, middle, stretches_.tolerance(), projected.ties());
+  for (const TriangleId t : touching) {
+    half_planes.add(t);
+    if (mesh.face_of[t] == faces[0] || mesh.face_of[t] == faces[1]) of_both.add(t);
+  }
+  if (half_planes.all().empty()) return {EdgeClass::intersection, {}, false, EdgeClass::intersection};
   std::vector<CoincidentFaces> log;
-  PartClass found = class_at(from, to, 0.5, contacts(from, to), false, &log).value_or(PartClass{EdgeClass::intersection});
-  // Where bodies touch nothing passes through anything else: what ends here has its edges, and these know what is seen and what is
-  // hidden of them.
+  const PartClass found = classifier_(half_planes, false, &log);
+  // An edge that ends here may be an ulp behind: what is seen has its class. What is hidden is known to the edge.
+  const bool is_in_doubt = found.alike != 0 && found.in_doubt != found.seen;
+  const EdgeClass seen = is_in_doubt ? EdgeClass::smooth : found.seen.value_or(EdgeClass::smooth);
+  // Both go on through the line by more than the tolerance, and in two planes: they pierce each other, noise or not.
+  if (of_both.all().size() == 4) {
+    const bool is_stronger = seen == EdgeClass::outline || seen == EdgeClass::boundary || seen == EdgeClass::sharp;
+    return {is_stronger ? seen : EdgeClass::intersection, {}, false, EdgeClass::intersection};
+  }
+  // Where bodies touch nothing passes through anything else.
   const bool may_touch = found.hidden || found.alike != 0;
-  if (may_touch && found.seen != EdgeClass::intersection) found.seen = EdgeClass::smooth;
-  return found;
+  return {seen, {}, false, may_touch ? EdgeClass::smooth : seen};
+}
+
+std::vector<EdgePart> NearParts::of_intersection(TriangleOcclusion& occlusion, const Intersection& meet) const {
+  const Mesh& mesh = classifier_.projected().mesh();
+  const auto point = [&](const Cut& cut) {
+    const auto p = exact_point(mesh, view_, SupportingLine{{}, {}, meet}, cut);
+    return Point3{p[0].to_double(), p[1].to_double(), p[2].to_double()};
+  };
+  const Point3 a = point(meet.from), b = point(meet.to);
+  if (!occlusion.start(meet)) return {{of_intersection(meet, a, b, 0.5, {}), meet.from, meet.to}};
+  std::vector<EdgePart> parts;
+  for (const NearStretch& s : stretches_.of_line(occlusion, a, b)) {
+    const PartClass found = of_intersection(meet, a, b, (s.from.t + s.to.t) / 2, s.touching);
+    if (!parts.empty() && parts.back().found == found)
+      parts.back().to = s.to.cut;
+    else
+      parts.push_back({found, s.from.cut, s.to.cut});
+  }
+  return parts;
 }
 
 }  // namespace hsr::internal

@@ -53,11 +53,13 @@ class Plan {
  private:
   void find_intersections();
   void add_ghosts();
+  void find_intersection_boxes();
   void classify_intersections(const NearParts& near);
   void leave_out_far_sides();
   void leave_out_hidden();
   void leave_out_far_faces();
   void choose_method();
+  VisibleLines classes_by_visibility(VisibleLines all) const;
   bool few_edges(std::size_t share) const { return requested_->edges.size() * share < parts_.mesh().triangles.size(); }
   /// Whether a stage is run; else says why not.
   bool wants(Stage stage, const char* name);
@@ -69,13 +71,18 @@ class Plan {
   const ProjectedMesh& projected_;
   Excluded excluded_;  // which triangles are no candidates
   std::optional<ViewFrustum> outside_;
+  std::optional<NearStretches> near_stretches_;  // with a tolerance
   std::optional<ClassifiedEdges> requested_;
   const Intersections* intersections_ = nullptr;  // null: there is none
   std::vector<Intersection> merged_segments_;
-  std::vector<EdgeClass> segment_classes_;  // of these; empty: all are intersections
-  std::vector<ImageBox> meet_boxes_;        // of these
-  std::optional<Occluders> near_request_;   // without faces that overlap nothing that is asked for
-  std::optional<LineMethod> method_;        // nothing: one convex body takes none
+  struct SegmentClass {
+    EdgeClass seen;
+    EdgeClass hidden;
+  };
+  std::vector<SegmentClass> segment_classes_;  // of these; empty: all are intersections
+  std::vector<ImageBox> meet_boxes_;           // of these
+  std::optional<Occluders> near_request_;      // without faces that overlap nothing that is asked for
+  std::optional<LineMethod> method_;           // nothing: one convex body takes none
   LinePlan outcome_;
 };
 
@@ -99,7 +106,10 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
           : &parts_.occluders(parts_.options().hidden_lines ? Excluded::none : Excluded::hidden, options_.stop);
   const EdgeClassifier classifier(projected_, parts_.labels(), options);
   std::optional<NearParts> near;
-  if (options.tolerance > 0) near.emplace(classifier, parts_.view(), parts_.space_tree(), options.tolerance);
+  if (options.tolerance > 0) {
+    near_stretches_.emplace(projected_, parts_.space_tree(), options.tolerance);
+    near.emplace(classifier, parts_.view(), *near_stretches_);
+  }
   if (near) classify_intersections(*near);
   const InsideBodies inside(parts_, options.tolerance);
   requested_.emplace(classifier, options, outside_ ? &*outside_ : nullptr, containing,
@@ -138,29 +148,28 @@ void Plan::find_intersections() {
   }
   if (intersections_->segments.empty()) say("intersections", "no two faces pierce each other");
   merged_segments_ = merge_segments(projected_, intersections_->segments);
-  meet_boxes_.resize(merged_segments_.size());
-  parallel_for_each(merged_segments_.size(), [&](std::size_t i) { meet_boxes_[i] = box_of(projected_, merged_segments_[i]); });
+  find_intersection_boxes();
 }
 
 /// Where noise makes two faces pierce each other the line has the class that it has without, and may be none that is asked for.
 void Plan::classify_intersections(const NearParts& near) {
-  const auto point = [&](const Intersection& meet, const Cut& cut) {
-    const auto p = exact_point(parts_.mesh(), parts_.view(), SupportingLine{{}, {}, meet}, cut);
-    return Point3{p[0].to_double(), p[1].to_double(), p[2].to_double()};
-  };
   std::vector<Intersection> asked_for;
-  std::vector<ImageBox> boxes;
-  for (std::size_t i = 0; i < merged_segments_.size(); ++i) {
-    const Intersection& meet = merged_segments_[i];
-    const Point3 from = point(meet, meet.from), to = point(meet, meet.to);
-    const EdgeClass found = near.of_intersection(from, to).seen.value_or(EdgeClass::smooth);
-    if (!options_.classes[static_cast<std::size_t>(found)]) continue;
-    asked_for.push_back(meet);
-    boxes.push_back(meet_boxes_[i]);
-    segment_classes_.push_back(found);
-  }
+  TriangleOcclusion occlusion(projected_);
+  for (const Intersection& meet : merged_segments_)
+    for (const EdgePart& part : near.of_intersection(occlusion, meet)) {
+      const SegmentClass classes{*part.found.seen, *part.found.hidden};
+      const auto is_wanted = [&](EdgeClass c) { return options_.classes[static_cast<std::size_t>(c)]; };
+      if (!is_wanted(classes.seen) && !is_wanted(classes.hidden)) continue;
+      asked_for.push_back({meet.s, meet.t, part.from, part.to});
+      segment_classes_.push_back(classes);
+    }
   merged_segments_ = std::move(asked_for);
-  meet_boxes_ = std::move(boxes);
+  find_intersection_boxes();
+}
+
+void Plan::find_intersection_boxes() {
+  meet_boxes_.resize(merged_segments_.size());
+  parallel_for_each(merged_segments_.size(), [&](std::size_t i) { meet_boxes_[i] = box_of(projected_, merged_segments_[i]); });
 }
 
 bool Plan::wants(Stage stage, const char* name) {
@@ -309,13 +318,31 @@ VisibleLines Plan::run() const {
     for (std::size_t i = 0; i < requested_->edges.size(); ++i) all.lines[i].is_ghost = requested_->is_ghost(i);
   if (intersections_ != nullptr) all.decisions += intersections_->decisions;
   all.intersections = merged_segments_;
-  if (!segment_classes_.empty())
-    for (Line& line : all.lines)
-      if (line.is_intersection()) line.edge_class = segment_classes_[line.intersection];
   all.plan = outcome_;
   if (const SectionCaps* const caps = parts_.caps(options_.stop))
     all = behind_caps(projected_, *caps, options_, std::move(all));
-  return with_hidden_classes(parts_.mesh(), parts_.view(), *requested_, options_, std::move(all));
+  return classes_by_visibility(std::move(all));
+}
+
+/// Where the class of a line depends on whether it is hidden, and those of lines in which faces pierce each other.
+VisibleLines Plan::classes_by_visibility(VisibleLines all) const {
+  HiddenClasses hidden;
+  const auto set = [&](std::size_t i, EdgeClass c) {
+    hidden.resize(all.lines.size());
+    hidden[i] = c;
+  };
+  if (requested_->has_hidden_classes)
+    for (std::size_t i = 0; i < requested_->edges.size(); ++i)
+      if (const auto c = (*requested_)[i].hidden) set(i, *c);
+  for (std::size_t i = requested_->edges.size(); i < all.lines.size() && !segment_classes_.empty(); ++i) {
+    const SegmentClass& classes = segment_classes_[all.lines[i].intersection];
+    all.lines[i].edge_class = classes.seen;
+    if (classes.hidden != classes.seen) set(i, classes.hidden);
+  }
+  std::optional<NearOccluders> near;
+  if (near_stretches_ && requested_->has_hidden_classes && parts_.options().hidden_lines)
+    near.emplace(NearOccluders{*near_stretches_, parts_.occluders(Excluded::none, options_.stop)});
+  return with_hidden_classes(projected_, parts_.view(), *requested_, options_, near ? &*near : nullptr, hidden, std::move(all));
 }
 
 }  // namespace

@@ -62,11 +62,15 @@ Breakpoint TriangleOcclusion::place(const Cut& cut) {
 std::optional<Breakpoint> TriangleOcclusion::crossing(const Cut& cut) {
   const Plane plane = cut_plane(projected_, cut);
   const PlaneFilter filter = projected_.filter(plane);
-  const Value at_a = at(filter, plane, a_, false), at_b = at(filter, plane, b_, false);
+  const auto is_on = [&](const End& end, const Cut& its) {
+    const bool is_by_vertices = cut.kind == Cut::Kind::sight || cut.kind == Cut::Kind::line;
+    return is_edge() ? is_by_vertices && (end.vertex.value == cut.u || end.vertex.value == cut.v) : cut == its;
+  };
+  const Value at_a = at(filter, plane, a_, is_on(a_, first_.cut)), at_b = at(filter, plane, b_, is_on(b_, last_.cut));
   if (at_a.sign * at_b.sign != Sign::negative) return std::nullopt;
   const Breakpoint here = bound(cut, at_a, at_b);
-  if (order(first_, here) != Sign::negative || order(here, last_) != Sign::negative) return std::nullopt;
-  return here;
+  const bool is_within = order(first_, here) == Sign::negative && order(here, last_) == Sign::negative;
+  return is_within ? std::optional(here) : std::nullopt;
 }
 
 Sign TriangleOcclusion::order(const Breakpoint& x, const Breakpoint& y) {
@@ -317,6 +321,32 @@ void TriangleOcclusion::edge_on(TriangleId triangle, std::vector<HiddenInterval>
   };
   if (near_cuts && is_in_near(a_) && is_in_near(b_)) return;
   add();
+}
+
+void unite(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows) {
+  if (shadows.size() < 2) return;
+  const auto before = [&](const HiddenInterval& x, const HiddenInterval& y) {
+    return occlusion.order(x.from, y.from) == Sign::negative;
+  };
+  // Both sorts are stable and stay within bounds even where --arithmetic double gives no order at all. The first takes no
+  // memory, which for a few shadows, as most edges have, costs more than to sort them.
+  if (shadows.size() <= 16) {
+    for (auto i = shadows.begin() + 1; i != shadows.end(); ++i) {
+      auto at = i;
+      while (at != shadows.begin() && before(*i, *(at - 1))) --at;
+      std::rotate(at, i, i + 1);
+    }
+  } else {
+    std::stable_sort(shadows.begin(), shadows.end(), before);
+  }
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < shadows.size(); ++i) {
+    if (occlusion.order(shadows[i].from, shadows[last].to) == Sign::positive)
+      shadows[++last] = shadows[i];
+    else if (occlusion.order(shadows[last].to, shadows[i].to) == Sign::negative)
+      shadows[last].to = shadows[i].to;
+  }
+  shadows.resize(last + 1);
 }
 
 }  // namespace hsr::internal

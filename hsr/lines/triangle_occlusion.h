@@ -54,7 +54,6 @@ class TriangleOcclusion {
 
   /// Where the plane of `cut` crosses the line. @pre it separates the ends of the line
   Breakpoint place(const Cut& cut);
-
   /// The same; nothing where it does not separate the ends of the part that is looked at.
   std::optional<Breakpoint> crossing(const Cut& cut);
 
@@ -107,5 +106,8 @@ class TriangleOcclusion {
   std::optional<PlaneFilter> edge_sight_;  // of the edge's view plane, once it was asked for
   Breakpoint first_, last_, from_, to_;
 };
+
+/// Sorts the shadows along the line that was turned to, and replaces what overlaps or touches by its union.
+void unite(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows);
 
 }  // namespace hsr::internal

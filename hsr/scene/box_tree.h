@@ -75,7 +75,18 @@ class BoxTree {
 
   /// Like visit(), for any kind of overlap, and calls f(index of box, position of the box along the leaves).
   template <Depth depth, class F>
-  void visit_boxes(const ImageBox& query, F&& f) const;
+  void visit_boxes(const ImageBox& query, F&& f) const {
+    visit_leaves<depth>(query, [&](std::uint32_t leaf, unsigned hit) {
+      for (; hit != 0; hit &= hit - 1) {
+        const std::uint32_t at = leaf * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(__builtin_ctz(hit));
+        if (!f(order_[at], at)) return false;
+      }
+      return true;
+    });
+  }
+  /// The same, a leaf at a time: f(leaf, bits), the boxes of it that overlap.
+  template <Depth depth, class F>
+  void visit_leaves(const ImageBox& query, F&& f) const;
 
   /// Appends the leaves that overlap the query, until there are `limit` of them. False: there are more.
   template <Depth depth>
@@ -98,10 +109,15 @@ class BoxTree {
   /// How many boxes a leaf has, and which is the one at a place of it.
   std::size_t leaf_size(std::uint32_t leaf) const { return std::min(width, order_.size() - leaf * width); }
   std::uint32_t box_at(std::uint32_t leaf, std::size_t k) const { return order_[leaf * width + k]; }
+  /// The boxes of a leaf that overlap the query, a bit each.
+  template <Depth depth>
+  unsigned overlaps(std::uint32_t leaf, const ImageBox& query) const {
+    return overlaps<depth>(nodes_[leaf], query);
+  }
   /// False: f returned false.
   template <Depth depth, class F>
   bool visit_leaf(std::uint32_t leaf, const ImageBox& query, F&& f) const {
-    for (unsigned hit = overlaps<depth>(nodes_[leaf], query); hit != 0; hit &= hit - 1)
+    for (unsigned hit = overlaps<depth>(leaf, query); hit != 0; hit &= hit - 1)
       if (!f(order_[leaf * width + static_cast<unsigned>(__builtin_ctz(hit))])) return false;
     return true;
   }
@@ -166,7 +182,7 @@ unsigned BoxTree::overlaps(const Node& node, const ImageBox& query) {
 }
 
 template <BoxTree::Depth depth, class F>
-void BoxTree::visit_boxes(const ImageBox& query, F&& f) const {
+void BoxTree::visit_leaves(const ImageBox& query, F&& f) const {
   if (nodes_.empty()) return;
   // Depth first; at most width - 1 siblings wait on each level.
   std::array<std::pair<std::uint32_t, std::uint32_t>, 12 * width> stack;  // level, node on it
@@ -185,11 +201,8 @@ void BoxTree::visit_boxes(const ImageBox& query, F&& f) const {
         prefetch(&nodes_[level_begin_[level - 1] + on]);
         hit ^= 1U << k;
       }
-    } else {
-      for (; hit != 0; hit &= hit - 1) {
-        const std::uint32_t at = place * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(__builtin_ctz(hit));
-        if (!f(order_[at], at)) return;
-      }
+    } else if (hit != 0 && !f(place, hit)) {
+      return;
     }
   }
 }

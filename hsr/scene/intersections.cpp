@@ -136,14 +136,25 @@ void Finder::look_around(std::uint32_t leaf, std::vector<TriangleIntersection>& 
   std::array<std::optional<TriangleSeparation>, BoxTree::width> separation;
   std::size_t turned_to = BoxTree::width;
   PlaneFilter of_s;
+  LeafPlane leaf_plane;
   tree.visit_pairs_by_leaf(leaf, search_, [&](std::size_t k, std::uint32_t other, unsigned touching) {
     const FloatTriangle* const there = placed_->data() + std::size_t{other} * BoxTree::width;
     if (!separation[k]) separation[k].emplace(here[k]);
+    const auto turn_to = [&] {
+      if (k == turned_to) return;
+      turned_to = k;
+      of_s = filter(tree.box_at(leaf, k));
+      leaf_plane = LeafPlane(of_s);
+    };
+    if (!floats_pay() && exact_.filter_is_proven()) {
+      turn_to();
+      touching &= ~occluders_->leaf_corners()[other].beside(leaf_plane);
+    }
     for (; touching != 0; touching &= touching - 1) {
       const auto m = static_cast<std::size_t>(__builtin_ctz(touching));
       if (floats_pay() && is_apart(*separation[k], there[m])) continue;
-      const std::uint32_t i = tree.box_at(leaf, k), on = tree.box_at(other, m);
-      const TriangleId s = occluders_->triangles[i], t = occluders_->triangles[on];
+      const std::uint32_t on = tree.box_at(other, m);
+      const TriangleId s = occluders_->triangles[tree.box_at(leaf, k)], t = occluders_->triangles[on];
       if (facet_of(mesh_, s) == facet_of(mesh_, t)) {
         mark_bridges(s, t);
         mark_bridges(t, s);
@@ -151,10 +162,7 @@ void Finder::look_around(std::uint32_t leaf, std::vector<TriangleIntersection>& 
       }
       const auto key = key_of_repeated(s, t);
       if (key && do_not_meet_.count(*key) > 0) continue;
-      if (k != turned_to) {
-        turned_to = k;
-        of_s = filter(i);
-      }
+      turn_to();
       if (const auto crossing = look_at(s, of_s, on))
         found.push_back(*crossing);
       else if (key)

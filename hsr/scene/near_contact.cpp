@@ -21,10 +21,12 @@ std::optional<NearContact> near_contact(const Mesh& mesh, TriangleId triangle, c
     if (at_a < 0 && t > contact.from) {
       contact.from = t;
       contact.side_from = k;
+      contact.rise_from = at_b - at_a;
     }
     if (at_b < 0 && t < contact.to) {
       contact.to = t;
       contact.side_to = k;
+      contact.rise_to = at_a - at_b;
     }
   }
   const Point3 along = minus(b, a);

@@ -12,6 +12,7 @@ namespace hsr::internal {
 struct NearContact {
   double from = 0, to = 1;
   std::size_t side_from = 3, side_to = 3;
+  double rise_from = 0, rise_to = 0;  ///< how much nearer the one end of the segment is to the line of that side than the other
 };
 
 /// Nothing: there is no such part that is longer than twice the tolerance. Not exact: distances are doubles.

@@ -1,5 +1,8 @@
 #include "hsr/scene/occluders.h"
 
+#include <array>
+#include <span>
+
 #include "geometry/parallel.h"
 
 namespace hsr::internal {
@@ -35,6 +38,20 @@ void Occluders::prepare() const {
     filters_->along_tree.resize(order.size());
     parallel_for_each(order.size(), [&](std::size_t k) { filters_->along_tree[k] = TriangleFilter(*projected_, order[k]); });
     filters_->is_made.store(true, std::memory_order_release);
+  });
+}
+
+const std::vector<LeafCorners>& Occluders::leaf_corners() const {
+  return leaf_corners_->get([&] {
+    std::vector<LeafCorners> all(tree.leaf_count());
+    parallel_for_each(all.size(), [&](std::size_t i) {
+      const auto leaf = static_cast<std::uint32_t>(i);
+      std::array<TriangleId, LeafCorners::width> in_leaf;
+      const std::size_t n = tree.leaf_size(leaf);
+      for (std::size_t k = 0; k < n; ++k) in_leaf[k] = triangles[tree.box_at(leaf, k)];
+      all[i] = LeafCorners(*projected_, std::span(in_leaf).first(n));
+    });
+    return all;
   });
 }
 

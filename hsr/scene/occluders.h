@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "hsr/scene/box_tree.h"
+#include "hsr/scene/leaf_corners.h"
+#include "hsr/scene/made_once.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/triangle_filter.h"
 
@@ -33,6 +35,9 @@ class Occluders {
   /// Where the filter of each of `triangles` is among them. @pre is_prepared()
   const std::vector<std::uint32_t>& place() const { return filters_->place; }
   const TriangleFilter& face(std::uint32_t i) const { return filters_->along_tree[filters_->place[i]]; }
+  /// The corners by leaf of the tree, for who asks the same of all triangles of a leaf. Made once, whatever thread asks first.
+  /// Cost: O(n), parallel; then 40 bytes a triangle.
+  const std::vector<LeafCorners>& leaf_corners() const;
 
  private:
   struct Filters {
@@ -44,6 +49,7 @@ class Occluders {
 
   const ProjectedMesh* projected_;
   std::unique_ptr<Filters> filters_ = std::make_unique<Filters>();
+  std::unique_ptr<MadeOnce<std::vector<LeafCorners>>> leaf_corners_ = std::make_unique<MadeOnce<std::vector<LeafCorners>>>();
 };
 
 }  // namespace hsr::internal

@@ -91,8 +91,9 @@ std::string text_of(const std::vector<Part>& parts) {
 
 }  // namespace
 
-std::string ink_of(const SceneView& scene) {
+std::string ink_of(const SceneView& scene, double tolerance) {
   LineOptions options;
+  options.tolerance = tolerance;
   options.classes.fill(true);
   options.classes[static_cast<std::size_t>(EdgeClass::smooth)] = false;
   const VisibleLines lines = visible_lines(scene, options);

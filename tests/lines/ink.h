@@ -12,6 +12,7 @@ namespace hsr {
 /// first of outline, boundary, sharp, intersection, material, wire, joint is drawn; smooth edges are not.
 ///
 /// Two scenes that are one set of points give the same text. Cost: rationals, so small scenes only.
-std::string ink_of(const SceneView& scene);
+/// @param tolerance LineOptions::tolerance
+std::string ink_of(const SceneView& scene, double tolerance = 0);
 
 }  // namespace hsr
