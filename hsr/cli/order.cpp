@@ -339,6 +339,7 @@ void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
   add_picture_options(*a, options);
   a->page.add_to(options, "PNG: pixels [150 to the inch]; --check: samples [1024x1024]");
   a->page.add_pens_to(options);
+  a->page.add_fit_arcs_to(options);
   options.add("--id-prefix", a->id_prefix, "TEXT", "SVG: what each id begins with, for several files in one document");
   options.begin_group("Numbers");
   options.add_flag("--exact", a->exact, "JSON: all coordinates as strings \"p/q\"; those that are no doubles always are");

@@ -182,6 +182,7 @@ class Order:
         size=None,
         pen=None,
         pens=None,
+        fit_arcs=None,
         id_prefix=None,
         exact=False,
         threads=None,
@@ -210,6 +211,7 @@ class Order:
             size=size,
             pen=pen,
             pens=pens,
+            fit_arcs=fit_arcs,
             id_prefix=id_prefix,
             exact=exact,
         )

@@ -1,5 +1,6 @@
 // What is said of the page: pens, standard scales, the order for a plotter, the outline alone, ids.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <regex>
 #include <string>
 
@@ -89,6 +90,31 @@ TEST_CASE("a drawing for a plotter tells its ways, and has the same bytes for an
   CHECK(std::regex_search(said, std::regex("pen down [0-9.]+ m, up [0-9.]+ m\n")));
   CHECK(drawn("--sort pen --threads 3").second == bytes);
   CHECK(run("draw " + model + " --sort up -o " + (d / "a.hpgl")).status == 2);
+}
+
+TEST_CASE("circles of the model are told, and written as such where the format has them", "[cli][D22]") {
+  const Directory d;
+  std::string disc, face = "f";
+  for (int k = 0; k < 96; ++k) {
+    const double t = k * 3.14159265358979 / 48;
+    disc += "v " + std::to_string(30 * std::cos(t)) + " " + std::to_string(30 * std::sin(t)) + " 0\n";
+    face += " " + std::to_string(k + 1);
+  }
+  const std::string model = write(d / "disc.obj", disc + face + "\n");
+  const std::string ask = "draw " + model + " --view top --scale 1:1 --margin 0 --page 60x60mm -o " + (d / "a.svg") + " -o " +
+                          (d / "a.dxf") + " --report " + (d / "r.json");
+  CHECK(run(ask).text.find(" 96 lines\n") != std::string::npos);
+  const Outcome outcome = run(ask + " --fit-arcs 0.05");
+  INFO(outcome.text);
+  CHECK(count(outcome.text, ", no lines, 1 arc\n") == 2);
+  CHECK(count(contents(d / "a.svg"), "A30 30 0 0 ") == 3);
+  CHECK(count(contents(d / "a.dxf"), "\nCIRCLE\n") == 1);
+  CHECK(contents(d / "r.json").find("\"arcs\": 1") != std::string::npos);
+  CHECK(run(ask + " --fit-arcs 0.01").text.find(" 96 lines\n") != std::string::npos);  // the middle of an edge is 0.016 mm off
+  REQUIRE(run("order " + model + " --view top --scale 1:1 --fit-arcs 0.05 -q -o " + (d / "o.svg")).status == 0);
+  CHECK(count(contents(d / "o.svg"), "A30 30 0 0 ") == 3);
+  for (const char* const wrong : {"0", "-1", "x", "nan", "inf"})
+    check_refused(run("draw " + model + " -o " + (d / "b.svg") + " --fit-arcs=" + wrong), {"--fit-arcs", wrong, "more than 0"});
 }
 
 TEST_CASE("the outline alone is closed rings in each format, without fills", "[cli][D19]") {

@@ -13,6 +13,7 @@
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/raster/caster.h"
+#include "tests/drawing/round_models.h"
 
 // What hsr writes, read by programs that are not ours, against the exact answer. A program that is missing is told of and passed
 // over: packages.txt names those that tests/run installs, packages-long.txt those that only the long tests need.
@@ -204,6 +205,58 @@ TEST_CASE("A PDF is sound, has a layer for each visibility and class, and the pa
 
 namespace {
 
+/// A cylinder of few sides, whose rims are circles within a quarter of a millimetre, in thin continuous pens: 48 by 78 mm.
+Drawing thin_cylinder(double tolerance, HiddenLines hidden) {
+  const Mesh mesh = cylinder(24, 24, 60);
+  DrawingOptions options;
+  options.page = parse_page("76.2x50.8mm");
+  options.scale = 0.5;
+  options.hidden = hidden;
+  options.fit_arcs = tolerance;
+  options.pens = parse_pens("visible=0.14,hidden=0.14");
+  const View view = named_view("iso");
+  return draw(mesh, view, visible_lines(mesh, view), options);
+}
+
+bool is_inked(const RenderedPage& page, const Point2& p) { return page.at(int(p.x * dots), int(p.y * dots))[0] < 100; }
+
+}  // namespace
+
+TEST_CASE("Other programs show arcs where the circle is, from the lines' ends on", "[write][others][D22]") {
+  const Drawing arcs = thin_cylinder(0.125, HiddenLines::solid), dashed = thin_cylinder(0.125, HiddenLines::dashed),
+                lines = thin_cylinder(0, HiddenLines::solid);
+  REQUIRE(arcs.arcs.size() == 4);
+  REQUIRE(lines.arcs.empty());
+  for (const Renderer& r : renderers) {
+    if (!is_there(r.program)) continue;
+    CAPTURE(r.program);
+    const RenderedPage curved = rendered(r, bytes_of(arcs, r.format)), straight = rendered(r, bytes_of(lines, r.format)),
+                       broken = rendered(r, bytes_of(dashed, r.format));
+    int off = 0, off_straight = 0, down = 0, hidden = 0;
+    for (const Polyline& p : arcs.polylines)
+      for (const DrawnArc& arc : arcs.arcs_of(p))
+        for (int k = 1; k < 500; ++k) {
+          const Point2 at = arc.ellipse.at(arc.ellipse.from + k * arc.ellipse.sweep() / 500);
+          if (!is_inked(curved, at)) ++off;
+          if (!is_inked(straight, at)) ++off_straight;
+          if (p.hidden) ++hidden;
+          if (p.hidden && is_inked(broken, at)) ++down;
+        }
+    CHECK(off == 0);
+    CHECK(off_straight > 400);  // the test tells the two apart
+    CHECK(down > 0.7 * hidden);
+    CHECK(down < 0.9 * hidden);
+    int ink = 0, ink_of_lines = 0;  // and nothing more is drawn
+    for (std::size_t k = 0; k < curved.bytes.size(); k += 3) {
+      ink += curved.bytes[k] < 100 ? 1 : 0;
+      ink_of_lines += straight.bytes[k] < 100 ? 1 : 0;
+    }
+    CHECK(ink == Approx(ink_of_lines).epsilon(0.03));
+  }
+}
+
+namespace {
+
 /// What ezdxf reads from a file, as JSON: errors of its audit, and each entity's layer, points and extended data.
 const char* const dxf_reader = R"(
 import json, sys, ezdxf
@@ -331,6 +384,77 @@ TEST_CASE("A DXF is sound, and has each visible and hidden part at 1:1 with its 
     planted = drawing;  // larger by a thousandth
     for (PaperPoint& p : planted.points) p = {p.x + p.x / 1000, p.y + p.y / 1000};
     CHECK(strays(lines_of(read_dxf(planted, version)["entities"]), exact, 1e-5) > 50);
+  }
+}
+
+namespace {
+
+/// What ezdxf makes of curves: the types of entities, and the points of all of them as short lines.
+const char* const curve_reader = R"(
+import json, sys, ezdxf, ezdxf.path
+document = ezdxf.readfile(sys.argv[1])
+out = {"errors": [str(e.message) for e in document.audit().errors], "types": {}, "circles": [], "lines": []}
+for e in document.modelspace():
+    out["types"][e.dxftype()] = out["types"].get(e.dxftype(), 0) + 1
+    if e.dxftype() == "CIRCLE": out["circles"].append([e.dxf.center.x, e.dxf.center.y, e.dxf.radius])
+    out["lines"].append([[p.x, p.y] for p in ezdxf.path.make_path(e).flattening(0.0005, segments=32)])
+print(json.dumps(out))
+)";
+
+nlohmann::json read_curves(const Mesh& mesh, const View& view, double tolerance, DxfVersion version) {
+  const Workplace here("hsr_dxf_curves");
+  here.write("read.py", curve_reader);
+  DrawingOptions options;
+  options.hidden = HiddenLines::dashed;
+  options.in_frame_units = true;
+  options.fit_arcs = tolerance;
+  here.write("drawn.dxf", dxf(draw(mesh, view, visible_lines(mesh, view), options), {version}));
+  int status = 0;
+  const std::string said = here.run("/usr/bin/python3 read.py drawn.dxf", status);
+  INFO(said);
+  REQUIRE(status == 0);
+  return nlohmann::json::parse(said);
+}
+
+std::vector<PlainLine> lines_of_curves(const nlohmann::json& read) {
+  std::vector<PlainLine> lines;
+  for (const auto& points : read["lines"])
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      lines.push_back({{points[k][0], points[k][1]}, {points[k + 1][0], points[k + 1][1]}, false});
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("A DXF has holes as circles, and curves that a reader draws within the tolerance of the lines",
+          "[write][others][D13][D22]") {
+  const Workplace here("hsr_ezdxf");
+  int status = 0;
+  (void)here.run("/usr/bin/python3 -c 'import ezdxf'", status);
+  if (status != 0) {
+    WARN("python3-ezdxf is missing: arcs in DXF are not tested with it");
+    return;
+  }
+  const Mesh plate = plate_with_holes(48);
+  for (const DxfVersion version : {DxfVersion::r12, DxfVersion::r2000}) {
+    const nlohmann::json front = read_curves(plate, named_view("front"), 0.05, version);
+    CHECK(front["errors"].empty());
+    CHECK(front["types"]["CIRCLE"] == plate_holes.size());
+    for (const Hole& hole : plate_holes)  // the origin of the frame is that of the model
+      CHECK(std::count(front["circles"].begin(), front["circles"].end(), nlohmann::json({hole.x, hole.z, hole.radius})) == 1);
+    const View views[] = {named_view("iso"), oblique_view(named_view("front"), 45, 0.5),
+                          perspective_view({-40, -150, 120}, {60, 5, 40}, {0, 0, 1})};
+    for (const View& view : views) {
+      const nlohmann::json read = read_curves(plate, view, 0.05, version), straight = read_curves(plate, view, 0, version);
+      CHECK(read["errors"].empty());
+      const bool has_ellipses = version == DxfVersion::r2000 && &view != &views[1];  // circles stay circles in the oblique view
+      CHECK(read["types"].contains("ELLIPSE") == has_ellipses);
+      CHECK(read["types"].contains("ARC") == (&view == &views[1]));
+      const auto curves = lines_of_curves(read), lines = lines_of_curves(straight);
+      CHECK(strays(curves, lines, 0.052) == 0);
+      CHECK(strays(lines, curves, 0.052) == 0);
+      CHECK(strays(lines, curves, 0.004) > 50);
+    }
   }
 }
 
