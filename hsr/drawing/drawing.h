@@ -74,7 +74,7 @@ struct Fill {
 
 /// A line that is painted between fills: of a painting in which one is seen through another.
 struct FillLine {
-  std::uint32_t after = 0;  ///< the fill that is painted just before
+  std::uint32_t fills_before = 0;  ///< how many fills are painted before it
   bool closed = false;
   EdgeClass edge_class = EdgeClass::outline;
   std::uint32_t first_point = 0, end_point = 0;

@@ -146,14 +146,23 @@ TEST_CASE("a painting order has the pages and the pens of a drawing", "[cli][ord
   CHECK(order.find(lines) != std::string::npos);
   CHECK(order.substr(0, order.find(">")) == drawing.substr(0, drawing.find(">")));
   CHECK(count(order, "Z\" fill=\"#") > 0);
-  // A rod over a plate: what nothing lies before is drawn, and a file of pieces says that it has no wires.
+  // A rod over a plate is a piece of its own, drawn on top.
   const std::string rod = write(d / "rod.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 2\nv 3 3 2\nf 1 2 3 4\nl 5 6\n");
   const Outcome wires = run("order " + rod + " --view top --edges wire -o " + (d / "w.svg") + " -o " + (d / "w.json"));
   CHECK(wires.status == 0);
   CHECK(count(contents(d / "w.svg"), "visible wire") > 0);
-  CHECK(wires.text.find("wires are not among them") != std::string::npos);
-  CHECK(run("order " + rod + " --view top --opacity 0.5 -o " + (d / "w.svg")).text.find("nothing lies before them") !=
-        std::string::npos);
+  CHECK(count(wires.text, "1 piece, 1 part of wires\n") == 2);
+  CHECK(contents(d / "w.json").find("{\"wire\": [4, 5], \"points\": [[1, 1, 2], [3, 3, 2]]}\n]}") != std::string::npos);
+  const Outcome right = run("verify " + (d / "w.json"));
+  CHECK(right.status == 0);
+  CHECK(right.text.find("correct: 1 piece and 1 part of wires, each of 1 overlapping pairs") != std::string::npos);
+  const Outcome wrong = run("verify " + (d / "w.json") + " --view bottom");
+  CHECK(wrong.status == 1);
+  CHECK(wrong.text.find("piece 0 (face 0) is painted before piece 1 (of a wire), but is the nearer") != std::string::npos);
+  // Under a pane it is painted first, and seen through it.
+  REQUIRE(run("order " + rod + " --view bottom --opacity 0.5 --edges wire -q -o " + (d / "w.svg")).status == 0);
+  const std::string pane = contents(d / "w.svg");
+  CHECK(pane.find("fill=\"none\" stroke=\"#000000\"") < pane.find("fill-opacity"));
 }
 
 TEST_CASE("ids of an SVG begin as asked for, and all that refers to them", "[cli][D20]") {
