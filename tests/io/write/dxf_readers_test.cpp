@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "hsr/io/write/dxf.h"
+#include "hsr/io/write/path.h"
 #include "tests/drawing/round_models.h"
 #include "tests/io/write/other_programs.h"
 #include "tests/io/write/plain_lines.h"
@@ -186,4 +188,152 @@ TEST_CASE("A DXF has holes as circles, and curves that a reader draws within the
       CHECK(strays(lines, curves, 0.004) > 50);
     }
   }
+}
+
+namespace {
+
+Drawing drawn_plate(const char* view, double tolerance) {
+  const Mesh mesh = plate_with_holes(48);
+  DrawingOptions options;
+  options.in_frame_units = true;
+  options.fit_arcs = tolerance;
+  return draw(mesh, named_view(view), visible_lines(mesh, named_view(view)), options);
+}
+
+/// The lines and arcs of a drawing in units of the model, y up; arcs as short chords.
+std::vector<PlainLine> lines_in_units(const Drawing& drawing) {
+  std::vector<PlainLine> lines;
+  for (const Polyline& p : drawing.polylines) {
+    std::vector<PaperPoint> points = flattened(path_of(drawing, p), 0.001);
+    if (p.closed) points.push_back(points.front());
+    const auto place = [&](const PaperPoint& at) {
+      return Point2{double(at.x) / 1000 / drawing.scale, -double(at.y) / 1000 / drawing.scale};
+    };
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) lines.push_back({place(points[k]), place(points[k + 1]), false});
+  }
+  return lines;
+}
+
+constexpr double pixels = 10;  // to a millimetre
+
+/// A page as LibreCAD prints it: 1:1, the drawing's middle in its own.
+struct PrintedPage {
+  RenderedPage page;
+  Point2 middle;
+
+  PrintedPage(const Drawing& drawing, DxfVersion version, const std::vector<PlainLine>& lines) {
+    const Workplace here("hsr_librecad");
+    here.write("drawn.dxf", dxf(drawing, {version}));
+    int status = 0;
+    INFO(
+        here.run("HOME=. QT_QPA_PLATFORM=offscreen librecad dxf2pdf -k -s 1 -c drawn.dxf && pdftoppm -r 254 -png -singlefile "
+                 "drawn.pdf picture",
+                 status));
+    REQUIRE(status == 0);
+    page = read_png(here / "picture.png");
+    REQUIRE(page.width > 2000);
+    Point2 low = {HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL};
+    for (const PlainLine& l : lines)
+      for (const Point2& p : {l.a, l.b}) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+    middle = {(low.x + high.x) / 2, (low.y + high.y) / 2};
+  }
+
+  Point2 point(int x, int y) const {
+    return {middle.x + (x + 0.5 - page.width / 2.0) / pixels, middle.y - (y + 0.5 - page.height / 2.0) / pixels};
+  }
+  bool is_inked(int x, int y) const { return page.at(x, y)[0] < 128; }
+  bool is_inked_near(const Point2& p) const {
+    const int x = int(page.width / 2.0 + (p.x - middle.x) * pixels), y = int(page.height / 2.0 - (p.y - middle.y) * pixels);
+    for (int k = 0; k < 9; ++k)
+      if (is_inked(x + k % 3 - 1, y + k / 3 - 1)) return true;
+    return false;
+  }
+};
+
+/// Samples of lines without ink, and pixels with ink that are far from each line.
+std::array<int, 2> wrong_ink(const PrintedPage& printed, const std::vector<PlainLine>& lines) {
+  std::array<int, 2> wrong = {0, 0};
+  for (const PlainLine& l : lines)
+    for (double t = 0; t <= 1; t += 0.125)
+      if (!printed.is_inked_near({l.a.x + t * (l.b.x - l.a.x), l.a.y + t * (l.b.y - l.a.y)})) ++wrong[0];
+  for (int y = 0; y < printed.page.height; ++y)
+    for (int x = 0; x < printed.page.width; ++x)
+      if (printed.is_inked(x, y) && !is_on_one(printed.point(x, y), lines, false, 0.45)) ++wrong[1];
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("LibreCAD prints a DXF as the exact drawing is, circles and ellipses too", "[write][others][long][D13][D22]") {
+  if (!is_there("librecad") || !is_there("pdftoppm")) return;
+  for (const char* const view : {"front", "iso"})
+    for (const DxfVersion version : {DxfVersion::r12, DxfVersion::r2000}) {
+      CAPTURE(view, version == DxfVersion::r2000);
+      const Drawing drawing = drawn_plate(view, 0.05);
+      const std::vector<PlainLine> lines = lines_in_units(drawing);
+      CHECK(wrong_ink({drawing, version, lines}, lines) == std::array{0, 0});
+      Drawing planted = drawing;
+      for (DrawnArc& arc : planted.arcs)
+        for (Point2* const axis : {&arc.ellipse.long_axis, &arc.ellipse.short_axis}) *axis = {axis->x * 1.1, axis->y * 1.1};
+      const auto wrong = wrong_ink({planted, version, lines}, lines);
+      CHECK(wrong[0] > 20);
+      CHECK(wrong[1] > 20);
+    }
+}
+
+namespace {
+
+/// What FreeCAD makes of a file: how many edges of each kind, radii of circles, and all edges as short lines.
+const char* const freecad_reader = R"(
+import json, FreeCAD, Import
+FreeCAD.newDocument("drawn")
+Import.readDXF("drawn.dxf")
+out = {"kinds": {}, "radii": [], "lines": []}
+for thing in FreeCAD.ActiveDocument.Objects:
+    for edge in getattr(thing, "Shape").Edges if hasattr(thing, "Shape") else []:
+        kind = type(edge.Curve).__name__
+        out["kinds"][kind] = out["kinds"].get(kind, 0) + 1
+        if kind == "Circle": out["radii"].append(edge.Curve.Radius)
+        points = edge.discretize(2) if kind == "Line" else edge.discretize(Deflection=0.0005)
+        out["lines"].append([[p.x, p.y] for p in points])
+json.dump(out, open("read.json", "w"))
+)";
+
+}  // namespace
+
+TEST_CASE("FreeCAD reads a DXF as the exact drawing is, circles and ellipses too", "[write][others][long][D13][D22]") {
+  if (!is_there("freecadcmd")) return;
+  for (const char* const view : {"front", "iso"})
+    for (const DxfVersion version : {DxfVersion::r12, DxfVersion::r2000}) {
+      CAPTURE(view, version == DxfVersion::r2000);
+      const Workplace here("hsr_freecad");
+      const Drawing drawing = drawn_plate(view, 0.05);
+      here.write("drawn.dxf", dxf(drawing, {version}));
+      here.write("read.py", freecad_reader);
+      int status = 0;
+      INFO(here.run("HOME=. timeout 100 freecadcmd read.py", status));
+      REQUIRE(status == 0);
+      std::ifstream file(here / "read.json");
+      const nlohmann::json read = nlohmann::json::parse(file);
+      std::vector<PlainLine> lines;
+      for (const auto& points : read["lines"])
+        for (std::size_t k = 0; k + 1 < points.size(); ++k)
+          lines.push_back({{points[k][0], points[k][1]}, {points[k + 1][0], points[k + 1][1]}, false});
+      const std::vector<PlainLine> exact = lines_in_units(drawing);
+      CHECK(strays(exact, lines, 0.006) == 0);
+      // FreeCAD 0.20 makes whole ellipses of parts of some.
+      const bool has_ellipses = read["kinds"].contains("Ellipse");
+      CHECK((strays(lines, exact, 0.006) == 0) == !has_ellipses);
+      CHECK(strays(lines_in_units(drawn_plate(view, 0)), lines, 0.006) > 100);  // chords are told from arcs
+      if (view == std::string("iso")) {
+        CHECK(has_ellipses == (version == DxfVersion::r2000));
+        continue;
+      }
+      std::vector<double> radii = read["radii"];
+      std::ranges::sort(radii);
+      CHECK(radii == std::vector<double>{3.5, 5, 8, 8, 12, 15});
+    }
 }

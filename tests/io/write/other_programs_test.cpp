@@ -82,6 +82,16 @@ TEST_CASE("Other programs show SVG, PDF and EPS as the exact drawing is, filled 
   }
 }
 
+TEST_CASE("Inkscape shows SVG as the exact drawing is, filled and not", "[write][others][long][D11]") {
+  const Renderer inkscape = {"inkscape", "svg",
+                             "HOME=. inkscape --export-type=png --export-filename=picture.png --export-width=1524 "
+                             "--export-height=1016 --export-background=white drawn.svg"};
+  if (!is_there(inkscape.program)) return;
+  const DrawnScene scene;
+  check_right(inkscape, scene, scene.draw(true));
+  check_right(inkscape, scene, scene.draw(false));
+}
+
 TEST_CASE("A lost hole, a pen that is too wide, a lost dash and a swapped layer are found in pictures", "[write][others]") {
   const DrawnScene scene;
   const Drawing right = scene.draw();
