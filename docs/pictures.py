@@ -23,11 +23,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PICTURES = {
     "part_filled.svg": "hsr draw part.obj -o part_filled.svg --fill --merge coplanar",
     "part.svg": "hsr draw part.obj -o part.svg --hidden dashed",
+    "part_section.svg": "hsr draw part.obj -o part_section.svg --section y=0",
     "pierced.svg": "hsr draw examples/pierced.obj -o pierced.svg --fill --hidden dashed",
     "woven.svg": "hsr order examples/woven.obj -o woven.svg --direction 1,-2,3",
     "woven_naive.svg": "hsr order examples/woven.obj -o woven_naive.svg --direction 1,-2,3 --method naive",
 }
-IN_README = ["part.svg", "pierced.svg", "woven.svg"]
+IN_README = ["part.svg", "part_section.svg", "pierced.svg", "woven.svg"]
 
 
 def on_white(svg):

@@ -51,12 +51,29 @@ Plane Plane::near(const Point3& eye, const Point3& target, double k) {
 }
 
 Plane Plane::near_line(const Point3& eye, const Point3& target, double k, const Plane& line) {
+  return near(eye, target, k).line_with(line);
+}
+
+Plane Plane::section(const Viewpoint& eye, const Point3& point, const Point3& normal) {
+  Plane plane;
+  plane.kind = Kind::near;
+  plane.eye = eye.at;
+  plane.eye_is_direction = eye.is_direction;
+  plane.is_section = true;
+  plane.target = point;
+  plane.normal = normal;
+  return plane;
+}
+
+Plane Plane::line_with(const Plane& line) const {
   require(line.kind == Kind::span, "Plane::near_line: the line's plane must be spanned by points");
-  Plane plane = line;
+  Plane plane = *this;
   plane.kind = Kind::near_line;
-  plane.eye = eye;
-  plane.target = target;
-  plane.k = k;
+  plane.u_is = line.u_is;
+  plane.v_is = line.v_is;
+  plane.o = line.o;
+  plane.u = line.u;
+  plane.v = line.v;
   return plane;
 }
 

@@ -8,8 +8,10 @@ namespace hsr {
 ///
 /// `value(p)`, the polynomial whose sign `side` gives, is
 ///   span       det(u - o, v - o, p - o), where a `u` or `v` that is a direction stands for itself; degree 3 in the input
-///   near       (p - eye) . (target - eye) - k |target - eye|^2; positive beyond the near plane
-///   near_line  near(p) L(eye) - near(eye) L(p): the plane of the eye and of the line where the near plane meets the span L
+///   near       (p - eye) . (target - eye) - k |target - eye|^2; positive beyond the near plane. Of a section, which takes its
+///              place: normal . (p - target), where target is a point of the section
+///   near_line  near(p) L(eye) - near(eye) L(p): the plane of the eye and of the line where the near plane meets the span L; for
+///              a direction D toward the viewer near(eye) and L(eye) are the gradients times D
 ///
 /// Degenerate: points that span no plane make `value` zero everywhere.
 struct Plane {
@@ -21,6 +23,8 @@ struct Plane {
   Point3 o, u, v;
   Point3 eye, target;  ///< near, near_line only
   double k = 0;        ///< near, near_line only
+  Point3 normal;       ///< of a section
+  bool is_section = false, eye_is_direction = false;
 
   /// The plane of a face. Positive where orientation(a, b, c, p) is.
   static Plane of_face(const Point3& a, const Point3& b, const Point3& c);
@@ -42,6 +46,10 @@ struct Plane {
   static Plane near(const Point3& eye, const Point3& target, double k);
   /// @throws PreconditionError unless `line` is a span
   static Plane near_line(const Point3& eye, const Point3& target, double k, const Plane& line);
+  /// The plane through `point` that is square to `normal`, in place of the near plane. @pre its value at the viewpoint is negative
+  static Plane section(const Viewpoint& eye, const Point3& point, const Point3& normal);
+  /// The near_line of `line` for this near plane or section. @throws PreconditionError unless `line` is a span
+  Plane line_with(const Plane& line) const;
 };
 
 }  // namespace hsr

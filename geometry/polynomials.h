@@ -47,15 +47,33 @@ typename A::Number span_value(const A& a, const Plane& x, const Point3& p) {
   return dot(normal(a, x), difference(a, p, x.o));
 }
 
-/// k |target - eye|^2: what the near plane's value at the eye lacks to zero.
 template <class A>
-typename A::Number near_offset(const A& a, const Plane& x) {
-  const auto d = difference(a, x.target, x.eye);
-  return a.scalar(x.k) * dot(d, d);
+auto as_direction(const A& a, const Point3& d) {
+  return Vector<typename A::Number>{a.direction(d, 0), a.direction(d, 1), a.direction(d, 2)};
+}
+
+/// The gradient of the near plane.
+template <class A>
+auto near_normal(const A& a, const Plane& x) {
+  return x.is_section ? as_direction(a, x.normal) : difference(a, x.target, x.eye);
+}
+/// The near plane's value at the viewpoint: -k |target - eye|^2, or of a section normal . (eye - point); for a direction D toward the
+/// viewer the limit normal . D.
+template <class A>
+typename A::Number near_at_eye(const A& a, const Plane& x) {
+  const auto n = near_normal(a, x);
+  if (!x.is_section) return -(a.scalar(x.k) * dot(n, n));
+  return dot(n, x.eye_is_direction ? as_direction(a, x.eye) : difference(a, x.eye, x.target));
 }
 template <class A>
 typename A::Number near_value(const A& a, const Plane& x, const Point3& p) {
-  return dot(difference(a, p, x.eye), difference(a, x.target, x.eye)) - near_offset(a, x);
+  if (x.is_section) return dot(difference(a, p, x.target), near_normal(a, x));
+  return dot(difference(a, p, x.eye), near_normal(a, x)) + near_at_eye(a, x);
+}
+/// The value at the viewpoint of the span that a near_line is made of.
+template <class A>
+typename A::Number span_at_eye(const A& a, const Plane& x) {
+  return x.eye_is_direction ? dot(normal(a, x), as_direction(a, x.eye)) : span_value(a, x, x.eye);
 }
 
 /// x(p), as plane.h defines it.
@@ -63,7 +81,7 @@ template <class A>
 typename A::Number value(const A& a, const Plane& x, const Point3& p) {
   if (x.kind == Plane::Kind::span) return span_value(a, x, p);
   if (x.kind == Plane::Kind::near) return near_value(a, x, p);
-  return near_value(a, x, p) * span_value(a, x, x.eye) + near_offset(a, x) * span_value(a, x, p);
+  return near_value(a, x, p) * span_at_eye(a, x) - near_at_eye(a, x) * span_value(a, x, p);
 }
 
 /// The gradient of value().
@@ -71,11 +89,11 @@ template <class A>
 auto gradient(const A& a, const Plane& x) {
   using V = Vector<typename A::Number>;
   if (x.kind == Plane::Kind::span) return normal(a, x);
-  if (x.kind == Plane::Kind::near) return difference(a, x.target, x.eye);
-  const V axis = difference(a, x.target, x.eye);
+  if (x.kind == Plane::Kind::near) return near_normal(a, x);
+  const V axis = near_normal(a, x);
   const V n = normal(a, x);
-  const auto at_eye = span_value(a, x, x.eye), offset = near_offset(a, x);
-  return V{at_eye * axis.x + offset * n.x, at_eye * axis.y + offset * n.y, at_eye * axis.z + offset * n.z};
+  const auto line_at_eye = span_at_eye(a, x), at_eye = near_at_eye(a, x);
+  return V{line_at_eye * axis.x - at_eye * n.x, line_at_eye * axis.y - at_eye * n.y, line_at_eye * axis.z - at_eye * n.z};
 }
 
 /// x(p) y(q) - x(q) y(p)

@@ -182,26 +182,26 @@ PlaneFilter::PlaneFilter(const Plane& plane, Arithmetic arithmetic) {
     slope = 10 * u * std::max({std::fabs(yz) + std::fabs(zy), std::fabs(zx) + std::fabs(xz), std::fabs(xy) + std::fabs(yx)});
     least = 0x1p-900;
   } else {
-    // Relative to the eye: n . (p - eye) + offset, where offset is near(eye), or zero for a near_line.
-    auto n = polynomials::difference(a, plane.target, plane.eye);
-    ErrorBounded at_eye = -polynomials::near_offset(a, plane);
-    if (plane.kind == Plane::Kind::near_line) {
-      const ErrorBounded line = polynomials::span_value(a, plane, plane.eye);
-      const auto m = polynomials::normal(a, plane);
-      n = {n.x * line - at_eye * m.x, n.y * line - at_eye * m.y, n.z * line - at_eye * m.z};
-      at_eye = {};
-    }
+    // Relative to a point at which the value is known: the eye, where it is near(eye), or zero for a near_line; of a section a point
+    // of it, and for a direction of view a point of the line's own plane, where that plane's share is zero.
+    const bool is_line = plane.kind == Plane::Kind::near_line;
+    const Point3& from = !plane.is_section ? plane.eye : !is_line ? plane.target : plane.eye_is_direction ? plane.o : plane.eye;
+    const auto n = polynomials::gradient(a, plane);
+    ErrorBounded at_from = {};
+    if (!plane.is_section && !is_line) at_from = polynomials::near_at_eye(a, plane);
+    if (plane.is_section && is_line && plane.eye_is_direction)
+      at_from = polynomials::near_value(a, plane, plane.o) * polynomials::span_at_eye(a, plane);
     nx = n.x.value;
     ny = n.y.value;
     nz = n.z.value;
-    ox = plane.eye.x;
-    oy = plane.eye.y;
-    oz = plane.eye.z;
-    offset = at_eye.value;
+    ox = from.x;
+    oy = from.y;
+    oz = from.z;
+    offset = at_from.value;
     // Coefficients err by n.error; the differences by u, the products and three sums by at most 4.1 u of the terms.
     slope =
         std::max({n.x.error, n.y.error, n.z.error}) * 1.01 + 6 * u * std::max({std::fabs(nx), std::fabs(ny), std::fabs(nz)});
-    least = at_eye.error * 1.01 + 6 * u * std::fabs(offset) + 0x1p-900;
+    least = at_from.error * 1.01 + 6 * u * std::fabs(offset) + 0x1p-900;
     // Nothing bounds k: where products with it might overflow, nothing is certain. Below, n . d stays under 2^902.
     if (!(std::max({std::fabs(nx), std::fabs(ny), std::fabs(nz), std::fabs(offset)}) < 0x1p800)) least = HUGE_VAL;
   }

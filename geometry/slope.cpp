@@ -16,9 +16,9 @@ typename A::Number change(const A& a, const Plane& x, const Point3& p, const Poi
   using namespace polynomials;
   const auto d = difference(a, q, p);
   if (x.kind == Plane::Kind::span) return dot(normal(a, x), d);
-  auto near = dot(d, difference(a, x.target, x.eye));
+  auto near = dot(d, near_normal(a, x));
   if (x.kind == Plane::Kind::near) return near;
-  return near * span_value(a, x, x.eye) + near_offset(a, x) * dot(normal(a, x), d);
+  return near * span_at_eye(a, x) - near_at_eye(a, x) * dot(normal(a, x), d);
 }
 
 template <class Change>

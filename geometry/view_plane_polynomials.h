@@ -17,7 +17,7 @@ struct PlaneAtEye {
 template <class A>
 auto plane_at_eye(const A& a, const Camera& camera, const Plane& x) {
   using N = typename A::Number;
-  if (x.kind == Plane::Kind::near) return PlaneAtEye<N>{difference(a, x.target, x.eye), -near_offset(a, x)};
+  if (x.kind == Plane::Kind::near) return PlaneAtEye<N>{near_normal(a, x), near_at_eye(a, x)};
   const auto n = normal(a, x);
   const Point3& e = camera.eye.at;
   if (!camera.eye.is_direction) return PlaneAtEye<N>{n, dot(n, difference(a, e, x.o))};
@@ -58,8 +58,7 @@ auto line(const A& a, const Camera& camera, const ViewPlane& l, const Point3& or
   V n = {x.at_eye * y.normal.x - y.at_eye * x.normal.x, x.at_eye * y.normal.y - y.at_eye * x.normal.y,
          x.at_eye * y.normal.z - y.at_eye * x.normal.z};
   if (!is_parallel) return n;
-  const auto c =
-      x.at_eye * dot(y.normal, difference(a, origin, second.o)) - y.at_eye * dot(x.normal, difference(a, origin, first.o));
+  const auto c = x.at_eye * value(a, second, origin) - y.at_eye * value(a, first, origin);
   const int k = largest_axis(camera.eye.at);
   return k == 0 ? V{n.y, n.z, c} : k == 1 ? V{n.z, n.x, c} : V{n.x, n.y, c};
 }

@@ -18,6 +18,7 @@
 #include "hsr/painter/verify/verify.h"
 #include "hsr/scene/scene.h"
 #include "hsr/surfaces/regions.h"
+#include "hsr/surfaces/section.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "hsr/symbols/constructions.h"
 #include "hsr/view/view.h"

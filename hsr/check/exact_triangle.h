@@ -61,7 +61,7 @@ class ExactTriangles {
  public:
   ExactTriangles(const Mesh& mesh, const View& view, const SampleGrid& grid) : mesh_(mesh), view_(view), project_(view, grid) {}
 
-  bool is_cut_away(VertexId v) const { return view_.is_perspective() && is_before_near(view_, mesh_.points[v]); }
+  bool is_cut_away(VertexId v) const { return view_.cuts() && is_before_near(view_, mesh_.points[v]); }
   ExactTriangle operator()(TriangleId t) const;
 
  private:

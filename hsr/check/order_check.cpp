@@ -1,4 +1,5 @@
 #include "hsr/check/sample_checks.h"
+#include "hsr/raster/capped_samples.h"
 #include "hsr/raster/caster.h"
 #include "hsr/scene/facet.h"
 
@@ -11,9 +12,11 @@ OrderCheck check_order(const SceneView& scene, const PaintersOrder& order, const
   OrderCheck check;
   const Image<std::uint32_t> painted = paint(scene, order, samples);
   const CastImage seen = cast(scene, samples);
+  const Image<std::uint8_t> capped = capped_samples(scene, samples);
   for (int j = 0; j < samples.height; ++j)
     for (int i = 0; i < samples.width; ++i) {
-      const std::uint32_t piece = painted.at(i, j);
+      // Caps are painted after the pieces.
+      const std::uint32_t piece = !capped.pixels.empty() && capped.at(i, j) != 0 ? no_piece : painted.at(i, j);
       const TriangleId cast = seen.triangles.at(i, j);
       ++check.samples;
       if (cast.is_valid()) ++check.covered;

@@ -83,7 +83,42 @@ Point3 parse_point(const std::string& option, const std::string& text) {
   return {*x, *y, *z};
 }
 
+namespace {
+
+/// "x=12.5", or "1,1,0@5,0,0": a normal and a point of the plane.
+View parse_section(const std::string& text, const View& view) {
+  const auto refuse = [&] {
+    throw InputError("--section: found \"" + text +
+                     "\", expected a plane such as x=12.5, or its normal and a point NX,NY,NZ@X,Y,Z");
+  };
+  const std::size_t at = text.find('@');
+  if (at != std::string::npos)
+    return with_section(view, parse_point("--section", text.substr(at + 1)), parse_point("--section", text.substr(0, at)));
+  if (text.size() < 3 || text[1] != '=' || std::string_view("xyz").find(text[0]) == std::string_view::npos) refuse();
+  const auto where = parse_number(text.substr(2));
+  if (!where) refuse();
+  const auto along = [&](double length) {
+    return Point3{text[0] == 'x' ? length : 0, text[0] == 'y' ? length : 0, text[0] == 'z' ? length : 0};
+  };
+  return with_section(view, along(*where), along(1));
+}
+
+ChosenView choose_uncut_view(const ViewOptions& o, const Mesh& mesh, const Model& model);
+
+}  // namespace
+
 ChosenView choose_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
+  ChosenView chosen = choose_uncut_view(o, mesh, model);
+  if (!o.section.empty()) {
+    chosen.view = parse_section(o.section, chosen.view);
+    chosen.title += ", section " + o.section;
+  }
+  return chosen;
+}
+
+namespace {
+
+ChosenView choose_uncut_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
   if (static_cast<int>(!o.name.empty()) + static_cast<int>(!o.eye.empty()) + static_cast<int>(!o.direction.empty()) > 1)
     throw InputError("view: found more than one of --view, --eye and --direction, expected one");
   if (o.eye.empty() && !names_camera(o.name) && (o.near || o.field_of_view))
@@ -125,15 +160,20 @@ ChosenView choose_view(const ViewOptions& o, const Mesh& mesh, const Model& mode
   return chosen;
 }
 
+}  // namespace
+
 JsonValue json_of(const View& view) {
   const auto list = [](const Point3& p) { return JsonValue::array({p.x, p.y, p.z}); };
   JsonValue eye = list(view.viewpoint.at);
   eye.push_back(view.viewpoint.w());
-  return {{"eye", std::move(eye)},
-          {"target", list(view.target)},
-          {"up", list(view.up)},
-          {"frame", {{"origin", list(view.frame.origin)}, {"right", list(view.frame.right)}, {"up", list(view.frame.up)}}},
-          {"near", view.is_perspective() ? JsonValue(view.near) : JsonValue()}};
+  JsonValue json = {
+      {"eye", std::move(eye)},
+      {"target", list(view.target)},
+      {"up", list(view.up)},
+      {"frame", {{"origin", list(view.frame.origin)}, {"right", list(view.frame.right)}, {"up", list(view.frame.up)}}},
+      {"near", view.is_perspective() ? JsonValue(view.near) : JsonValue()}};
+  if (view.section) json.set("section", {{"point", list(view.section->point)}, {"normal", list(view.section->normal)}});
+  return json;
 }
 
 }  // namespace hsr::cli

@@ -4,6 +4,7 @@
 
 #include "geometry/error.h"
 #include "hsr/cli/messages.h"
+#include "hsr/cli/model_section.h"
 
 namespace hsr::cli {
 
@@ -42,6 +43,19 @@ ViewedModel CommandContext::read(const ModelArguments& models, const ViewOptions
   viewed.mesh = report.timed("mesh", [&] { return make_mesh(viewed.model.points, viewed.model.polygons, tolerance); });
   viewed.chosen = choose_view(view, viewed.mesh, viewed.model);
   return viewed;
+}
+
+void CommandContext::find_section(const ViewedModel& model, const SceneView& scene, const EdgeClasses& classes,
+                                  DrawingOptions& drawing, std::optional<Section>& found) {
+  if (!model.view().section) return;
+  progress.stage("section");
+  const std::string text =
+      report.timed("section", [&] { return cli::find_section(model.model, scene, classes, drawing, found); });
+  report.set("section", {{"caps", found->caps.size()},
+                         {"rings", found->rings.size()},
+                         {"lines", found->lines.size()},
+                         {"open_outlines", found->open_outlines}});
+  if (!text.empty()) note(text);
 }
 
 void CommandContext::note(const std::string& text) {

@@ -13,6 +13,7 @@
 #include "hsr/cli/progress.h"
 #include "hsr/cli/report.h"
 #include "hsr/cli/view_options.h"
+#include "hsr/drawing/drawing.h"
 #include "hsr/io/write/svg.h"
 #include "hsr/model.h"
 #include "hsr/scene/scene.h"
@@ -70,6 +71,9 @@ class CommandContext {
   /// Reads the models, as one, and chooses the view.
   /// @param tolerance below which points are one @param unit of all models; empty: what each of them says
   ViewedModel read(const ModelArguments& models, const ViewOptions& view, double tolerance = 0, const std::string& unit = {});
+  /// What the view's section cuts closed bodies to, told to the drawing, the report and the user. @param found outlives the drawing
+  void find_section(const ViewedModel& model, const SceneView& scene, const EdgeClasses& classes, DrawingOptions& drawing,
+                    std::optional<Section>& found);
   /// Says something about the input or the options, unless quiet.
   void note(const std::string& text);
   /// The notes that come with a model and its view.

@@ -69,6 +69,7 @@ const char* const examples = R"(Examples:
   hsr draw part.ply -o lines.json --hidden dashed --why    and which faces hide what
   hsr draw house.obj trees.stl -o x.svg --ghost trees.stl  one scene; the trees are drawn and hide nothing
   hsr draw part.stl -o part.svg --oblique 45,0.5           cabinet projection: the front stays true
+  hsr draw house.obj -o plan.pdf --view top --section z=1.2  a plan: what is above is taken away, walls are hatched
   hsr draw part.stl -o part.svg --pen visible=0.35,hidden-sharp=0.18:#555 --hidden dashed --scale standard
   hsr draw part.stl -o part.hpgl --sort pen                for a plotter: short ways with the pen up
   hsr draw part.stl -o part.dxf --outline-only --view top  closed rings for a laser cutter
@@ -194,6 +195,8 @@ DrawRequest parse(const DrawArguments& a) {
   request.drawing.leave_out_near = true;
   if (a.outline_only && request.wants(Format::json))
     throw InputError("--outline-only: json has lines and no outline, expected svg, pdf, eps, dxf, tex, hpgl or png");
+  if (!a.view.section.empty() && request.wants(Format::csv))
+    throw InputError("--section: the z-buffers of a csv know no caps, expected a view without a section");
   if (a.outline_only) ask_for_outline_only(request.lines, request.drawing);
   request.scene.hidden_lines = a.why || request.drawing.hidden != HiddenLines::none || request.wants(Format::json);
   request.merge = a.merge == "none" ? Merge::none : a.merge == "coplanar" ? Merge::coplanar : Merge::colour;
@@ -211,6 +214,7 @@ class DrawCommand {
   void run() {
     read();
     find_lines();
+    context_.find_section(scene_, *prepared_, request_.lines.classes, request_.drawing, section_);
     find_fragments();
     check();
     measure_errors();
@@ -250,6 +254,7 @@ class DrawCommand {
   std::optional<SceneView> prepared_;
   std::optional<SceneView> exact_;  // the same, but where arithmetic is compared: checks are exact
   VisibleLines lines_;
+  std::optional<Section> section_;
   std::optional<VisibleLines> every_line_;  // of all edges, which bound the fragments
   std::optional<VisibleFragments> fragments_;
   std::vector<ErrorAgainstTime> errors_;
@@ -468,7 +473,8 @@ std::string DrawCommand::bytes_of(Format format) const {
   if (format == Format::csv) return error_csv(errors_);
   if (format == Format::json)
     return lines_json(scene_.mesh, scene_.view(), lines_,
-                      {a_.exact ? Numbers::exact : Numbers::rounded, a_.fill ? &*fragments_ : nullptr, a_.why, &objects_});
+                      {a_.exact ? Numbers::exact : Numbers::rounded, a_.fill ? &*fragments_ : nullptr, a_.why, &objects_,
+                       request_.drawing.section});
   SvgOptions captions = scene_.captions();
   captions.id_prefix = a_.id_prefix;
   WriteOptions options = page_options(format, captions, scale_in_title(*drawing_, request_.drawing, a_.page), request_.size);

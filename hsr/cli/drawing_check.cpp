@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hsr/cli/messages.h"
+#include "hsr/raster/capped_samples.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/z_buffer.h"
 
@@ -43,9 +44,16 @@ DrawingCheck check_drawing(const SceneView& scene, const VisibleFragments& fragm
   const View& view = scene.view();
   const TieRule ties = scene.options().coplanar;
   const Image<TriangleId> nearest = cast(scene, samples).triangles;
+  // A z-buffer knows no caps: it is looked at beside them.
+  const Image<std::uint8_t> capped = capped_samples(scene, samples);
+  const auto without_caps = [&](auto image) {
+    for (std::size_t k = 0; k < capped.pixels.size(); ++k)
+      if (capped.pixels[k] != 0) image.pixels[k].triangle = TriangleId();
+    return image;
+  };
   return {check_fragments(scene, fragments, samples, nearest),
-          check_z_buffer(mesh, view, samples, z_buffer<float>(mesh, view, samples, ties), nearest, ties),
-          check_z_buffer(mesh, view, samples, z_buffer<double>(mesh, view, samples, ties), nearest, ties)};
+          check_z_buffer(mesh, view, samples, without_caps(z_buffer<float>(mesh, view, samples, ties)), nearest, ties),
+          check_z_buffer(mesh, view, samples, without_caps(z_buffer<double>(mesh, view, samples, ties)), nearest, ties)};
 }
 
 Report::Json json_of(const DrawingCheck& check) {

@@ -11,7 +11,8 @@ std::vector<std::string> classes_to_choose() {
 void LineArguments::add_to(Options& options) {
   options.begin_group("Lines");
   options
-      .add("--edges", edges, "LIST", "Classes to draw, or all: outline,sharp,boundary,intersection,wire,material,smooth,joint")
+      .add("--edges", edges, "LIST",
+           "Classes to draw, or all: outline,sharp,boundary,intersection,wire,material,smooth,joint,section,hatching")
       .with_default_shown()
       .list_of(classes_to_choose());
   options

@@ -14,7 +14,7 @@ std::vector<std::string> classes_to_choose();
 
 /// The options that say which lines are looked for, and how.
 struct LineArguments {
-  std::string edges = "outline,sharp,boundary,intersection,wire,material", method = "auto", stages;
+  std::string edges = "outline,sharp,boundary,intersection,wire,material,section,hatching", method = "auto", stages;
   std::string crease = "30";
   double tolerance = 0;
 

@@ -37,7 +37,7 @@ struct OrderArguments {
   SceneArguments scene;
   PageArguments page;
   std::string method = "depth-sort", cuts = "few";
-  std::string edges = "outline,sharp,boundary,intersection,wire,material";
+  std::string edges = "outline,sharp,boundary,intersection,wire,material,section,hatching";
   std::string crease = "30", shade = "slope", id_prefix;
   double opacity = 1;
   std::uint64_t seed = 1;
@@ -135,8 +135,10 @@ class OrderCommand {
     request_.drawing.objects = &objects_;
     context_.say_notes_of(scene_);
     if (const std::string note = a_.page.adopt_unit(scene_.model, request_.drawing); !note.empty()) context_.note(note);
+    context_.find_section(scene_, *prepared_, request_.lines.classes, request_.drawing, section_);
     find_order();
     note_coincident_faces();
+    note_caps();
     check();
     write();
     if (!is_right_) throw CheckFailed();
@@ -148,6 +150,7 @@ class OrderCommand {
   PaintersOrder by_tree();
   bool is_opaque() const;
   void note_coincident_faces();
+  void note_caps();
   void check();
   void write();
   std::string bytes_of(Format format);
@@ -155,6 +158,7 @@ class OrderCommand {
 
   const OrderArguments& a_;
   OrderRequest request_;
+  std::optional<Section> section_;
   CommandContext context_;
   ViewedModel scene_;
   SceneObjects objects_;
@@ -216,6 +220,12 @@ void OrderCommand::note_coincident_faces() {
     return coincident_note(*prepared_, scene_.model, is_opaque() ? Coincidence::seen : Coincidence::all);
   });
   if (!text.empty()) context_.note(text);
+}
+
+void OrderCommand::note_caps() {
+  const auto is_json = [](const Output& o) { return o.format == Format::json; };
+  if (scene_.view().section && std::any_of(request_.outputs.begin(), request_.outputs.end(), is_json))
+    context_.note("the pieces in JSON are of faces: the caps of the section, which are painted last, are not among them");
 }
 
 void OrderCommand::check() {
@@ -303,7 +313,7 @@ void add_picture_options(OrderArguments& a, Options& options) {
       .one_of({"slope", "none"});
   options
       .add("--edges", a.edges, "LIST",
-           "Classes of edges to draw on the faces, or all: outline,sharp,boundary,wire,material,smooth,joint")
+           "Classes of edges to draw on the faces, or all: outline,sharp,boundary,wire,material,smooth,joint,section,hatching")
       .with_default_shown()
       .list_of(classes_to_choose());
   options.add("--crease", a.crease, "DEG", "An edge is sharp if its faces deviate from flat by more than this")

@@ -10,6 +10,7 @@ namespace hsr::cli {
 void ask_for_outline_only(LineOptions& lines, DrawingOptions& drawing);
 
 /// What all faces cover together, for draw() with that option.
+/// @throws InputError of a view with a section
 Regions union_of_all(const SceneView& scene, const VisibleFragments& fragments);
 
 }  // namespace hsr::cli

@@ -13,7 +13,7 @@ namespace hsr::cli {
 
 /// The options that say from where the model is looked at.
 struct ViewOptions {
-  std::string name, eye, target, direction, up, oblique;
+  std::string name, eye, target, direction, up, oblique, section;
   std::optional<double> field_of_view, near;
   std::string up_axis;  ///< y or z; empty: the model's
 

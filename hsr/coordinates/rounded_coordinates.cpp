@@ -68,7 +68,7 @@ PlacedPoint RoundedCoordinates::at(FacetId facet, const MapPoint& p) const {
     const auto plane = [&](const MapLine& line) {
       if (line.kind == MapLine::Kind::edge)
         return Plane::of_sight(view_.viewpoint, mesh_.points[VertexId(line.u)], mesh_.points[VertexId(line.v)]);
-      return Plane::near_line(view_.viewpoint.at, view_.target, view_.near, face_plane(TriangleId(line.u)));
+      return view_.near_plane().line_with(face_plane(TriangleId(line.u)));
     };
     if (p.l.kind != MapLine::Kind::meet && p.m.kind != MapLine::Kind::meet)
       return meet(face_plane(facet), plane(p.l), plane(p.m), exact);

@@ -21,6 +21,7 @@
 #include "hsr/drawing/pen_order.h"
 #include "hsr/drawing/placement.h"
 #include "hsr/drawing/reach.h"
+#include "hsr/drawing/section_drawing.h"
 #include "hsr/drawing/short_chains.h"
 #include "hsr/view/frustum.h"
 
@@ -319,6 +320,7 @@ void collect(Drawing& drawing, Collector collector, const Chains& chains, const 
 /// @param unit millimetres in what the options are in
 void finish(Drawing& drawing, const DrawingOptions& options, const Projection& projection, EdgesOfLines& edges, double unit) {
   const bool fits = options.fit_arcs > 0;
+  while (fits && edges.row_of_line.size() < drawing.points.size()) edges.end_line();  // of a section: no edge
   if (options.sort_for_pen) {
     const std::vector<std::uint32_t> line_before = sort_for_pen(drawing);
     std::vector<std::uint32_t> rows;
@@ -339,6 +341,7 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
       Fills placed = placed_fills(place, *regions);
       if (options.outline_only) return placed;
       if (options.objects != nullptr && options.objects->are_told_apart()) tell_apart(placed, *options.objects);
+      add_section_fills(placed, place, options);
       reach_beneath(placed);
       return placed;
     };
@@ -436,6 +439,7 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
   }
   collect(drawing, Collector(drawing, mesh, lines, overlay, options.fit_arcs > 0 ? &edges : nullptr), chains, distinct, of_line,
           options.min_length * 1000 * unit);
+  add_section_lines(drawing, place, options);
   finish(drawing, options, projection, edges, unit);
   return drawing;
 }

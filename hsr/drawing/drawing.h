@@ -14,6 +14,7 @@
 #include "hsr/face_labels.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/surfaces/regions.h"
+#include "hsr/surfaces/section.h"
 
 namespace hsr {
 
@@ -43,6 +44,12 @@ struct DrawingOptions {
   /// Millimetres, in_frame_units: of the frame; 0: none. Runs of lines that lie on one circle in space, within this, become arcs: see
   /// fit_arcs.h. Fills keep the lines of their faces.
   double fit_arcs = 0;
+  /// The caps of the view's section: their borders and hatching lie over all lines, and with regions their faces over all fills.
+  /// nullptr: none.
+  const Section* section = nullptr;
+  EdgeClasses section_classes = drawn_classes;  ///< which of these are drawn
+  std::vector<Colour> cap_colours = {};         ///< by cap; empty: white
+  double hatch_scale = 1;  ///< with in_frame_units: millimetres of paper to a unit of the frame, for the hatching
   /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
   const SceneObjects* objects = nullptr;
 };

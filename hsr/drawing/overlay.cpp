@@ -27,7 +27,9 @@ int precedence(EdgeClass edge_class) {
     case EdgeClass::joint:
       return 6;
     case EdgeClass::smooth:
-      break;
+    case EdgeClass::section:
+    case EdgeClass::hatching:
+      break;  // the last two are no lines of the scene
   }
   return 7;
 }

@@ -15,6 +15,7 @@
 #include "hsr/drawing/placed_pieces.h"
 #include "hsr/drawing/placement.h"
 #include "hsr/drawing/reach.h"
+#include "hsr/drawing/section_drawing.h"
 #include "hsr/lines/edge_classifier.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/view_parts.h"
@@ -154,8 +155,9 @@ void add_lines(Fills& fills, const std::vector<PaintedLine>& all) {
 /// Makes the fills of a painting, step by step.
 class FillPainter {
  public:
-  FillPainter(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours, double opacity)
-      : scene_(scene), order_(order), colours_(colours), opacity_(opacity) {}
+  FillPainter(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours, double opacity,
+              const DrawingOptions& options)
+      : scene_(scene), order_(order), colours_(colours), opacity_(opacity), options_(options) {}
 
   bool is_opaque() const {
     return opacity_ >= 1 && std::all_of(order_.pieces.begin(), order_.pieces.end(), [&](const OrderedPiece& p) {
@@ -190,6 +192,7 @@ class FillPainter {
       if (has_area) append(fills, group, pieces, looks[group.pieces.front()]);
     }
     if (asked != nullptr) add_lines(fills, painted_lines(fills, pieces, layers, wires));
+    add_section_fills(fills, place, options_);
     reach_beneath(fills);
     return fills;
   }
@@ -284,13 +287,14 @@ class FillPainter {
   const PaintersOrder& order_;
   const std::vector<Colour>& colours_;
   double opacity_;
+  const DrawingOptions& options_;
 };
 
 }  // namespace
 
 Drawing paint_on_page(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours,
                       const LineOptions& lines, const DrawingOptions& options, const PaintingOptions& painting) {
-  const FillPainter painter(scene, order, colours, painting.opacity);
+  const FillPainter painter(scene, order, colours, painting.opacity, options);
   const bool with_pieces = !order.pieces.empty() && (painting.paints_lines_with_pieces || !painter.is_opaque());
   std::vector<std::optional<EdgeClass>> asked;
   if (with_pieces) asked = asked_classes(scene.parts(), lines);

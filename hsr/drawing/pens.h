@@ -44,7 +44,8 @@ struct PenSetting {
 class Pens {
  public:
   /// Those of ISO 128 in the line group of that width: what can be seen wide and continuous (01.2); what cannot half as wide and
-  /// dashed (02.1); smooth edges, which a draughtsman calls imaginary, and joints half as wide and continuous (01.1).
+  /// dashed (02.1); smooth edges, which a draughtsman calls imaginary, joints and hatching half as wide and continuous (01.1); borders of
+  /// caps 1.4 times as wide, the next width of the series.
   explicit Pens(double wide = 0.5, HiddenLines hidden_lines = HiddenLines::dashed);
 
   const Pen& of(bool hidden, EdgeClass edge_class) const { return pens_[hidden ? 1 : 0][static_cast<std::size_t>(edge_class)]; }

@@ -88,6 +88,14 @@ Box box_of(const Projection& projection, const VisibleLines& lines, std::span<co
       });
 }
 
+/// The caps of a section may reach beyond all lines, where only smooth edges are cut.
+void add_caps(Box& box, const Projection& projection, const Section& section) {
+  for (const std::array<Rational, 3>& p : section.rings.values()) {
+    const auto at = projection.exact(p);
+    for (std::size_t k = 0; k < 2; ++k) box.add(static_cast<int>(k), wide(at[k]));
+  }
+}
+
 /// The box by 45 bits: points whose images coincide in an extreme are enclosed a last place apart, and which of them are drawn must not
 /// decide where the centre is rounded to.
 Box rounded(Box box) {
@@ -215,7 +223,9 @@ Placement internal::placement(const Mesh& mesh, const View& view, const VisibleL
     height = 2 * half.height;
     centre = result.projection.relative(view.frame.origin);
   } else {
-    const Box box = rounded(box_of(result.projection, lines, drawn));
+    Box all = box_of(result.projection, lines, drawn);
+    if (options.section != nullptr) add_caps(all, result.projection, *options.section);
+    const Box box = rounded(all);
     width = box.size(0);
     height = box.size(1);
     for (int k = 0; k < 2; ++k) centre[static_cast<std::size_t>(k)] = round_centre(box.centre(k), std::max(width, height));

@@ -28,6 +28,14 @@ struct LineTask {
         is_behind(p.is_behind),
         from(p.from),
         to(p.to) {}  // NOLINT(google-explicit-constructor)
+  /// A line that has been found, to be tiled anew.
+  LineTask(const Line& line, const Cut& first, const Cut& last)
+      : edge(line.edge),
+        edge_class(line.edge_class),
+        is_behind(line.is_behind),
+        from(first),
+        to(last),
+        intersection(line.intersection) {}
   LineTask(std::uint32_t i, const Intersection& meet)
       : edge_class(EdgeClass::intersection), from(meet.from), to(meet.to), intersection(i) {}
 };

@@ -11,6 +11,7 @@
 #include "geometry/bit_range.h"
 #include "geometry/constructed_point.h"
 #include "geometry/error.h"
+#include "geometry/near_value.h"
 #include "geometry/rational_vector.h"
 #include "hsr/scene/view_parts.h"
 
@@ -23,12 +24,24 @@ namespace {
 /// Tells what hides one point after the other. One object per thread.
 class PointOcclusion {
  public:
-  PointOcclusion(const ProjectedMesh& projected, const Occluders& occluders)
-      : projected_(projected), occluders_(occluders), exact_(projected.predicates()) {}
+  /// @param caps of a section, or nullptr
+  PointOcclusion(const ProjectedMesh& projected, const Occluders& occluders, const SectionCaps* caps)
+      : projected_(projected), occluders_(occluders), caps_(caps), exact_(projected.predicates()) {}
+
+  /// @param p as given, not before the section
+  bool is_behind_cap(const Point3& p) const {
+    if (caps_ == nullptr) return false;
+    const auto known = caps_->covers(caps_->seen_at({{{p.x, 0}, {p.y, 0}, {p.z, 0}}}));
+    return known ? *known : caps_->covers(caps_->seen_at(rational(p)));
+  }
+
+  bool is_beyond_near(const Point3& p) {
+    return !projected_.has_near() || exact_.side(projected_.near_plane(), p) == Sign::positive;
+  }
 
   /// @param p scaled
   bool is_hidden(const Point3& p) {
-    if (projected_.is_perspective() && exact_.side(projected_.near_plane(), p) != Sign::positive) return false;
+    if (!is_beyond_near(p)) return false;
     bool found = false;
     occluders_.tree.visit(projected_.box(p), [&](std::uint32_t i) {
       found = hides(occluders_.triangles[i], p);
@@ -63,7 +76,7 @@ class PointOcclusion {
     bool is_nearer = false, is_beyond_near = false;
     const auto add = [&](const RationalVector& q) {
       is_nearer = is_nearer || nearer(q, p);
-      is_beyond_near = is_beyond_near || !projected_.is_perspective() || beyond_near(q);
+      is_beyond_near = is_beyond_near || !projected_.has_near() || beyond_near(q);
     };
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
@@ -100,14 +113,11 @@ class PointOcclusion {
   }
 
   /// Whether q is beyond the near plane, or in it.
-  bool beyond_near(const RationalVector& q) const {
-    const Plane near = projected_.near_plane();
-    const RationalVector eye = rational(near.eye), axis = minus(rational(near.target), eye);
-    return (dot(minus(q, eye), axis) - Rational(near.k) * dot(axis, axis)).sign() != Sign::negative;
-  }
+  bool beyond_near(const RationalVector& q) const { return near_value(projected_.near_plane(), q).sign() != Sign::negative; }
 
   const ProjectedMesh& projected_;
   const Occluders& occluders_;
+  const SectionCaps* caps_;
   Predicates exact_;
 };
 
@@ -120,12 +130,14 @@ std::vector<bool> hidden_points(const SceneView& scene, std::span<const Point3> 
   const ViewParts& parts = scene.parts().with(bit_range(points));
   const ProjectedMesh& projected = parts.projected();
   const Occluders& occluders = parts.occluders(Excluded::none);
+  const SectionCaps* const caps = parts.caps();
   std::vector<std::uint8_t> hidden(points.size());  // two threads may not write into one word of bits
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
-    PointOcclusion occlusion(projected, occluders);
+    PointOcclusion occlusion(projected, occluders, caps);
     for (std::size_t k = range.begin(); k != range.end(); ++k) {
-      const Point3& p = points[k];
-      hidden[k] = occlusion.is_hidden(projected.scaled({p.x + 0.0, p.y + 0.0, p.z + 0.0})) ? 1 : 0;  // -0 + 0 = 0
+      const Point3 p = {points[k].x + 0.0, points[k].y + 0.0, points[k].z + 0.0};  // -0 + 0 = 0
+      const Point3 scaled = projected.scaled(p);
+      hidden[k] = occlusion.is_hidden(scaled) || (occlusion.is_beyond_near(scaled) && occlusion.is_behind_cap(p)) ? 1 : 0;
     }
   });
   return {hidden.begin(), hidden.end()};

@@ -22,16 +22,28 @@ enum class LineMethod : unsigned char {
 };
 
 /// The class of an edge in a view (docs/conventions.md, "Classes of edges"). Does not depend on visibility.
-enum class EdgeClass : std::uint8_t { outline, sharp, boundary, intersection, wire, smooth, material, joint };
-constexpr std::size_t edge_class_count = 8;
+/// The last two are of drawings with a section: the border of a cap, and its hatching.
+enum class EdgeClass : std::uint8_t {
+  outline,
+  sharp,
+  boundary,
+  intersection,
+  wire,
+  smooth,
+  material,
+  joint,
+  section,
+  hatching
+};
+constexpr std::size_t edge_class_count = 10;
 
-constexpr std::array<const char*, edge_class_count> edge_class_names = {"outline", "sharp",  "boundary", "intersection",
-                                                                        "wire",    "smooth", "material", "joint"};
+constexpr std::array<const char*, edge_class_count> edge_class_names = {
+    "outline", "sharp", "boundary", "intersection", "wire", "smooth", "material", "joint", "section", "hatching"};
 
 /// Some classes, by EdgeClass.
 using EdgeClasses = std::array<bool, edge_class_count>;
 /// What a drawing has unless more or less is asked for: no smooth edges, and no joints.
-constexpr EdgeClasses drawn_classes = {true, true, true, true, true, false, true, false};
+constexpr EdgeClasses drawn_classes = {true, true, true, true, true, false, true, false, true, true};
 
 struct LineOptions {
   LineMethod method = LineMethod::automatic;  ///< for visible_lines()

@@ -12,6 +12,7 @@
 #include "geometry/error.h"
 #include "geometry/parallel.h"
 #include "hsr/lines/appel.h"
+#include "hsr/lines/behind_caps.h"
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/convex_body.h"
 #include "hsr/lines/hidden_classes.h"
@@ -312,6 +313,8 @@ VisibleLines Plan::run() const {
     for (Line& line : all.lines)
       if (line.is_intersection()) line.edge_class = segment_classes_[line.intersection];
   all.plan = outcome_;
+  if (const SectionCaps* const caps = parts_.caps(options_.stop))
+    all = behind_caps(projected_, *caps, options_, std::move(all));
   return with_hidden_classes(parts_.mesh(), parts_.view(), *requested_, options_, std::move(all));
 }
 
@@ -322,6 +325,8 @@ LinePlan internal::plan_lines(const SceneView& scene, const LineOptions& options
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options) {
   require(options.method != LineMethod::appel || !options.why,
           "visible_lines: appel counts layers and does not say which faces they are; roberts does");
+  if (scene.view().section && options.why)
+    throw InputError("section: its caps hide, too, and are no faces to be named, expected a view without a section, or no why");
   throw_if_stopped(options.stop);
   return Plan(scene, options).run();
 }

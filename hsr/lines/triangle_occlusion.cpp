@@ -59,6 +59,16 @@ Breakpoint TriangleOcclusion::place(const Cut& cut) {
   return bound(cut, at(filter, plane, a_, false), at(filter, plane, b_, false));
 }
 
+std::optional<Breakpoint> TriangleOcclusion::crossing(const Cut& cut) {
+  const Plane plane = cut_plane(projected_, cut);
+  const PlaneFilter filter = projected_.filter(plane);
+  const Value at_a = at(filter, plane, a_, false), at_b = at(filter, plane, b_, false);
+  if (at_a.sign * at_b.sign != Sign::negative) return std::nullopt;
+  const Breakpoint here = bound(cut, at_a, at_b);
+  if (order(first_, here) != Sign::negative || order(here, last_) != Sign::negative) return std::nullopt;
+  return here;
+}
+
 Sign TriangleOcclusion::order(const Breakpoint& x, const Breakpoint& y) {
   const double gap = x.t - y.t;
   if (std::fabs(gap) > x.error + y.error) {
@@ -300,10 +310,12 @@ void TriangleOcclusion::edge_on(TriangleId triangle, std::vector<HiddenInterval>
     if (!clip(line_cut(u, v), line, a_.vertex == u || a_.vertex == v, b_.vertex == u || b_.vertex == v, inner, runs_outside))
       return;
   }
-  // Points of the edge in the near plane itself have nothing of T in front of them.
-  if (near_cuts && is_edge() && projected_.beyond_near(a_.vertex) == Sign::zero &&
-      projected_.beyond_near(b_.vertex) == Sign::zero)
-    return;
+  // Points of the line in the near plane itself have nothing of T in front of them.
+  const auto is_in_near = [&](const End& end) {
+    if (end.vertex.is_valid()) return projected_.beyond_near(end.vertex) == Sign::zero;
+    return exact_.side(projected_.near_plane(), s_plane_, t_plane_, end.cut) == Sign::zero;
+  };
+  if (near_cuts && is_in_near(a_) && is_in_near(b_)) return;
   add();
 }
 

@@ -55,6 +55,9 @@ class TriangleOcclusion {
   /// Where the plane of `cut` crosses the line. @pre it separates the ends of the line
   Breakpoint place(const Cut& cut);
 
+  /// The same; nothing where it does not separate the ends of the part that is looked at.
+  std::optional<Breakpoint> crossing(const Cut& cut);
+
   /// The ends of the part that is looked at: beyond the near plane.
   const Breakpoint& first() const { return first_; }
   const Breakpoint& last() const { return last_; }

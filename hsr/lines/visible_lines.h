@@ -64,7 +64,7 @@ struct VisibleLines {
 ///   (3) the result does not depend on the order of the faces, on the number of threads, nor on the method or the stages
 ///
 /// @throws PreconditionError if appel is asked for with `options.why`, CancelledError if asked to stop by `options.stop`, InputError
-/// beyond 2^32 - 1 interval ends
+/// beyond 2^32 - 1 interval ends, or with `options.why` in a view with a section
 /// Exact: yes. Degenerate: docs/conventions.md. Cost: O(n log n + k log k) for k pairs that overlap in the image, parallel: of an
 /// edge and a face (Roberts 1963), or, where it pays, of an edge and an occluding edge (Appel 1967).
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options = {});

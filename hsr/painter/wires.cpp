@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "geometry/near_value.h"
 #include "geometry/rational_vector.h"
 #include "hsr/scene/box_tree.h"
 #include "hsr/scene/facet.h"
@@ -46,11 +47,9 @@ bool is_seen_as_point(const Mesh& mesh, const View& view, const Edge& wire) {
 /// What of a wire is beyond the near plane; nothing: none.
 std::optional<WireStretch> beyond_near(const Mesh& mesh, const View& view, const Edge& wire) {
   WireStretch all = {0.0, 1.0};
-  if (!view.is_perspective()) return all;
-  const RationalVector eye = rational(view.viewpoint.at), away = minus(rational(view.target), eye);
-  const Rational near = Rational(view.near) * dot(away, away);
-  const auto depth = [&](VertexId v) { return dot(minus(rational(mesh.points[v]), eye), away) - near; };
-  if (!keep_positive(all, depth(wire.a), depth(wire.b))) return {};
+  if (!view.cuts()) return all;
+  const auto beyond = [&, near = view.near_plane()](VertexId v) { return near_value(near, rational(mesh.points[v])); };
+  if (!keep_positive(all, beyond(wire.a), beyond(wire.b))) return {};
   return all;
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "geometry/parallel.h"
+#include "hsr/raster/capped_samples.h"
 #include "hsr/raster/sample_signs.h"
 #include "hsr/scene/box_tree.h"
 #include "hsr/scene/view_parts.h"
@@ -201,6 +202,9 @@ CastImage cast(const SceneView& scene, const SampleGrid& samples) {
       Tile(signs, occluders, predicates.local(), k % across * tile_width, k / across * tile_width).cast(result.triangles);
   });
   for (const Predicates& p : predicates) result.decisions += p.counts();
+  const Image<std::uint8_t> capped = capped_samples(scene, samples);
+  for (std::size_t k = 0; k < capped.pixels.size(); ++k)
+    if (capped.pixels[k] != 0) result.triangles.pixels[k] = TriangleId();
   return result;
 }
 

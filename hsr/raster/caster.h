@@ -23,7 +23,7 @@ struct CastImage {
   }
 };
 
-/// The triangle that each sample's line of sight meets nearest to the eye, beyond the near plane.
+/// The triangle that each sample's line of sight meets nearest to the eye, beyond the near plane; none where a cap of a section is seen.
 ///
 ///   (1) triangles that share an edge, and lie on both sides of it as seen, leave no sample between them and share none
 ///   (2) samples on edges are decided as if moved (samples.h); so are equal depths of triangles that cross there

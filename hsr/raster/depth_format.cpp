@@ -57,12 +57,12 @@ DepthRange depth_range(const Mesh& mesh, const View& view, const SampleGrid& sam
   bool is_cut = false;
   for (const auto& triangle : mesh.triangles)
     for (const VertexId v : triangle) {
-      if (view.is_perspective() && is_before_near(view, mesh.points[v]))
-        is_cut = true;
-      else
-        add(project(mesh.points[v]).nearness);
+      const bool is_before = view.cuts() && is_before_near(view, mesh.points[v]);
+      is_cut = is_cut || is_before;
+      // Where a section cuts is somewhere between what it leaves and what it takes.
+      if (!is_before || view.section) add(project(mesh.points[v]).nearness);
     }
-  if (is_cut) add(1 / view.near - 1);  // the near plane itself
+  if (is_cut && !view.section) add(1 / view.near - 1);  // the near plane itself
   if (!(low <= high)) return {1, 0, view.is_perspective()};
   // Room for rounding: with 8 bits, too, the farthest must not get the depth that all begins at. Where all is at one depth, as
   // much as its numbers need.

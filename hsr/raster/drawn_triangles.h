@@ -34,7 +34,7 @@ class DrawnTriangles {
     parallel_for_each(points_.size(), [&](std::size_t v) {
       const Point3& p = mesh.points[VertexId(v)];
       points_[v] = rounded(project_(p));
-      state_[v] = view.is_perspective() && is_before_near(view, p) ? cut_away
+      state_[v] = view.cuts() && is_before_near(view, p)           ? cut_away
                   : ScannedTriangle<Real>::is_drawable(points_[v]) ? drawn
                                                                    : out_of_range;
       if (state_[v] != drawn) all_are_drawn.store(false, std::memory_order_relaxed);

@@ -39,7 +39,9 @@ std::vector<HalfSpace> frustum(const View& view, const SampleGrid& samples) {
     if (inside.value < 0) side.normal = times(Number{-1}, side.normal);
     all.push_back(side);
   }
-  if (view.is_perspective()) {
+  if (view.section) {
+    all.push_back({vector<Number>(view.section->normal), vector<Number>(view.section->point)});
+  } else if (view.is_perspective()) {
     const Vector<Number> to_target = minus(vector<Number>(view.target), from);
     all.push_back({to_target, from, Number{view.near} * dot(to_target, to_target)});
   }

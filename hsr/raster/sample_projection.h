@@ -125,6 +125,7 @@ class SampleProjection {
 template <class N>
 N beyond_near(const View& view, const Point3& p) {
   using namespace projection_numbers;
+  if (view.section) return dot(minus(vector<N>(p), vector<N>(view.section->point)), vector<N>(view.section->normal));
   const auto eye = vector<N>(view.viewpoint.at), to_target = minus(vector<N>(view.target), eye);
   return dot(minus(vector<N>(p), eye), to_target) - N{view.near} * dot(to_target, to_target);
 }

@@ -84,6 +84,10 @@ PaperRectangle paper_rectangle(const Mesh& mesh, const View& view) {
   // In the range of long doubles: lengths of 1e300 have squares.
   const auto beyond_near = [&](const Point3& p) {
     using Wide = long double;
+    if (view.section) {
+      const Point3 from = sum(p, -1, view.section->point), &normal = view.section->normal;
+      return Wide(from.x) * normal.x + Wide(from.y) * normal.y + Wide(from.z) * normal.z;
+    }
     const auto product = [&](const Point3& d) {
       return Wide(d.x) * to_target.x + Wide(d.y) * to_target.y + Wide(d.z) * to_target.z;
     };
@@ -91,7 +95,7 @@ PaperRectangle paper_rectangle(const Mesh& mesh, const View& view) {
   };
   for (const Edge& edge : mesh.edges) {
     const Point3 &a = mesh.points[edge.a], &b = mesh.points[edge.b];
-    const long double at_a = view.is_perspective() ? beyond_near(a) : 1, at_b = view.is_perspective() ? beyond_near(b) : 1;
+    const long double at_a = view.cuts() ? beyond_near(a) : 1, at_b = view.cuts() ? beyond_near(b) : 1;
     if (at_a > 0) add(a);
     if (at_b > 0) add(b);
     if ((at_a > 0) != (at_b > 0)) add(sum(a, static_cast<double>(at_a / (at_a - at_b)), sum(b, -1, a)));

@@ -10,7 +10,7 @@ namespace hsr::internal {
 ClosedBodies::ClosedBodies(const ProjectedMesh& projected, const StarShapedBodies& bodies)
     : projected_(projected), far_sides_(projected.mesh().triangles.size(), 0) {
   std::vector<std::uint8_t> is_cut(bodies.count(), 0);
-  if (projected.is_perspective())
+  if (projected.has_near())
     parallel_for_each(far_sides_.size(), [&](std::size_t i) {
       const std::uint32_t body = bodies.body_of(TriangleId(i));
       if (body != StarShapedBodies::none && projected.reaches_before_near(TriangleId(i)))

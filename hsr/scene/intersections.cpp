@@ -348,7 +348,8 @@ std::optional<TriangleIntersection> Finder::segment(TriangleId s, TriangleId t) 
     for (std::size_t k = 0; k < 3; ++k) bounds[n++] = {half_spaces[k], is_inner_diagonal(mesh_, x, k)};
     near_cuts = near_cuts || projected_.reaches_before_near(x);
   }
-  if (near_cuts) bounds[n++] = {{{Cut::Kind::near, 0, 0, 0}, projected_.near_plane(), Sign::positive}, false};
+  // What lies in the near plane is left.
+  if (near_cuts) bounds[n++] = {{{Cut::Kind::near, 0, 0, 0}, projected_.near_plane(), Sign::positive}, true};
   std::optional<Crossing> low, high;
   for (std::size_t i = 0; i < n; ++i) {
     const HalfSpace& h = bounds[i].h;

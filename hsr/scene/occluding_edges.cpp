@@ -86,7 +86,7 @@ bool OccludingEdges::needs_cast(TriangleId t, EdgeId e, Predicates& exact) const
 
 /// The triangles of a planar face are counted or cast together: where two of them meet the mesh has no edge.
 bool OccludingEdges::near_cuts_face(TriangleId t) const {
-  if (!projected_.is_perspective()) return false;
+  if (!projected_.has_near()) return false;
   const Mesh& mesh = projected_.mesh();
   const FaceId f = mesh.face_of[t];
   for (std::uint32_t k = mesh.first_triangle[f]; k < mesh.first_triangle[FaceId(f.value + 1U)]; ++k)
@@ -137,7 +137,7 @@ void OccludingEdges::weigh_edges() {
           part.push_back(t);
     }
   });
-  if (projected_.is_perspective()) {
+  if (projected_.has_near()) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
       if (near_cuts_face(TriangleId(i)) && !is_left_out(TriangleId(i)) && projected_.reaches_beyond_near(TriangleId(i)))
         cast_.emplace_back(i);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/error.h"
 #include "geometry/vector3.h"
 #include "hsr/scene/line_filter.h"
 #include "hsr/scene/scaled_mesh.h"
@@ -49,12 +50,18 @@ ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arit
   } else {
     direction.add(view.viewpoint.at);
   }
+  BitRange normal;
+  if (view.section) {
+    points.add(view.section->point);
+    normal.add(view.section->normal);
+  }
   points.add(others);
-  const int power = scale_of(points), direction_power = scale_of(direction);
+  const int power = scale_of(points), direction_power = scale_of(direction), normal_power = scale_of(normal);
   power_ = power;
   given_bit_range_ = points;
   points_bit_range_ = internal::scaled(points, power);
   direction_bit_range_ = internal::scaled(direction, direction_power);
+  direction_bit_range_.add(internal::scaled(normal, normal_power));
   points_.resize(mesh.points.size());
   tbb::parallel_for(Range(0, points_.size(), 4096), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
@@ -63,22 +70,11 @@ ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arit
   eye_ = {internal::scaled(view.viewpoint.at, view.is_perspective() ? power : direction_power), view.viewpoint.is_direction};
   target_ = view.is_perspective() ? scaled(view.target) : Point3{};
   near_ = view.near;
+  if (view.section) section_ = {scaled(view.section->point), internal::scaled(view.section->normal, normal_power)};
   // Outside the window of the filter's proof its bound is made infinite, and the predicates decide.
   filter_arithmetic_ = arithmetic == Arithmetic::staged && !predicates().filter_is_proven() ? Arithmetic::interval : arithmetic;
 
-  if (is_perspective()) {
-    near_filter_ = filter(near_plane());
-    near_side_.resize(points_.size(), Sign::positive);
-    const Plane near = near_plane();
-    tbb::parallel_for(Range(0, points_.size(), 1024), [&](const Range& range) {
-      Predicates exact = predicates();
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        if (is_used[i] == 0) continue;
-        const ErrorBounded x = near_filter_(points_[VertexId(i)]);
-        near_side_[VertexId(i)] = x.is_certain() ? sign_of(x.value) : exact.side(near, points_[VertexId(i)]);
-      }
-    });
-  }
+  if (has_near()) find_near_sides(is_used);
   choose_rows(view);
   compute_images(is_used);
   vertex_boxes_.resize(points_.size(), ImageBox::nothing());
@@ -95,6 +91,29 @@ ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arit
       facing_[TriangleId(i)] = LineFilter(*this, t[0], t[1]).side(t[2], exact);
     }
   });
+}
+
+/// A section takes the place of the near plane, and so must not leave anything that this would cut away.
+void ProjectedMesh::find_near_sides(const std::vector<char>& is_used) {
+  near_side_.resize(points_.size(), Sign::positive);
+  const auto find = [&](const Plane& near) {
+    near_filter_ = filter(near);
+    tbb::parallel_for(Range(0, points_.size(), 1024), [&](const Range& range) {
+      Predicates exact = predicates();
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        if (is_used[i] == 0) continue;
+        const ErrorBounded x = near_filter_(points_[VertexId(i)]);
+        near_side_[VertexId(i)] = x.is_certain() ? sign_of(x.value) : exact.side(near, points_[VertexId(i)]);
+      }
+    });
+  };
+  if (section_ && is_perspective()) {
+    find(Plane::near(eye_.at, target_, near_));
+    if (std::find(near_side_.begin(), near_side_.end(), Sign::negative) != near_side_.end())
+      throw InputError(
+          "section: found a part of the model before the near plane, expected all of it beyond: see --eye and --near");
+  }
+  find(near_plane());
 }
 
 bool ProjectedMesh::covers(const BitRange& others) const {
@@ -135,7 +154,7 @@ void ProjectedMesh::choose_rows(const View& view) {
   }
 }
 
-/// The images of all vertices in use that are beyond the near plane.
+/// The images of all vertices in use that are beyond the near plane; of what a section cuts away, too.
 ///
 /// Parallel, with D toward the viewer and k the axis of its largest entry: rows u', v' of det(D, u, v) = O without the share of
 /// D leave D_k (u'_i v'_j - u'_j v'_i), so the rows are mirrored where D_k < 0.
@@ -159,7 +178,7 @@ void ProjectedMesh::compute_images(const std::vector<char>& is_used) {
       Range(0, points_.size(), 4096), 0.0,
       [&](const Range& range, double error) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
-          if (is_used[i] != 0 && beyond_near(VertexId(i)) != Sign::negative)
+          if (is_used[i] != 0 && (section_ || beyond_near(VertexId(i)) != Sign::negative))
             error = std::max(error, compute_image(VertexId(i)));
         return error;
       },
@@ -290,7 +309,7 @@ ImageBox ProjectedMesh::box(TriangleId t) const {
   ImageBox box = vertex_boxes_[c[0]];
   box.add(vertex_boxes_[c[1]]);
   box.add(vertex_boxes_[c[2]]);
-  if (!is_perspective()) return box;
+  if (!has_near()) return box;
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId a = c[k], b = c[(k + 1) % 3];
     if (beyond_near(a) * beyond_near(b) == Sign::negative) add_near_cut_to(box, a, b);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "geometry/bit_range.h"
 #include "geometry/mesh.h"
 #include "geometry/plane_filter.h"
@@ -36,6 +38,8 @@ class ProjectedMesh {
   const Mesh& mesh() const { return *mesh_; }
   const Viewpoint& eye() const { return eye_; }
   bool is_perspective() const { return !eye_.is_direction; }
+  /// Whether there is a near plane, or a section in its place.
+  bool has_near() const { return is_perspective() || section_.has_value(); }
   Arithmetic arithmetic() const { return arithmetic_; }
   TieRule ties() const { return ties_; }
   Camera camera() const { return {eye_, target_}; }
@@ -57,8 +61,10 @@ class ProjectedMesh {
   Plane sight_plane(VertexId c, VertexId d) const { return Plane::of_sight(eye_, points_[c], points_[d]); }
   Plane face_plane(TriangleId t) const;
   Plane face_plane(FacetId facet) const { return face_plane(first_triangle(facet)); }
-  Plane near_plane() const { return Plane::near(eye_.at, target_, near_); }
-  Plane near_line(const Plane& line) const { return Plane::near_line(eye_.at, target_, near_, line); }
+  Plane near_plane() const {
+    return section_ ? Plane::section(eye_, section_->point, section_->normal) : Plane::near(eye_.at, target_, near_);
+  }
+  Plane near_line(const Plane& line) const { return near_plane().line_with(line); }
 
   /// The image of a vertex beyond the near plane, rounded: within image_error() in each coordinate. The exact images turn as
   /// they are seen: O(c, d, p) > 0 iff c, d, p is a left turn.
@@ -77,8 +83,8 @@ class ProjectedMesh {
   Sign side_of_edge(TriangleId t, const Edge& e) const { return mesh_->runs_along(t, e) ? facing_[t] : -facing_[t]; }
   /// On which side of `plane` a vertex lies: the filter first. Exact.
   Sign side(const Plane& plane, VertexId p, Predicates& exact) const;
-  /// On which side of the near plane: positive, beyond it. Parallel views have no near plane: positive.
-  Sign beyond_near(VertexId v) const { return is_perspective() ? near_side_[v] : Sign::positive; }
+  /// On which side of the near plane: positive, beyond it. Parallel views without a section have no near plane: positive.
+  Sign beyond_near(VertexId v) const { return has_near() ? near_side_[v] : Sign::positive; }
 
   /// Some of the triangle is cut away; some of it is left.
   bool reaches_before_near(TriangleId t) const;
@@ -100,6 +106,7 @@ class ProjectedMesh {
   ErrorBounded nearness(const Point3& p, double error) const;
 
  private:
+  void find_near_sides(const std::vector<char>& is_used);
   void choose_rows(const View& view);
   void compute_images(const std::vector<char>& is_used);
   double compute_image(VertexId v);
@@ -114,6 +121,7 @@ class ProjectedMesh {
   Viewpoint eye_;
   Point3 target_;
   double near_ = 0;
+  std::optional<SectionPlane> section_;
   BitRange given_bit_range_, points_bit_range_, direction_bit_range_;  // the first: before scaling
   IndexedVector<TriangleId, Sign> facing_;
   IndexedVector<VertexId, Sign> near_side_;

@@ -39,6 +39,13 @@ const std::vector<ImageBox>& ViewParts::boxes(const std::stop_token& stop) const
   });
 }
 
+const SectionCaps* ViewParts::caps(const std::stop_token& stop) const {
+  if (!view_.section) return nullptr;
+  if (&shared() != this) return shared().caps(stop);
+  const ProjectedMesh& mesh = projected(stop);
+  return &caps_.get(stop, [&] { return SectionCaps(mesh, view_, labels()); });
+}
+
 const ClosedBodies* ViewParts::bodies(const std::stop_token& stop) const {
   const ProjectedMesh& mesh = projected(stop);
   const auto& bodies = bodies_.get(stop, [&]() -> std::optional<ClosedBodies> {
@@ -141,7 +148,7 @@ const Occluders& ViewParts::occluders(Excluded excluded, const std::stop_token& 
 }
 
 bool ViewParts::is_cut_by_near_plane() const {
-  if (!view_.is_perspective()) return false;
+  if (!view_.cuts()) return false;
   for (std::size_t t = 0; t < mesh().triangles.size(); ++t)
     if (projected().reaches_before_near(TriangleId(t))) return true;
   return false;

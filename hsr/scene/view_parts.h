@@ -16,6 +16,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/scene.h"
 #include "hsr/scene/scene_parts.h"
+#include "hsr/scene/section_caps.h"
 
 namespace hsr::internal {
 
@@ -47,6 +48,8 @@ class ViewParts {
   const ProjectedMesh& projected(const std::stop_token& stop = {}) const;
   /// Conservative boxes in the image, by triangle.
   const std::vector<ImageBox>& boxes(const std::stop_token& stop = {}) const;
+  /// What a section makes of closed bodies; null: the view has none.
+  const SectionCaps* caps(const std::stop_token& stop = {}) const;
   /// The closed bodies; null: not looked for.
   const ClosedBodies* bodies(const std::stop_token& stop = {}) const;
   bool is_one_convex_body(const std::stop_token& stop = {}) const;  ///< and its stage is not to be left out
@@ -94,6 +97,7 @@ class ViewParts {
   MadeOnce<ProjectedMesh> projected_;
   MadeOnce<std::vector<ImageBox>> boxes_;
   MadeOnce<std::optional<ClosedBodies>> bodies_;
+  MadeOnce<SectionCaps> caps_;
   MadeOnce<std::unique_ptr<const OcclusionPyramid>> pyramid_;
   MadeOnce<std::vector<std::uint8_t>> hidden_, edge_on_, hidden_or_edge_on_;
   MadeOnce<Occluders> occluders_[4];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/error.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/surfaces/fragment_invariants.h"
@@ -64,6 +65,8 @@ void Subtraction::visible_sides(FacetId facet, std::vector<MapSide>& sides) {
 }  // namespace
 
 VisibleFragments roberts_surfaces(const SceneView& scene, const FragmentOptions& options) {
+  if (scene.view().section)
+    throw InputError("section: surfaces by the method roberts know no caps, expected the method auto or appel");
   const Mesh& mesh = scene.mesh();
   const ProjectedMesh& projected = scene.parts().projected(options.stop);
   const Occluders& occluders = scene.parts().occluders(Excluded::edge_on, options.stop);

@@ -9,14 +9,17 @@
 #include "geometry/cancel.h"
 #include "geometry/parallel.h"
 #include "hsr/lines/appel.h"
+#include "hsr/lines/behind_caps.h"
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/roberts.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/segment_filter.h"
 #include "hsr/scene/view_parts.h"
+#include "hsr/surfaces/cap_arrangement.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/line_envelope.h"
+#include "hsr/symbols/constructions.h"
 #include "hsr/symbols/cut_plane.h"
 
 namespace hsr {
@@ -42,9 +45,11 @@ struct FacetSides {
 class SideFinder {
  public:
   /// @param place of each triangle among the prepared ones @param pyramid what is known to be hidden, or nullptr
+  /// @param caps of a section, or nullptr
   SideFinder(const ProjectedMesh& projected, const Occluders& occluders, const Intersections& intersections,
-             const std::vector<std::uint32_t>& place, const OcclusionPyramid* pyramid)
+             const std::vector<std::uint32_t>& place, const OcclusionPyramid* pyramid, const SectionCaps* caps)
       : projected_(projected),
+        caps_(caps),
         mesh_(projected.mesh()),
         occluders_(occluders),
         intersections_(intersections),
@@ -56,6 +61,7 @@ class SideFinder {
   void add_edge(const VisibleLines& lines, const Line& line);
   void add_intersection(const TriangleIntersection& crossing);
   void add_near_cut(TriangleId t);
+  void add_cap_border(const CapArrangement& caps, const CapRun& run);
 
   FacetSides take() { return std::move(sides_); }
   const DecisionCounts& decisions() { return map_.exact().counts(); }
@@ -64,6 +70,8 @@ class SideFinder {
   /// The triangle that the edge has on a side, if it is the only one and nothing else touches the edge there; invalid
   /// otherwise.
   TriangleId only_triangle(EdgeId e, Sign side) const;
+  std::vector<MapStretch> outside_caps(const MapStretch& stretch, TriangleId beside);
+  BoundedPoint3 scaled_point(const RationalVector& given) const;
   MapPoint point_at(const Edge& edge, TriangleId beside, const Cut& cut) const;
   BoundedPoint3 place_of(const Edge& edge, const Cut& cut) const;
   BoundedPoint3 end_of(const TriangleIntersection& crossing, const Cut& cut, const MapPoint& seen) const;
@@ -74,6 +82,7 @@ class SideFinder {
   MapPlace place(const MapStretch& stretch, const MapPoint& p, double t, double error) const;
 
   const ProjectedMesh& projected_;
+  const SectionCaps* caps_;
   const Mesh& mesh_;
   const Occluders& occluders_;
   const Intersections& intersections_;
@@ -157,6 +166,10 @@ void SideFinder::add_intersection(const TriangleIntersection& crossing) {
     std::swap(stretch.from, stretch.to);
     std::swap(stretch.a, stretch.b);
   }
+  if (caps_ != nullptr) {
+    for (const MapStretch& part : outside_caps(stretch, crossing.s)) add(part, {}, {});
+    return;
+  }
   if (!occluders_.is_prepared()) {
     add(stretch, {}, {});
     return;
@@ -230,7 +243,89 @@ void SideFinder::add_near_cut(TriangleId t) {
   }
   if (ends.size() != 2) return;
   if (map_.order(line, ends[0], ends[1]) == Sign::positive) std::swap(ends[0], ends[1]);
-  add({line, ends[0], ends[1], map_.point(ends[0], t), map_.point(ends[1], t)}, {}, {});
+  const MapStretch stretch = {line, ends[0], ends[1], map_.point(ends[0], t), map_.point(ends[1], t)};
+  if (caps_ == nullptr) {
+    add(stretch, {}, {});
+  } else {
+    for (const MapStretch& part : outside_caps(stretch, t)) add(part, {}, {});
+  }
+}
+
+BoundedPoint3 SideFinder::scaled_point(const RationalVector& given) const {
+  const Point3 p = projected_.scaled({given[0].to_double(), given[1].to_double(), given[2].to_double()});
+  return {p, 2 * ErrorBounded::u * norm_max(p) + 0x1p-1000};
+}
+
+/// What of a stretch no cap covers. @param beside a triangle that has the stretch, and is not seen edge-on
+std::vector<MapStretch> SideFinder::outside_caps(const MapStretch& stretch, TriangleId beside) {
+  const FacetId facet = facet_of(mesh_, beside);
+  const auto seen_at = [&](const MapPoint& p) { return caps_->seen_at(exact_point(mesh_, caps_->view(), facet, p)); };
+  const auto bounded = [](const SectionCaps::ExactPlace& at) {
+    const auto number = [](const Rational& x) {
+      const double d = x.to_double();
+      return ErrorBounded{d, ErrorBounded::u * std::fabs(d) + 0x1p-1074};
+    };
+    return SectionCaps::Place{number(at[0]), number(at[1])};
+  };
+  std::vector<MapPoint> cuts = {stretch.from, stretch.to};
+  caps_->visit_sides(bounded(seen_at(stretch.from)), bounded(seen_at(stretch.to)), [&](std::uint32_t k) {
+    const MapLine side = MapLine::near(caps_->sides()[k].triangle);
+    if (side != stretch.line && map_.turn(stretch.line, side) != Sign::zero)
+      cuts.push_back(MapPoint::crossing(stretch.line, side));
+    // Along the stretch itself a side ends where another begins.
+    for (const std::uint32_t corner : {caps_->sides()[k].from, caps_->sides()[k].to}) {
+      const auto& [a, b] = caps_->corners()[corner];
+      if (a == b && map_.side(stretch.line, a) == Sign::zero) cuts.push_back(MapPoint::of_vertex(a));
+      if (a != b && stretch.line != MapLine::edge(a, b) && map_.turn(stretch.line, MapLine::edge(a, b)) != Sign::zero)
+        cuts.push_back(MapPoint::crossing(stretch.line, MapLine::edge(a, b)));
+    }
+  });
+  std::erase_if(cuts, [&](const MapPoint& p) {
+    return map_.order(stretch.line, p, stretch.from) == Sign::negative ||
+           map_.order(stretch.line, stretch.to, p) == Sign::negative;
+  });
+  std::stable_sort(cuts.begin(), cuts.end(),
+                   [&](const MapPoint& p, const MapPoint& q) { return map_.order(stretch.line, p, q) == Sign::negative; });
+  std::vector<MapStretch> parts;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    if (map_.order(stretch.line, cuts[k], cuts[k + 1]) != Sign::negative) continue;
+    const SectionCaps::ExactPlace from = seen_at(cuts[k]), to = seen_at(cuts[k + 1]);
+    if (caps_->covers(SectionCaps::ExactPlace{(from[0] + to[0]) * Rational(0.5), (from[1] + to[1]) * Rational(0.5)})) continue;
+    MapStretch part;
+    part.line = stretch.line;
+    part.from = cuts[k];
+    part.to = cuts[k + 1];
+    part.a = scaled_point(exact_point(mesh_, caps_->view(), facet, part.from));
+    part.b = scaled_point(exact_point(mesh_, caps_->view(), facet, part.to));
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+/// The border of all caps together: what is seen outside ends there.
+void SideFinder::add_cap_border(const CapArrangement& caps, const CapRun& run) {
+  const auto near = [&](std::uint32_t side) { return MapLine::near(caps_->sides()[side].triangle); };
+  const auto from = caps.side_across(run.first.from(), run.first), to = caps.side_across(run.last.to(), run.last);
+  if (!from || !to) throw InvariantError("visible_fragments: a border of a cap that ends in itself");
+  const std::uint32_t side = run.first.part->side;
+  MapStretch stretch;
+  stretch.line = near(side);
+  stretch.from = MapPoint::crossing(stretch.line, near(*from));
+  stretch.to = MapPoint::crossing(stretch.line, near(*to));
+  stretch.a = scaled_point(caps.point(side, run.first.from()));
+  stretch.b = scaled_point(caps.point(run.last.part->side, run.last.to()));
+  Sign outside = run.first.left().empty() ? Sign::positive : Sign::negative;
+  if (caps_->is_mirrored()) outside = -outside;
+  if (map_.order(stretch.line, stretch.from, stretch.to) == Sign::positive) {
+    std::swap(stretch.from, stretch.to);
+    std::swap(stretch.a, stretch.b);
+    outside = -outside;
+  }
+  const SeenPart nothing{stretch.from, stretch.to, {}, 1, 0};
+  if (outside == Sign::positive)
+    add_different(stretch, left_.find(stretch, Sign::positive), std::span(&nothing, 1));
+  else
+    add_different(stretch, std::span(&nothing, 1), right_.find(stretch, Sign::negative));
 }
 
 /// Where an edge is cut, in space.
@@ -390,6 +485,8 @@ void FragmentFinder::find_own_lines(bool is_soup) {
   own_lines_ = appel_pays ? appel(projected_, requested, parts_.occluding_edges(Excluded::hidden_and_edge_on, options_.stop),
                                   *occluders_, line_options)
                           : roberts(projected_, requested, *occluders_, line_options, tiles);
+  if (const SectionCaps* const caps = parts_.caps(options_.stop))
+    own_lines_ = behind_caps(projected_, *caps, line_options, std::move(own_lines_));
 }
 
 /// The numbers from 0 to n - 1, ascending by key(i) < keys.
@@ -410,7 +507,8 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
   std::vector<DecisionCounts> counts(parts.size());
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      SideFinder finder(projected_, *occluders_, *intersections_, place_, parts_.pyramid(options_.stop));
+      SideFinder finder(projected_, *occluders_, *intersections_, place_, parts_.pyramid(options_.stop),
+                        parts_.caps(options_.stop));
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t i = part * block; i < end; ++i) visit(finder, order[i]);
       parts[part] = finder.take();
@@ -456,10 +554,18 @@ void FragmentFinder::find_sides() {
                              [&](std::size_t i) { return !is_left_out(segments[i].s) && !is_left_out(segments[i].t); }),
                      [&](std::size_t i) { return segments[i].s; }),
           [&](SideFinder& finder, std::size_t i) { finder.add_intersection(segments[i]); });
-  if (projected_.is_perspective())
+  if (projected_.has_near())
     collect(along_tree(numbers(occluders_->triangles.size(), [](std::size_t) { return true; }),
                        [&](std::size_t i) { return occluders_->triangles[i]; }),
             [&](SideFinder& finder, std::size_t i) { finder.add_near_cut(occluders_->triangles[i]); });
+  if (const SectionCaps* const caps = parts_.caps(options_.stop)) {
+    const CapArrangement arrangement(*caps);
+    const auto runs =
+        arrangement.runs([](const CapPart& part) { return part.left.empty() != part.right.empty(); },
+                         [](const DirectedPart& a, const DirectedPart& b) { return a.left().empty() == b.left().empty(); });
+    collect(numbers(runs.size(), [](std::size_t) { return true; }),
+            [&](SideFinder& finder, std::size_t i) { finder.add_cap_border(arrangement, runs[i]); });
+  }
   // A counting sort by facet.
   first_side_.assign(mesh_.triangles.size() + 1, 0);
   for (const FacetSides& part : found_)

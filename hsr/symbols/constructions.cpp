@@ -24,7 +24,7 @@ struct Given {
   }
   Plane face_plane(FacetId facet) const { return face_plane(first_triangle(facet)); }
   Plane near_plane() const { return view.near_plane(); }
-  Plane near_line(const Plane& line) const { return Plane::near_line(view.viewpoint.at, view.target, view.near, line); }
+  Plane near_line(const Plane& line) const { return view.near_plane().line_with(line); }
 };
 
 }  // namespace

@@ -89,6 +89,22 @@ View perspective_view(const Point3& eye, const Point3& target, const Point3& up,
   return view;
 }
 
+View with_section(const View& view, const Point3& point, const Point3& normal) {
+  expect_finite(point, "section");
+  expect_finite(normal, "section");
+  if (normal == Point3{}) throw InputError("section: found the normal 0,0,0, expected a direction square to the plane");
+  const RationalVector n = rational(normal), e = rational(view.viewpoint.at);
+  const Sign side = dot(n, view.is_perspective() ? minus(e, rational(point)) : e).sign();
+  if (side == Sign::zero)
+    throw InputError(
+        "section: found a plane that is seen edge-on, which has no viewer's side, expected one at an angle to the line of "
+        "sight");
+  View cut = view;
+  const double away = side == Sign::positive ? -1 : 1;
+  cut.section = {without_minus_zero(point), {away * normal.x + 0.0, away * normal.y + 0.0, away * normal.z + 0.0}};
+  return cut;
+}
+
 View oblique_view(const View& base, double degrees, double ratio) {
   if (base.is_perspective()) throw InputError("oblique: found a perspective, expected a parallel view");
   if (!std::isfinite(degrees)) throw InputError("oblique: found an angle that is not finite, expected degrees");

@@ -22,6 +22,13 @@ struct FrameSize {
   double half_width, half_height;
 };
 
+/// A plane, and what is on the viewer's side of it is cut away. Kept as given: never as coefficients that were computed.
+struct SectionPlane {
+  Point3 point;   ///< of the plane
+  Point3 normal;  ///< square to the plane, any length, away from the viewer: it points to what is left
+  friend bool operator==(const SectionPlane&, const SectionPlane&) = default;
+};
+
 /// From where the scene is looked at.
 struct View {
   Viewpoint viewpoint;
@@ -29,9 +36,15 @@ struct View {
   Point3 up;
   double near = 0;  ///< k: the near plane is (p - eye).(target - eye) = k |target - eye|^2. Parallel views have none: 0.
   Frame frame;
+  std::optional<SectionPlane> section =
+      {};  ///< it takes the place of the near plane, which then cuts nothing: see with_section()
 
   bool is_perspective() const { return !viewpoint.is_direction; }
-  Plane near_plane() const { return Plane::near(viewpoint.at, target, near); }
+  /// Whether something may be cut away: by the near plane of a perspective, or by a section.
+  bool cuts() const { return is_perspective() || section.has_value(); }
+  Plane near_plane() const {
+    return section ? Plane::section(viewpoint, section->point, section->normal) : Plane::near(viewpoint.at, target, near);
+  }
 };
 
 /// A parallel view; `direction` points from the scene toward the viewer.
@@ -49,6 +62,11 @@ View perspective_view(const Point3& eye, const Point3& target, const Point3& up,
 /// in doubles, once, and exact from then on. Sines of multiples of 30 degrees that are doubles are these.
 /// @throws InputError if `base` is a perspective, an argument is not finite, or the ratio is not above 0
 View oblique_view(const View& base, double degrees, double ratio);
+
+/// The view of what a section leaves: of all that is on the other side of the plane than the viewer.
+/// @param normal either way
+/// @throws InputError if a number is not finite, the normal is zero, or the plane is seen edge-on, as it then has no viewer's side
+View with_section(const View& view, const Point3& point, const Point3& normal);
 
 /// front, back, left, right, top, bottom, iso, for models with Z up; `y_up` turns the view (x, y, z -> x, z, -y), never the
 /// model.

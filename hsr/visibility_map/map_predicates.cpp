@@ -61,11 +61,14 @@ Sign MapPredicates::same_way(const MapLine& l, const MapLine& m) {
     for (const VertexId v : mesh().triangles[TriangleId(line.u)])
       if (const Sign s = agree(v); s != Sign::zero) return s;
   }
-  // Two edges: an axis that does not lie in their view plane leads off it, from any vertex that has an image.
+  // Edges, or faces seen edge-on: an axis that does not lie in their view plane leads off it, from any vertex that has an image.
   const ViewPlane a = plane(l), b = plane(m);
-  for (const std::uint32_t v : {l.u, l.v})
+  std::vector<VertexId> on_line = {VertexId(l.u), VertexId(l.v)};
+  if (l.kind != MapLine::Kind::edge)
+    on_line.assign(mesh().triangles[TriangleId(l.u)].begin(), mesh().triangles[TriangleId(l.u)].end());
+  for (const VertexId v : on_line)
     for (int axis = 0; axis < 3; ++axis) {
-      const ViewPlane off = ViewPlane::of(Plane::of_sight_along_axis(projected_.eye(), projected_.point(VertexId(v)), axis));
+      const ViewPlane off = ViewPlane::of(Plane::of_sight_along_axis(projected_.eye(), projected_.point(v), axis));
       const Sign s = exact_.turn(camera_, a, off);
       if (s != Sign::zero) return s * exact_.turn(camera_, b, off);
     }

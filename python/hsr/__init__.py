@@ -7,7 +7,7 @@ results are rounded once, correctly, and are the same for any number of threads.
     threads: at most so many [all]
     progress: a function of the share done, 0 ... 1, called now and then on the caller's thread; what it raises ends the work
     coplanar: of faces that coincide the "first" in the scene is on top, or the "last" ["first"]
-    edges: "all", or classes of edges, as a list or with commas ["outline,sharp,boundary,intersection,wire,material"]
+    edges: "all", or classes of edges, as a list or with commas ["outline,sharp,boundary,intersection,wire,material,section,hatching"]
     crease: degrees; edges that deviate more from flat are sharp; or two, such as (30, 25) [30]
     tolerance: noise of the scene, in its units, that classes of edges pass over [0]
 
@@ -20,7 +20,7 @@ from ._arguments import arguments, paths
 from ._core import InputError, InvariantError, MemoryLimit, PreconditionError
 from ._numbers import doubles as _doubles
 from ._results import CLASS_NAMES as edge_class_names
-from ._results import Check, Drawing, Fragments, Order, Tree, Verdict, VisibleLines
+from ._results import Check, Drawing, Fragments, Order, Section, Tree, Verdict, VisibleLines
 from ._scene import Scene, scene
 from ._scene import scene_data as _scene_data
 from ._view import View
@@ -37,6 +37,7 @@ __all__ = [
     "Order",
     "PreconditionError",
     "Scene",
+    "Section",
     "Tree",
     "Verdict",
     "View",
@@ -50,6 +51,7 @@ __all__ = [
     "order",
     "project_to_viewport",
     "scene",
+    "section",
     "tree",
     "verify",
     "visible_lines",
@@ -194,6 +196,20 @@ def fragments(scene, view="iso", *, coplanar=None, method=None, threads=None, pr
     """
     named = arguments(view, threads=threads, progress=progress, coplanar=coplanar, method=method)
     return Fragments(_core.fragments(_scene_data(scene), named))
+
+
+def section(scene, view, *, threads=None, progress=None):
+    """What the section of a view, `View.with_section`, cuts closed bodies to: `Section`, arrays. Exact.
+
+    >>> cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> cut = section((cube, faces), View.named("top").with_section("z=0.5"))
+    >>> cut
+    <hsr.Section: 1 caps, 1 rings>
+    >>> len(cut.exact_points(0))
+    4
+    """
+    return Section(_core.section(_scene_data(scene), arguments(view, threads=threads, progress=progress)))
 
 
 def tree(scene, *, seed=None, threads=None, progress=None):

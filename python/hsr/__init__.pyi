@@ -17,6 +17,7 @@ __all__ = [
     "Order",
     "PreconditionError",
     "Scene",
+    "Section",
     "Tree",
     "Verdict",
     "View",
@@ -30,6 +31,7 @@ __all__ = [
     "order",
     "project_to_viewport",
     "scene",
+    "section",
     "tree",
     "verify",
     "visible_lines",
@@ -53,6 +55,7 @@ class InvariantError(RuntimeError): ...
 class MemoryLimit(MemoryError): ...
 
 class View:
+    def with_section(self, section: str | tuple[ArrayLike, ArrayLike]) -> View: ...
     @staticmethod
     def named(
         name: str | None = None,
@@ -130,6 +133,19 @@ class Fragments:
     def __init__(self, arrays: dict[str, Any]) -> None: ...
     def __len__(self) -> int: ...
     def polygons(self) -> list[list[NDArray[numpy.float64]]]: ...
+
+class Section:
+    object: NDArray[numpy.int64]
+    face: NDArray[numpy.int64]
+    ring_offsets: NDArray[numpy.int64]
+    offsets: NDArray[numpy.int64]
+    points: NDArray[numpy.float64]
+    image: NDArray[numpy.float64]
+    open_outlines: int
+    def __init__(self, arrays: dict[str, Any]) -> None: ...
+    def __len__(self) -> int: ...
+    def polygons(self) -> list[list[NDArray[numpy.float64]]]: ...
+    def exact_points(self, ring: int) -> list[tuple[Fraction, ...]]: ...
 
 class Order:
     face: NDArray[numpy.int64]
@@ -273,6 +289,9 @@ def fragments(
     threads: int | None = None,
     progress: _Progress | None = None,
 ) -> Fragments: ...
+def section(
+    scene: _Scene, view: _View, *, threads: int | None = None, progress: _Progress | None = None
+) -> Section: ...
 def tree(
     scene: _Scene, *, seed: int | None = None, threads: int | None = None, progress: _Progress | None = None
 ) -> Tree: ...

@@ -135,6 +135,37 @@ class Fragments:
         return [rings[a:b] for a, b in zip(self.ring_offsets, self.ring_offsets[1:])]
 
 
+class Section:
+    """What a section cuts closed bodies to, n caps: polygons with holes in the plane, one for each object.
+
+    object (n,) int64: whose cap it is, in the order of the scene's objects; face (n,) int64: the lowest of its faces that are cut
+    ring_offsets (n + 1,), offsets (r + 1,), points (p, 3), image (p, 2): as those of `Fragments`, from any corner of each ring
+    open_outlines: how many connected outlines of the cut do not close, and so bound nothing
+    """
+
+    __slots__ = ("object", "face", "ring_offsets", "offsets", "points", "image", "open_outlines", "_exact")
+
+    def __init__(self, arrays):
+        self._exact = arrays.pop("exact")
+        for name, array in arrays.items():
+            setattr(self, name, array)
+
+    def __len__(self):
+        return len(self.object)
+
+    def __repr__(self):
+        return f"<hsr.Section: {len(self)} caps, {len(self.offsets) - 1} rings>"
+
+    def polygons(self):
+        """Of each cap its rings in the image, a list of (k, 2) arrays."""
+        return Fragments.polygons(self)
+
+    def exact_points(self, ring):
+        """The corners of a ring in space, exactly: triples of Fractions."""
+        k = _place(ring, len(self.offsets) - 1)
+        return [tuple(Fraction(x) for x in self._exact[3 * i : 3 * i + 3]) for i in range(self.offsets[k], self.offsets[k + 1])]
+
+
 class Order:
     """Convex pieces of faces from far to near, n of them: whoever paints them in turn shows what is visible.
 

@@ -31,6 +31,25 @@ class View:
     def __hash__(self):
         return hash(tuple(sorted(self._options.items())))
 
+    def with_section(self, section):
+        """This view of what a section leaves: what is on the viewer's side of a plane is taken away, and closed bodies are cut to caps.
+
+        section: a plane, "x=12.5", or (point, normal), numbers taken exactly. The drawing, lines, fragments and hidden points follow.
+
+        >>> View.named("top").with_section("z=1.2")
+        View.named(name="top").with_section("z=1.2")
+        """
+        if isinstance(section, str):
+            text, shown = section, f'"{section}"'
+        else:
+            try:
+                point, normal = section
+            except (TypeError, ValueError):
+                raise _core.InputError(f'section: found {section!r}, expected a plane such as "x=12.5", or (point, normal)') from None
+            text = f"{point_text('normal', normal)}@{point_text('point', point)}"
+            shown = repr(section)
+        return View({**self._options, "section": text}, f"{self._text}.with_section({shown})")
+
     @staticmethod
     def named(name=None, *, target=None, up=None, up_axis=None, oblique=None):
         """A view by name: front, back, left, right, top, bottom, iso, or "camera:NAME" of a glTF file ["iso"; oblique: "front"].

@@ -11,6 +11,7 @@
 
 #include "geometry/error.h"
 #include "hsr/cli/coincident_note.h"
+#include "hsr/cli/model_section.h"
 #include "hsr/cli/outline_only.h"
 #include "hsr/cli/page_writing.h"
 #include "hsr/cli/scale_text.h"
@@ -111,6 +112,7 @@ class Drawer {
   VisibleLines lines_;
   std::optional<VisibleLines> every_line_;
   std::optional<VisibleFragments> fragments_;
+  std::optional<Section> section_;
   DrawnPage page_;
 };
 
@@ -131,6 +133,8 @@ void Drawer::choose_view() {
   exact_ = prepared_;
   if (request_.scene.arithmetic != Arithmetic::staged)
     exact_.emplace(scene_, chosen_.view, SceneOptions{.coplanar = request_.scene.coplanar});
+  const std::string note = cli::find_section(model, *prepared_, request_.lines.classes, request_.drawing, section_);
+  if (!note.empty()) page_.notes.push_back(note);
 }
 
 void Drawer::find_lines() {
@@ -190,7 +194,7 @@ void Drawer::place() {
   if (request_.outputs.wants(Format::json))
     page_.json = lines_json(scene_.mesh(), chosen_.view, lines_,
                             {request_.exact ? Numbers::exact : Numbers::rounded, request_.fill ? &*fragments_ : nullptr,
-                             request_.lines.why, &objects_});
+                             request_.lines.why, &objects_, request_.drawing.section});
 }
 
 DrawnPage Drawer::draw() {

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 
 #include "geometry/error.h"
+#include "hsr/cli/model_section.h"
 #include "hsr/cli/scale_text.h"
 #include "hsr/drawing/painting.h"
 #include "hsr/io/write/json.h"
@@ -55,6 +57,9 @@ DrawnPage painted(const OrderData& data, PaintRequest& request) {
   request.painting.paints_lines_with_pieces = data.may_be_wrong;
   for (const std::string& note : {data.chosen.note, data.chosen.up_axis_note, request.page.adopt_unit(model, request.drawing)})
     if (!note.empty()) page.notes.push_back(without_dashes(note));
+  std::optional<Section> section;
+  if (const std::string note = cli::find_section(model, scene, request.lines.classes, request.drawing, section); !note.empty())
+    page.notes.push_back(note);
   page.drawing = paint_on_page(scene, data.order, face_colours(model, scene.mesh(), scene.view(), request.shading),
                                request.lines, request.drawing, request.painting);
   page.captions = {std::filesystem::path(model.name).filename().string(), "view: " + data.chosen.title, request.id_prefix};

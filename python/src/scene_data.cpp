@@ -138,6 +138,7 @@ cli::ViewOptions view_options(const py::dict& view) {
   text("direction", o.direction);
   text("up", o.up);
   text("oblique", o.oblique);
+  text("section", o.section);
   text("up_axis", o.up_axis);
   if (view.contains("fov")) o.field_of_view = view["fov"].cast<double>();
   if (view.contains("near")) o.near = view["near"].cast<double>();

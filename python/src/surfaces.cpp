@@ -12,6 +12,7 @@
 #include "hsr/io/write/png.h"
 #include "hsr/raster/caster.h"
 #include "hsr/surfaces/roberts_surfaces.h"
+#include "hsr/surfaces/section.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "python/src/arguments.h"
 #include "python/src/polygon_arrays.h"
@@ -68,6 +69,48 @@ py::dict find_fragments(const std::shared_ptr<SceneData>& data, const py::dict& 
   return all;
 }
 
+/// Caps as fragments are: face, ring_offsets, offsets, points and image; and object, exact_points as texts, open_outlines.
+py::dict find_section(const std::shared_ptr<SceneData>& data, const py::dict& named) {
+  const Arguments arguments(named);
+  const cli::ViewOptions options = arguments.view();
+  std::vector<std::int64_t> object, face, ring_offsets = {0}, offsets = {0};
+  std::vector<double> points, at;
+  std::vector<std::string> exact;
+  std::size_t open_outlines = 0;
+  run(arguments.control(), [&](const Ticket&) {
+    const Seen seen(*data, options, Coplanar::first);
+    const Section found = section(seen.view);
+    open_outlines = found.open_outlines;
+    const PaperImage image(seen.chosen.view);
+    for (const SectionCap& cap : found.caps) {
+      object.push_back(cap.object);
+      face.push_back(cap.face.value);
+      for (std::uint32_t r = cap.first_ring; r < cap.end_ring; ++r) {
+        for (const auto& p : found.rings[r]) {
+          for (const Rational& x : p) {
+            points.push_back(x.to_double());
+            exact.push_back(x.to_string());
+          }
+          for (const Rational& x : image(p)) at.push_back(x.to_double());
+        }
+        offsets.push_back(static_cast<std::int64_t>(points.size() / 3));
+      }
+      ring_offsets.push_back(static_cast<std::int64_t>(offsets.size() - 1));
+    }
+  });
+  const auto n = static_cast<py::ssize_t>(points.size() / 3);
+  py::dict all;
+  all["object"] = array_of(std::move(object));
+  all["face"] = array_of(std::move(face));
+  all["ring_offsets"] = array_of(std::move(ring_offsets));
+  all["offsets"] = array_of(std::move(offsets));
+  all["points"] = array_of(std::move(points), {n, 3});
+  all["image"] = array_of(std::move(at), {n, 2});
+  all["exact"] = std::move(exact);
+  all["open_outlines"] = open_outlines;
+  return all;
+}
+
 PixelSize size_of(const Arguments& arguments) {
   return arguments.has("size") ? parse_size(arguments.get<std::string>("size", {})) : PixelSize{1024, 1024};
 }
@@ -114,6 +157,7 @@ py::array cast_faces(const std::shared_ptr<SceneData>& data, const py::dict& nam
 
 void add_surfaces(py::module_& module) {
   module.def("fragments", &find_fragments);
+  module.def("section", &find_section);
   module.def("check", &check_fragments_of);
   module.def("cast", &cast_faces);
 }

@@ -62,16 +62,18 @@ void add_piercings(const Piece& s, const Piece& t, const View& view, std::vector
   for (const Piece* piece : {&s, &t})
     for (const auto& triangle : piece->triangles)
       for (const Corner& c : triangle) cut(c.inward, dot(c.inward, o - c.p));
-  const Vec eye(view.viewpoint.at), axis = Vec(view.target) - eye;
-  const Q near = view.is_perspective() ? Q(Q(view.near) * dot(axis, axis)) : Q(0);
-  if (view.is_perspective()) cut(axis, dot(axis, o - eye) - near);
+  // The near plane, or the section in its place: axis . (p - at) = near.
+  const Vec at = view.section ? Vec(view.section->point) : Vec(view.viewpoint.at);
+  const Vec axis = view.section ? Vec(view.section->normal) : Vec(view.target) - at;
+  const Q near = view.section ? Q(0) : Q(Q(view.near) * dot(axis, axis));
+  if (view.cuts()) cut(axis, dot(axis, o - at) - near);
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   std::vector<std::array<Q, 2>> parts;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Q middle = (cuts[i] + cuts[i + 1]) / 2;
     const Vec p = o + middle * d;
-    if (view.is_perspective() && dot(axis, p - eye) < near) continue;
+    if (view.cuts() && dot(axis, p - at) < near) continue;
     if (!s.contains_inside(p) || !t.contains_inside(p)) continue;
     if (!parts.empty() && parts.back()[1] == cuts[i])
       parts.back()[1] = cuts[i + 1];

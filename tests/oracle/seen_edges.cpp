@@ -107,6 +107,9 @@ const char* to_text(EdgeClass edge_class) {
       return "material";
     case EdgeClass::joint:
       return "joint";
+    case EdgeClass::section:
+    case EdgeClass::hatching:
+      break;  // of drawings
   }
   return "no class";
 }

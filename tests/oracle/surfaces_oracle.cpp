@@ -92,6 +92,7 @@ Q SurfacesOracle::nearness(const Vec& p) const {
 void SurfacesOracle::add_piece(TriangleId t) {
   std::vector<Vec> corners;
   const auto beyond = [&](const Vec& p) -> Q {
+    if (view_.section) return dot(p - Vec(view_.section->point), Vec(view_.section->normal));
     if (parallel_) return 1;
     return dot(axis_, p - eye_) - Q(view_.near) * dot(axis_, axis_);
   };

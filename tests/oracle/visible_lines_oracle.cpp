@@ -39,8 +39,16 @@ std::vector<Interval> united(std::vector<Interval> in) {
 }
 
 VisibleLinesOracle::VisibleLinesOracle(const Mesh& mesh, const View& view)
-    : mesh_(mesh), parallel_(view.viewpoint.is_direction), eye_(view.viewpoint.at) {
-  if (!parallel_) {
+    : mesh_(mesh),
+      parallel_(view.viewpoint.is_direction),
+      eye_(view.viewpoint.at),
+      cuts_(!parallel_ || view.section),
+      is_section_(view.section.has_value()) {
+  if (is_section_) {
+    section_at_ = Vec(view.section->point);
+    section_normal_ = Vec(view.section->normal);
+    eye_to_near_ = parallel_ ? Q(-dot(section_normal_, eye_)) : Q(-dot(section_normal_, eye_ - section_at_));
+  } else if (!parallel_) {
     axis_ = Vec(view.target) - eye_;
     eye_to_near_ = Q(view.near) * dot(axis_, axis_);
   }
@@ -49,6 +57,7 @@ VisibleLinesOracle::VisibleLinesOracle(const Mesh& mesh, const View& view)
 }
 
 Q VisibleLinesOracle::depth(const Vec& p) const {
+  if (is_section_) return dot(p - section_at_, section_normal_);
   if (parallel_) return 1;
   return dot(p - eye_, axis_) - eye_to_near_;
 }
@@ -75,7 +84,7 @@ VisibleLinesOracle::Triangle VisibleLinesOracle::triangle_of(const std::array<Ve
   };
   // The whole triangle's sides too: where only a side or a corner touches the near plane they bound what is left of it.
   add_sides_of(t.corners);
-  if (!parallel_) add_sides_of(t.corners_beyond);
+  if (cuts_) add_sides_of(t.corners_beyond);
   return t;
 }
 
@@ -85,9 +94,9 @@ bool VisibleLinesOracle::hides(TriangleId triangle, const Vec& p) const { return
 bool VisibleLinesOracle::hides(const Triangle& t, const Vec& p) const {
   const Vec d = to_eye(p);
   std::optional<Q> reach;
-  if (!parallel_) {
+  if (cuts_) {
     const Q here = depth(p);
-    reach = here / (here + eye_to_near_);
+    reach = parallel_ ? Q(here / eye_to_near_) : Q(here / (here + eye_to_near_));
   }
   const Q rise = dot(t.normal, d);
   const Q height = dot(t.normal, t.corners[0] - p);

@@ -70,7 +70,10 @@ class VisibleLinesOracle {
   bool parallel_;
   Vec eye_;        // the eye, or the direction toward the viewer
   Vec axis_;       // target - eye
-  Q eye_to_near_;  // k |target - eye|^2
+  Q eye_to_near_;  // by how much the depth is less at the eye than in the near plane; by how much it falls along a direction
+  bool cuts_;      // there is a near plane, or a section in its place
+  Vec section_at_, section_normal_;
+  bool is_section_;
   std::vector<Triangle> triangles_;
 };
 

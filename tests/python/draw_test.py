@@ -52,6 +52,7 @@ REQUESTS = (
     ({"fill": True, "shade": "none", "merge": "colour"}, ["--fill", "--shade", "none", "--merge", "colour"]),
     ({"view": hsr.View.named(oblique=(45, 0.5))}, ["--oblique", "45,0.5"]),
     ({"view": hsr.View.named("top", oblique=(270, 1)), "min_length": 2}, ["--view", "top", "--oblique", "270,1", "--min-length", "2"]),
+    ({"view": hsr.View.named().with_section(((0.1, 0.2, 0.3), (1, -2, 0.5))), "fill": True}, ["--section", "1,-2,0.5@0.1,0.2,0.3", "--fill"]),
     ({"view": hsr.View.parallel((1, -3, 0.5), oblique=(30.5, 0.75))}, ["--direction", "1,-3,0.5", "--oblique", "30.5,0.75"]),
     ({"stages": {"all": "never", "far-faces": "always"}}, ["--stages", "all=never,far-faces=always"]),
     ({"arithmetic": "rational", "fill": True}, ["--arithmetic", "rational", "--fill"]),
@@ -234,6 +235,9 @@ class Drawings(unittest.TestCase):
             (None, {"stages": "frame"}, "stages: found"),
             (None, {"arithmetic": "float"}, "arithmetic: found"),
             (None, {"view": hsr.View.named(oblique=(45, -1))}, "oblique: found"),
+            (None, {"view": hsr.View.named("top").with_section("z=0"), "why": True}, "section: "),
+            (None, {"view": hsr.View.named("top").with_section("z=0"), "outline_only": True}, "section: "),
+            (None, {"view": hsr.View.named("top").with_section("u=0")}, "section: found"),
             ("x", {}, "x"),
             (None, {"hidden": "dotted"}, 'hidden: found "dotted", expected one of none, dashed, solid'),
             (None, {"page": "A9"}, "page: found"),
@@ -269,7 +273,7 @@ class Options(unittest.TestCase):
         text = subprocess.run([COMMAND, command, "--help"], capture_output=True, text=True, check=True).stdout
         options = set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", text, re.M))
         self.assertGreater(len(options), 20)
-        views = (hsr.View.named, hsr.View.parallel, hsr.View.perspective)
+        views = (hsr.View.named, hsr.View.parallel, hsr.View.perspective, hsr.View.with_section)
         arguments = {name for function in (*functions, hsr.scene, *views) for name in inspect.signature(function).parameters}
         missing = {option for option in options - set(NOT_IN_PYTHON) if option[2:].replace("-", "_") not in arguments}
         self.assertEqual(missing, set())

@@ -107,6 +107,25 @@ class VisibleLines(unittest.TestCase):
 
 
 class Surfaces(unittest.TestCase):
+    def test_a_section_has_caps_of_exact_rings(self):
+        cube = numpy.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
+        faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+        two = [(cube, faces), (cube + [3, 0, 0], faces)]
+        view = hsr.View.named("top").with_section(((0, 0, 1), (0, 1, 3)))
+        cut = hsr.section(two, view)
+        self.assertEqual(cut.object.tolist(), [0, 1])
+        self.assertEqual(cut.open_outlines, 0)
+        self.assertEqual(sorted(len(rings) for rings in cut.polygons()), [1, 1])
+        for x, y, z in cut.exact_points(0):
+            self.assertEqual(3 * (z - 1) + y, 0)
+        drawn = hsr.draw(two, view=view)
+        self.assertIn("visible hatching", drawn.svg())
+        self.assertEqual(hsr.hidden([[0.5, 0.5, 0.2], [2, 0.5, 0.2]], two, view).tolist(), [True, False])
+        with self.assertRaisesRegex(ValueError, "edge-on"):
+            hsr.section(two, hsr.View.named("top").with_section("x=0.5"))
+        with self.assertRaisesRegex(ValueError, "section"):
+            hsr.View.named("top").with_section(3)
+
     def test_fragments_cover_the_image(self):
         seen = hsr.fragments(scenes.FLOOR_AND_ROOF, "top")
         self.assertEqual(seen.face.tolist(), [0, 0, 1])

@@ -123,6 +123,8 @@ std::string to_text(const TestScene& scene) {
     text << "# eye " << text_of(scene.view.viewpoint.at) << "\n# target " << text_of(scene.view.target);
     text << "\n# near " << text_of(scene.view.near) << "\n";
   }
+  if (const auto& section = scene.view.section)
+    text << "# section " << text_of(section->point) << " " << text_of(section->normal) << "\n";
   for (const Point3& p : scene.points) text << "v " << text_of(p) << "\n";
   for (std::size_t f = 0; f < scene.polygons.size(); ++f) {
     text << "f";
@@ -136,6 +138,7 @@ std::string to_text(const TestScene& scene) {
 TestScene scene_from_text(const std::string& text) {
   TestScene scene;
   std::optional<Point3> direction, eye, target;
+  std::optional<std::array<Point3, 2>> section;
   double near = 0.001;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -149,6 +152,10 @@ TestScene scene_from_text(const std::string& text) {
       if (word == "eye") eye = point(in);
       if (word == "target") target = point(in);
       if (word == "near") near = number(in);
+      if (word == "section") {
+        const Point3 at = point(in);
+        section = {at, point(in)};
+      }
     } else if (word == "v") {
       scene.points.push_back(point(in));
     } else if (word == "f" || word == "l") {
@@ -165,6 +172,7 @@ TestScene scene_from_text(const std::string& text) {
   }
   if (!direction && !(eye && target)) throw InputError("scene: no view");
   scene.view = direction ? from_direction(*direction) : from_eye(*eye, *target, near);
+  if (section) scene.view = with_section(scene.view, (*section)[0], (*section)[1]);
   return scene;
 }
 

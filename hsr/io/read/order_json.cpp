@@ -92,6 +92,7 @@ class OrderReader {
       out.near = number(v["near"], "view: near");
       if (!(out.near > 0)) refuse("view: near", v["near"], "a number above 0");
     }
+    if (v.contains("section")) out = with_section(out, point(v["section"], "point"), point(v["section"], "normal"));
     if (v.contains("frame")) {
       const Json& f = v["frame"];
       out.frame = {point(f, "origin"), point(f, "right"), point(f, "up")};

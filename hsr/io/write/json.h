@@ -6,6 +6,7 @@
 #include "hsr/lines/visible_lines.h"
 #include "hsr/painter/painters_order.h"
 #include "hsr/scene/tie_rule.h"
+#include "hsr/surfaces/section.h"
 #include "hsr/surfaces/visible_fragments.h"
 
 namespace hsr {
@@ -23,6 +24,7 @@ struct JsonOptions {
   /// Names of objects at the top, and at each line and fragment that is of one of them its number among these; nullptr, or fewer
   /// than two: none of this is written.
   const SceneObjects* objects = nullptr;
+  const Section* section = nullptr;  ///< the caps are written beside the lines
 };
 
 /// Visible lines as JSON, "hsr-lines/1" (docs/conventions.md, "JSON").

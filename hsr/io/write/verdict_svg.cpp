@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/near_value.h"
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/svg_text.h"
 
@@ -42,18 +43,8 @@ struct Sheet {
 std::vector<std::array<double, 2>> seen(const PaintedPolygon& polygon, const View& view) {
   std::vector<std::array<double, 2>> points;
   std::vector<std::array<Rational, 3>> ring = polygon.corners;
-  if (view.is_perspective()) {
-    const auto beyond = [&](const std::array<Rational, 3>& p) {
-      const Point3 &e = view.viewpoint.at, &t = view.target;
-      Rational d, dd;
-      const double eye[3] = {e.x, e.y, e.z}, target[3] = {t.x, t.y, t.z};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Rational axis = Rational(target[k]) - Rational(eye[k]);
-        d = d + (p[k] - Rational(eye[k])) * axis;
-        dd = dd + axis * axis;
-      }
-      return d - Rational(view.near) * dd;
-    };
+  if (view.cuts()) {
+    const auto beyond = [near = view.near_plane()](const RationalVector& p) { return near_value(near, p); };
     std::vector<std::array<Rational, 3>> out;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const auto &p = ring[k], &q = ring[(k + 1) % ring.size()];

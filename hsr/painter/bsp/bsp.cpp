@@ -148,7 +148,7 @@ class PieceWriter {
     if (projected_.facing(facet) == Sign::zero) return;
     ring_.swap(ring);
     if (projected_.facing(facet) == Sign::negative) reverse();
-    if (projected_.is_perspective() && !clip_near(facet)) return;
+    if (projected_.has_near() && !clip_near(facet)) return;
     const auto first = static_cast<std::uint32_t>(order_.corners.size());
     order_.corners.insert(order_.corners.end(), ring_.begin(), ring_.end());
     check_countable(order_.corners.size(), "corners of a painting order");

@@ -2,7 +2,8 @@
 
 namespace hsr::internal {
 
-ImageRows::ImageRows(const View& view) : parallel(!view.is_perspective()), eye(rational(view.viewpoint.at)) {
+ImageRows::ImageRows(const View& view)
+    : parallel(!view.is_perspective()), eye(rational(view.viewpoint.at)), cuts(view.cuts()), near_plane(view.near_plane()) {
   away = parallel ? minus(RationalVector{}, eye) : minus(rational(view.target), eye);
   for (std::size_t k = 0; k < 3; ++k) {
     RationalVector unit;
@@ -12,7 +13,6 @@ ImageRows::ImageRows(const View& view) : parallel(!view.is_perspective()), eye(r
     across = {c, cross(c, away)};
     break;
   }
-  if (!parallel) near = Rational(view.near) * dot(away, away);
 }
 
 ImagePlace ImageRows::place(const RationalVector& p) const {

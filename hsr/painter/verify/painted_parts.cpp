@@ -89,7 +89,7 @@ std::vector<std::uint32_t> as_ring(std::span<const std::uint32_t> corners) {
 enum class Before { nothing, some, all };
 
 Before before_near(PaintedSides& sides, const ImageRows& rows, std::span<const std::uint32_t> ring) {
-  if (rows.parallel) return Before::nothing;
+  if (!rows.cuts) return Before::nothing;
   bool before = false, beyond = false;
   for (const std::uint32_t c : ring) {
     const Sign s = sides.near(c);
@@ -145,7 +145,7 @@ void PaintedParts::add_wire(PaintedSides& sides, std::uint32_t polygon) {
   if (before == Before::all) return;
   if (before == Before::some) {
     const RationalVector p = points_.exact(ends[0]), q = points_.exact(ends[1]);
-    const Rational s = rows_.depth(p) - rows_.near, t = rows_.depth(q) - rows_.near, u = s / (s - t);
+    const Rational s = rows_.beyond_near(p), t = rows_.beyond_near(q), u = s / (s - t);
     ends[s.sign() == Sign::negative ? 0 : 1] =
         points_.number_of({p[0] + u * (q[0] - p[0]), p[1] + u * (q[1] - p[1]), p[2] + u * (q[2] - p[2])});
   }
@@ -182,7 +182,7 @@ void PaintedParts::add_cut(PaintedSides& sides, std::uint32_t polygon, std::span
   std::vector<std::uint32_t> out;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const RationalVector p = points_.exact(ring[k]), q = points_.exact(ring[(k + 1) % ring.size()]);
-    const Rational s = rows_.depth(p) - rows_.near, t = rows_.depth(q) - rows_.near;
+    const Rational s = rows_.beyond_near(p), t = rows_.beyond_near(q);
     if (s.sign() != Sign::negative) out.push_back(ring[k]);
     if (s.sign() * t.sign() != Sign::negative) continue;
     const Rational u = s / (s - t);

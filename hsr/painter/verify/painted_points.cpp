@@ -40,6 +40,7 @@ Near minus(const std::array<ErrorBounded, 3>& a, const std::array<ErrorBounded, 
 ErrorBounded determinant(const Near& a, const Near& b, const Near& c) { return polynomials::dot(polynomials::cross(a, b), c); }
 
 BitRange with_view(BitRange points, const View& view) {
+  if (view.section) points.add(view.section->point);
   if (!view.is_perspective()) return points;
   points.add(view.viewpoint.at);
   points.add(view.target);
@@ -49,6 +50,7 @@ BitRange with_view(BitRange points, const View& view) {
 BitRange of_direction(const View& view) {
   BitRange c;
   if (!view.is_perspective()) c.add(view.viewpoint.at);
+  if (view.section) c.add(view.section->normal);
   return c;
 }
 
@@ -197,7 +199,7 @@ Sign PaintedSides::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::
 
 Sign PaintedSides::near(std::uint32_t p) {
   if (points_.is_double(p)) return predicates_.side(view_.near_plane(), points_.point(p));
-  return (rows_.depth(points_.exact(p)) - rows_.near).sign();
+  return rows_.beyond_near(points_.exact(p)).sign();
 }
 
 }  // namespace hsr::internal

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hsr/drawing/page.h"
+
+namespace hsr::internal {
+
+/// How a cap is hatched.
+struct Hatch {
+  double degrees = 45;  ///< of its lines, counter-clockwise from the right
+  double spacing = 2;   ///< mm
+  double phase = 0;     ///< in spacings
+};
+
+/// The hatching for a cap: of the style that its number names, at a spacing that suits its size (ISO 128-50), from 1 mm to 4 mm. What is
+/// thinner than 0.7 mm is filled: its lines are as wide as they are apart.
+/// @param pen width of the lines, mm
+/// @param unit all of this in other units: how many are a millimetre
+Hatch hatch_for(const std::vector<std::vector<PaperPoint>>& rings, std::uint32_t style, double pen, double unit = 1);
+
+/// The lines within the rings, which do not cross; inside is where an odd number of them is around. Ends are rounded to the borders'
+/// thousandths of a millimetre. Cost: O(n k) at most, for n sides and k lines.
+std::vector<std::array<PaperPoint, 2>> hatch_lines(const std::vector<std::vector<PaperPoint>>& rings, const Hatch& hatch);
+
+}  // namespace hsr::internal

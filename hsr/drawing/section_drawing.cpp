@@ -1,0 +1,174 @@
+#include "hsr/drawing/section_drawing.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "geometry/error.h"
+#include "hsr/drawing/hatching.h"
+#include "hsr/drawing/join.h"
+#include "hsr/drawing/paper_rings.h"
+
+namespace hsr::internal {
+
+namespace {
+
+using Wide = Enclosure::Wide;
+
+/// From the plane of the section to the page.
+class SectionPlacer {
+ public:
+  SectionPlacer(const Placement& placement, const Section& section) : placement_(placement), section_(section) {}
+
+  PaperPoint operator()(const std::array<Rational, 3>& p) const { return Projection::rounded(placement_.projection.exact(p)); }
+
+  std::vector<std::vector<PaperPoint>> rings_of(const SectionCap& cap) const {
+    std::vector<std::vector<PaperPoint>> rings;
+    for (std::uint32_t r = cap.first_ring; r < cap.end_ring; ++r) {
+      std::vector<PaperPoint> ring;
+      for (const auto& p : section_.rings[r]) ring.push_back((*this)(p));
+      if (placement_.frame) ring = in_frame(ring);
+      drop_repeated(ring);
+      if (!ring.empty()) rings.push_back(std::move(ring));
+    }
+    return rings;
+  }
+
+  /// The part in the frame: Liang and Barsky's.
+  std::optional<std::array<PaperPoint, 2>> in_frame(const PaperPoint& from, const PaperPoint& to) const {
+    if (!placement_.frame) return std::array{from, to};
+    const PaperFrame& f = *placement_.frame;
+    const std::array<double, 4> at_from = inside(f, from), at_to = inside(f, to);
+    double low = 0, high = 1;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (at_from[k] < 0 && at_to[k] < 0) return std::nullopt;
+      if (at_from[k] < 0) low = std::max(low, at_from[k] / (at_from[k] - at_to[k]));
+      if (at_to[k] < 0) high = std::min(high, at_from[k] / (at_from[k] - at_to[k]));
+    }
+    if (!(low < high)) return std::nullopt;
+    const auto at = [&](double t) -> PaperPoint {
+      if (t == 0) return from;
+      if (t == 1) return to;
+      return {from.x + std::llround(t * static_cast<double>(to.x - from.x)),
+              from.y + std::llround(t * static_cast<double>(to.y - from.y))};
+    };
+    return std::array{at(low), at(high)};
+  }
+
+ private:
+  static std::array<double, 4> inside(const PaperFrame& f, const PaperPoint& p) {
+    const double x = static_cast<double>(p.x) / 1000, y = static_cast<double>(p.y) / 1000;
+    return {x - f.left, f.right - x, y - f.top, f.bottom - y};
+  }
+  std::vector<PaperPoint> in_frame(const std::vector<PaperPoint>& ring) const {
+    std::vector<std::array<Wide, 2>> wide;
+    for (const PaperPoint& p : ring) wide.push_back({static_cast<Wide>(p.x) / 1000, static_cast<Wide>(p.y) / 1000});
+    return clipped(std::move(wide), *placement_.frame);
+  }
+
+  const Placement& placement_;
+  const Section& section_;
+};
+
+/// Each cap has the style that its object's number asks for, or the next that no earlier cap that it touches has.
+std::vector<std::uint32_t> styles_of(const Section& section) {
+  constexpr std::uint32_t styles = 8;
+  std::map<std::uint32_t, std::set<std::uint32_t>> touching;
+  for (const SectionLine& line : section.lines) {
+    const auto [a, b] = line.objects;
+    if (a == SectionLine::none || b == SectionLine::none || a == b) continue;
+    touching[std::max(a, b)].insert(std::min(a, b));
+  }
+  std::map<std::uint32_t, std::uint32_t> of_object;
+  std::vector<std::uint32_t> all;
+  for (const SectionCap& cap : section.caps) {
+    std::set<std::uint32_t> taken;
+    for (const std::uint32_t other : touching[cap.object])
+      if (const auto at = of_object.find(other); at != of_object.end()) taken.insert(at->second);
+    std::uint32_t style = cap.object % styles;
+    for (std::uint32_t k = 0; k < styles && taken.contains(style); ++k) style = (style + 1) % styles;
+    all.push_back(of_object[cap.object] = style);
+  }
+  return all;
+}
+
+std::uint32_t object_of(const DrawingOptions& options, FaceId face) {
+  return options.objects == nullptr ? SceneObjects::none : options.objects->object_of(std::array{face});
+}
+
+/// Lines of one class that are joined end to end.
+void add_polylines(Drawing& drawing, const std::vector<PaperLine>& lines) {
+  const Chains chains = join(lines);
+  std::vector<std::uint32_t> order(chains.passes.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
+  const auto first_of = [&](std::uint32_t chain) -> const PaperLine& { return lines[chains.passes[chain].front() / 2]; };
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(first_of(a).style, first_of(a).object) < std::pair(first_of(b).style, first_of(b).object);
+  });
+  for (const std::uint32_t chain : order) {
+    Polyline p;
+    p.edge_class = static_cast<EdgeClass>(first_of(chain).style);
+    p.object = first_of(chain).object;
+    p.closed = chains.closed[chain] != 0;
+    p.first_point = static_cast<std::uint32_t>(drawing.points.size());
+    const auto passes = chains.passes[chain];
+    for (const std::uint32_t pass : passes) drawing.points.push_back(pass % 2 != 0 ? lines[pass / 2].to : lines[pass / 2].from);
+    if (!p.closed)
+      drawing.points.push_back(passes.back() % 2 != 0 ? lines[passes.back() / 2].from : lines[passes.back() / 2].to);
+    p.end_point = static_cast<std::uint32_t>(drawing.points.size());
+    p.first_edge = p.end_edge = static_cast<std::uint32_t>(drawing.edges.size());
+    p.first_face = p.end_face = static_cast<std::uint32_t>(drawing.faces.size());
+    check_countable(drawing.points.size(), "points of a drawing");
+    drawing.polylines.push_back(p);
+  }
+}
+
+}  // namespace
+
+void add_section_lines(Drawing& drawing, const Placement& placement, const DrawingOptions& options) {
+  if (options.section == nullptr) return;
+  const Section& section = *options.section;
+  const SectionPlacer placed(placement, section);
+  std::vector<PaperLine> lines;
+  const auto wants = [&](EdgeClass c) { return options.section_classes[static_cast<std::size_t>(c)]; };
+  const auto add = [&](const PaperPoint& from, const PaperPoint& to, EdgeClass c, std::uint32_t object) {
+    const auto seen = placed.in_frame(from, to);
+    if (seen && (*seen)[0] != (*seen)[1]) lines.push_back({(*seen)[0], (*seen)[1], static_cast<std::uint32_t>(c), object});
+  };
+  for (const SectionLine& line : section.lines)
+    if (wants(line.edge_class)) add(placed(line.ends[0]), placed(line.ends[1]), line.edge_class, object_of(options, line.face));
+  if (wants(EdgeClass::hatching)) {
+    const std::vector<std::uint32_t> styles = styles_of(section);
+    const double pen = drawing.pens.of(false, EdgeClass::hatching).width;
+    // Paper and page differ where the drawing is in units of the frame.
+    const double unit = options.in_frame_units ? drawing.scale / options.hatch_scale : 1;
+    for (std::size_t k = 0; k < section.caps.size(); ++k) {
+      const auto rings = placed.rings_of(section.caps[k]);
+      Hatch hatch = hatch_for(rings, styles[k], pen, unit);
+      for (const auto& [from, to] : hatch_lines(rings, hatch))
+        add(from, to, EdgeClass::hatching, object_of(options, section.caps[k].face));
+    }
+  }
+  add_polylines(drawing, lines);
+}
+
+void add_section_fills(Fills& fills, const Placement& placement, const DrawingOptions& options) {
+  if (options.section == nullptr) return;
+  const SectionPlacer placed(placement, *options.section);
+  const std::uint32_t layer = fills.fills.empty() ? 0 : fills.fills.back().layer + 1;
+  for (std::size_t k = 0; k < options.section->caps.size(); ++k) {
+    const SectionCap& cap = options.section->caps[k];
+    Fill fill;
+    fill.colour = k < options.cap_colours.size() ? options.cap_colours[k] : Colour{255, 255, 255, 255};
+    fill.first_ring = static_cast<std::uint32_t>(fills.rings.size());
+    for (const auto& ring : placed.rings_of(cap)) fills.rings.push_row(ring);
+    fill.end_ring = static_cast<std::uint32_t>(fills.rings.size());
+    fill.first_face = fill.end_face = static_cast<std::uint32_t>(fills.faces.size());
+    fill.object = object_of(options, cap.face);
+    fill.layer = layer;
+    if (fill.end_ring > fill.first_ring) fills.fills.push_back(fill);
+  }
+}
+
+}  // namespace hsr::internal

@@ -1,0 +1,123 @@
+#include "hsr/surfaces/cap_arrangement.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hsr::internal {
+
+namespace {
+
+using Place = SectionCaps::ExactPlace;
+
+Place difference(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1]}; }
+
+}  // namespace
+
+Rational cross(const Place& a, const Place& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+CapArrangement::CapArrangement(const SectionCaps& caps) : caps_(caps) {
+  for (std::uint32_t k = 0; k < caps.sides().size(); ++k) add_parts(k);
+}
+
+/// Where the side `other` cuts the side k or ends on it, as shares of the way along k.
+void CapArrangement::add_cuts(std::uint32_t k, std::uint32_t other, std::vector<Rational>& cuts) const {
+  const CapSide &own = caps_.sides()[k], &crossing = caps_.sides()[other];
+  const Place &a = caps_.exact_place(own.from), &p = caps_.exact_place(crossing.from), &q = caps_.exact_place(crossing.to);
+  const Place along = difference(caps_.exact_place(own.to), a), to_p = difference(p, a), to_q = difference(q, a);
+  const Rational at_p = cross(along, to_p), at_q = cross(along, to_q);
+  if (at_p.sign() * at_q.sign() == Sign::positive) return;
+  const auto share = [&](const Place& d) { return along[0].sign() != Sign::zero ? d[0] / along[0] : d[1] / along[1]; };
+  if (at_p.sign() == Sign::zero) cuts.push_back(share(to_p));
+  if (at_q.sign() == Sign::zero) cuts.push_back(share(to_q));
+  if (at_p.sign() * at_q.sign() != Sign::negative) return;
+  const Rational s = at_p / (at_p - at_q);
+  cuts.push_back(share({to_p[0] + s * (to_q[0] - to_p[0]), to_p[1] + s * (to_q[1] - to_p[1])}));
+}
+
+void CapArrangement::add_parts(std::uint32_t k) {
+  std::vector<Rational> cuts = {0.0, 1.0};
+  const CapSide& side = caps_.sides()[k];
+  const Place& a = caps_.exact_place(side.from);
+  caps_.visit_sides(caps_.place(side.from), caps_.place(side.to), [&](std::uint32_t other) {
+    if (other != k) add_cuts(k, other, cuts);
+  });
+  const Rational zero = 0.0, one = 1.0;
+  std::erase_if(cuts, [&](const Rational& x) { return x < zero || x > one; });
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  const Place along = difference(caps_.exact_place(side.to), a), across = {-along[1], along[0]};
+  const auto at = [&](const Rational& share) { return Place{a[0] + share * along[0], a[1] + share * along[1]}; };
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    CapPart part{k, at(cuts[i]), at(cuts[i + 1]), {}, {}};
+    const Place middle = at((cuts[i] + cuts[i + 1]) * Rational(0.5));
+    std::optional<std::uint32_t> least;
+    part.left = caps_.objects_beside(middle, across, least);
+    if (least && *least < k) continue;  // it stands there already
+    part.right = caps_.objects_beside(middle, {-across[0], -across[1]}, least);
+    if (part.left != part.right) parts_.push_back(std::move(part));
+  }
+}
+
+std::vector<CapRun> CapArrangement::runs(const std::function<bool(const CapPart&)>& is_chosen,
+                                         const std::function<bool(const DirectedPart&, const DirectedPart&)>& agree) const {
+  std::map<Place, std::vector<std::uint32_t>> ends;
+  std::vector<char> is_used(parts_.size(), 1);
+  for (std::uint32_t k = 0; k < parts_.size(); ++k) {
+    if (!is_chosen(parts_[k])) continue;
+    is_used[k] = 0;
+    ends[parts_[k].from].push_back(k);
+    ends[parts_[k].to].push_back(k);
+  }
+  const auto next = [&](const DirectedPart& end) -> std::optional<DirectedPart> {
+    const auto& there = ends.at(end.to());
+    if (there.size() != 2) return {};
+    const std::uint32_t k = &parts_[there[0]] == end.part ? there[1] : there[0];
+    const DirectedPart on{&parts_[k], parts_[k].to == end.to()};
+    if (is_used[k] != 0 || cross(end.along(), on.along()).sign() != Sign::zero || !agree(end, on)) return {};
+    is_used[k] = 1;
+    return on;
+  };
+  const auto last_from = [&](DirectedPart end) {
+    while (const auto on = next(end)) end = *on;
+    return end;
+  };
+  std::vector<CapRun> runs;
+  for (std::uint32_t k = 0; k < parts_.size(); ++k) {
+    if (std::exchange(is_used[k], char{1}) != 0) continue;
+    const DirectedPart last = last_from({&parts_[k], false}), first = last_from({&parts_[k], true});
+    runs.push_back({{first.part, !first.reversed}, last});
+  }
+  return runs;
+}
+
+std::optional<std::uint32_t> CapArrangement::side_across(const Place& at, const DirectedPart& part) const {
+  const auto bounded = [](const Rational& x) {
+    const double d = x.to_double();
+    return ErrorBounded{d, ErrorBounded::u * std::fabs(d) + 0x1p-1074};
+  };
+  const SectionCaps::Place about = {bounded(at[0]), bounded(at[1])};
+  const Place along = part.along();
+  std::optional<std::uint32_t> found;
+  caps_.visit_sides(about, about, [&](std::uint32_t k) {
+    const Place &a = caps_.exact_place(caps_.sides()[k].from), &b = caps_.exact_place(caps_.sides()[k].to);
+    const Place d = difference(b, a), to_a = difference(a, at), to_b = difference(b, at);
+    if (cross(d, along).sign() == Sign::zero || cross(to_a, to_b).sign() != Sign::zero) return;
+    if ((to_a[0] * to_b[0] + to_a[1] * to_b[1]).sign() == Sign::positive) return;
+    found = std::min(k, found.value_or(k));
+  });
+  return found;
+}
+
+RationalVector CapArrangement::point(std::uint32_t side, const Place& at) const {
+  const CapSide& s = caps_.sides()[side];
+  const Place &a = caps_.exact_place(s.from), &b = caps_.exact_place(s.to);
+  RationalVector p = caps_.point(s.from);
+  if (at == a) return p;
+  const RationalVector along = minus(caps_.point(s.to), p);
+  const Place d = difference(b, a), to = difference(at, a);
+  const Rational share = d[0].sign() != Sign::zero ? to[0] / d[0] : to[1] / d[1];
+  for (std::size_t k = 0; k < 3; ++k) p[k] = p[k] + share * along[k];
+  return p;
+}
+
+}  // namespace hsr::internal

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "hsr/scene/section_caps.h"
+
+namespace hsr::internal {
+
+/// A part of a side of caps between two crossings, and the objects inside which it has its left and its right side, left as it runs in
+/// the plane's own coordinates.
+struct CapPart {
+  std::uint32_t side;
+  SectionCaps::ExactPlace from, to;
+  std::vector<std::uint32_t> left, right;
+};
+
+/// A part from one end to the other.
+struct DirectedPart {
+  const CapPart* part;
+  bool reversed;
+
+  const SectionCaps::ExactPlace& from() const { return reversed ? part->to : part->from; }
+  const SectionCaps::ExactPlace& to() const { return reversed ? part->from : part->to; }
+  const std::vector<std::uint32_t>& left() const { return reversed ? part->right : part->left; }
+  const std::vector<std::uint32_t>& right() const { return reversed ? part->left : part->right; }
+  SectionCaps::ExactPlace along() const { return {to()[0] - from()[0], to()[1] - from()[1]}; }
+};
+
+/// Parts that go straight on, from the first to the last, both in the direction of the run.
+struct CapRun {
+  DirectedPart first, last;
+};
+
+/// The sides of the caps cut where others cross or touch them; of sides that coincide, one. What has the same objects on both sides is
+/// left out.
+/// Exact: yes. Cost: O(m log m), and cross products for each two sides whose boxes touch.
+class CapArrangement {
+ public:
+  explicit CapArrangement(const SectionCaps& caps);
+
+  const std::vector<CapPart>& parts() const { return parts_; }
+
+  /// The parts that are chosen, those joined that go straight on where no other chosen part begins or ends, if they agree.
+  std::vector<CapRun> runs(const std::function<bool(const CapPart&)>& is_chosen,
+                           const std::function<bool(const DirectedPart&, const DirectedPart&)>& agree) const;
+  /// A side that the place is on and that is not parallel to the part; none: there is no such side.
+  std::optional<std::uint32_t> side_across(const SectionCaps::ExactPlace& at, const DirectedPart& part) const;
+  /// The point in space of a place on a side.
+  RationalVector point(std::uint32_t side, const SectionCaps::ExactPlace& at) const;
+
+ private:
+  void add_cuts(std::uint32_t k, std::uint32_t other, std::vector<Rational>& cuts) const;
+  void add_parts(std::uint32_t k);
+
+  const SectionCaps& caps_;
+  std::vector<CapPart> parts_;
+};
+
+Rational cross(const SectionCaps::ExactPlace& a, const SectionCaps::ExactPlace& b);
+
+}  // namespace hsr::internal

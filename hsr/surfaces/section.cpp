@@ -1,0 +1,149 @@
+#include "hsr/surfaces/section.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "geometry/view_plane.h"
+#include "hsr/scene/view_parts.h"
+#include "hsr/surfaces/cap_arrangement.h"
+
+namespace hsr {
+
+using namespace internal;
+
+namespace {
+
+using Place = SectionCaps::ExactPlace;
+
+/// A corner of a ring, and a side of the caps that it is on.
+struct RingCorner {
+  std::uint32_t side;
+  Place at;
+};
+
+Place difference(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1]}; }
+
+/// Whether d comes before e on the way around, counter-clockwise from the direction `first`, which itself comes last.
+bool comes_first(const Place& first, const Place& d, const Place& e) {
+  const auto half = [&](const Place& x) {
+    const Sign side = cross(first, x).sign();
+    if (side != Sign::zero) return side == Sign::positive ? 0 : 2;
+    return (first[0] * x[0] + first[1] * x[1]).sign() == Sign::positive ? 3 : 1;
+  };
+  if (half(d) != half(e)) return half(d) < half(e);
+  return cross(d, e).sign() == Sign::positive;
+}
+
+/// Links parts that have the inside on their left to rings. Where several leave a place, the next is the first one clockwise from the
+/// way back: rings touch and do not cross.
+std::vector<std::vector<RingCorner>> rings_of(const std::vector<DirectedPart>& bounds) {
+  std::map<Place, std::vector<std::size_t>> leaving;
+  for (std::size_t k = 0; k < bounds.size(); ++k) leaving[bounds[k].from()].push_back(k);
+  std::vector<char> is_used(bounds.size(), 0);
+  std::vector<std::vector<RingCorner>> rings;
+  for (std::size_t first = 0; first < bounds.size(); ++first) {
+    if (is_used[first] != 0) continue;
+    auto& ring = rings.emplace_back();
+    for (std::size_t k = first; is_used[k] == 0;) {
+      is_used[k] = 1;
+      ring.push_back({bounds[k].part->side, bounds[k].from()});
+      const auto& next = leaving.at(bounds[k].to());
+      const Place back = difference(bounds[k].from(), bounds[k].to());
+      k = *std::max_element(next.begin(), next.end(), [&](std::size_t x, std::size_t y) {
+        return comes_first(back, bounds[x].along(), bounds[y].along());
+      });
+    }
+  }
+  return rings;
+}
+
+/// Without corners at which the ring goes straight on.
+void straighten(std::vector<RingCorner>& ring) {
+  std::vector<RingCorner> corners;
+  const std::size_t n = ring.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Place before = difference(ring[k].at, ring[(k + n - 1) % n].at), after = difference(ring[(k + 1) % n].at, ring[k].at);
+    if (cross(before, after).sign() != Sign::zero) corners.push_back(ring[k]);
+  }
+  ring = std::move(corners);
+}
+
+class SectionMaker {
+ public:
+  SectionMaker(const SceneView& scene, const SectionCaps& caps)
+      : mesh_(scene.mesh()), labels_(scene.labels()), caps_(caps), arrangement_(caps) {}
+
+  Section made() {
+    section_.open_outlines = caps_.open_outlines();
+    for (const CapSide& s : caps_.sides()) {
+      const FaceId face = mesh_.face_of[s.triangle];
+      const auto [at, is_new] = lowest_face_.emplace(s.object, face);
+      if (!is_new) at->second = std::min(at->second, face);
+    }
+    for (const auto& [object, face] : lowest_face_) add_cap(object, face);
+    add_lines();
+    return std::move(section_);
+  }
+
+ private:
+  void add_cap(std::uint32_t object, FaceId face) {
+    const auto has = [&](const std::vector<std::uint32_t>& objects) {
+      return std::binary_search(objects.begin(), objects.end(), object);
+    };
+    std::vector<DirectedPart> bounds;
+    for (const CapPart& part : arrangement_.parts())
+      if (has(part.left) != has(part.right)) bounds.push_back({&part, has(part.right)});
+    SectionCap cap{object, face, static_cast<std::uint32_t>(section_.rings.size()), 0};
+    for (auto& ring : rings_of(bounds)) {
+      straighten(ring);
+      if (caps_.is_mirrored()) std::reverse(ring.begin(), ring.end());
+      std::vector<std::array<Rational, 3>> points;
+      for (const RingCorner& c : ring) points.push_back(arrangement_.point(c.side, c.at));
+      section_.rings.push_row(points);
+    }
+    cap.end_ring = static_cast<std::uint32_t>(section_.rings.size());
+    if (cap.end_ring > cap.first_ring) section_.caps.push_back(cap);
+  }
+
+  std::uint32_t material_of(std::uint32_t object) const {
+    return labels_.material.empty() ? 0 : labels_.material[lowest_face_.at(object).value];
+  }
+  static std::array<std::uint32_t, 2> objects_of(const DirectedPart& part) {
+    return {part.left().empty() ? SectionLine::none : part.left().front(),
+            part.right().empty() ? SectionLine::none : part.right().front()};
+  }
+  EdgeClass class_of(const std::array<std::uint32_t, 2>& objects) const {
+    if (objects[0] == SectionLine::none || objects[1] == SectionLine::none) return EdgeClass::section;
+    return material_of(objects[0]) != material_of(objects[1]) ? EdgeClass::material : EdgeClass::joint;
+  }
+
+  void add_lines() {
+    const auto agree = [](const DirectedPart& a, const DirectedPart& b) { return objects_of(a) == objects_of(b); };
+    for (const CapRun& run : arrangement_.runs([](const CapPart&) { return true; }, agree)) {
+      const auto objects = objects_of(run.first);
+      section_.lines.push_back(
+          {{arrangement_.point(run.first.part->side, run.first.from()), arrangement_.point(run.last.part->side, run.last.to())},
+           class_of(objects),
+           objects,
+           mesh_.face_of[caps_.sides()[run.first.part->side].triangle]});
+    }
+  }
+
+  const Mesh& mesh_;
+  const FaceLabels& labels_;
+  const SectionCaps& caps_;
+  CapArrangement arrangement_;
+  std::map<std::uint32_t, FaceId> lowest_face_;  // by object
+  Section section_;
+};
+
+}  // namespace
+
+Section section(const SceneView& scene) {
+  const SectionCaps* const caps = scene.parts().caps();
+  if (caps == nullptr) return {};
+  return SectionMaker(scene, *caps).made();
+}
+
+}  // namespace hsr

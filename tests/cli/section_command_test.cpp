@@ -1,0 +1,153 @@
+// --section: what is taken away, what is hatched, and what is said about it.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "tests/cli/run_command.h"
+
+using nlohmann::json;
+using namespace hsr::cli_tests;
+
+namespace {
+
+/// A box as an object of an OBJ file. @param first the number of its first point
+std::string box(const std::string& name, int first, const std::array<double, 3>& low, const std::array<double, 3>& high) {
+  std::ostringstream text;
+  for (int k = 0; k < 8; ++k)
+    text << "v " << ((k & 1) != 0 ? high : low)[0] << ' ' << ((k & 2) != 0 ? high : low)[1] << ' '
+         << ((k & 4) != 0 ? high : low)[2] << '\n';
+  text << "o " << name << '\n';
+  for (const auto& f : {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    text << 'f';
+    for (const int corner : f) text << ' ' << first + corner;
+    text << '\n';
+  }
+  return text.str();
+}
+
+/// Two walls of one material that meet at a corner of the plan, on a slab.
+std::string walls() {
+  return box("slab", 1, {0, 0, -0.2}, {6, 4, 0}) + box("south", 9, {0, 0, 0}, {6, 0.3, 2.5}) +
+         box("west", 17, {0, 0.3, 0}, {0.3, 4, 2.5});
+}
+
+std::set<std::string> layers_of(const std::string& svg) {
+  std::set<std::string> layers;
+  for (std::size_t at = svg.find("inkscape:label=\""); at != std::string::npos; at = svg.find("inkscape:label=\"", at + 1)) {
+    const std::size_t begin = at + 16;
+    const std::string label = svg.substr(begin, svg.find('"', begin) - begin);
+    if (label.rfind("visible ", 0) == 0 || label.rfind("hidden ", 0) == 0) layers.insert(label);  // others are objects
+  }
+  return layers;
+}
+
+}  // namespace
+
+TEST_CASE("a plan of walls has wide borders, hatching, and no line where walls of one material touch",
+          "[cli][section][X6][X7]") {
+  const Directory d;
+  const std::string model = write(d / "walls.obj", walls());
+  const std::string svg = d / "plan.svg", lines = d / "plan.json";
+  const Outcome outcome = run("draw " + model + " --view top --section z=1.2 -o " + svg + " -o " + lines);
+  INFO(outcome.text);
+  REQUIRE(outcome.status == 0);
+  const auto layers = layers_of(contents(svg));
+  CHECK(layers.contains("visible section"));
+  CHECK(layers.contains("visible hatching"));
+  CHECK_FALSE(layers.contains("visible joint"));
+  const json found = json::parse(contents(lines));
+  CHECK(found["view"]["section"] == json{{"point", {0, 0, 1.2}}, {"normal", {0, 0, -1}}});
+  REQUIRE(found["section"]["caps"].size() == 2);
+  CHECK(found["section"]["caps"][0]["object"] == 1);
+  CHECK(found["section"]["caps"][0]["rings"][0].size() == 4);
+  CHECK(found["section"]["open_outlines"] == 0);
+  const std::string with_joints = d / "joints.svg";
+  REQUIRE(run("draw " + model + " --view top --section z=1.2 --edges section,joint -o " + with_joints).status == 0);
+  CHECK(layers_of(contents(with_joints)) == std::set<std::string>{"visible section", "visible joint"});
+}
+
+TEST_CASE("materials that differ are parted in a section", "[cli][section][X6]") {
+  const Directory d;
+  std::string text = walls();
+  text.insert(text.find("o south"), "usemtl brick\n");
+  text.insert(text.find("o west"), "usemtl concrete\n");
+  const std::string model = write(d / "walls.obj", text);
+  const std::string svg = d / "plan.svg";
+  REQUIRE(run("draw " + model + " --view top --section z=1.2 -o " + svg).status == 0);
+  CHECK(layers_of(contents(svg)).contains("visible material"));
+}
+
+TEST_CASE("a section in the plane of a floor cuts what stands on it and not the floor", "[cli][section][X2]") {
+  const Directory d;
+  const std::string model = write(d / "walls.obj", walls());
+  const std::string lines = d / "plan.json";
+  REQUIRE(run("draw " + model + " --view top --section z=0 -o " + lines).status == 0);
+  std::set<int> objects;
+  const json found = json::parse(contents(lines));
+  for (const json& cap : found["section"]["caps"]) objects.insert(cap["object"].get<int>());
+  CHECK(objects == std::set<int>{1, 2});  // the walls
+}
+
+TEST_CASE("an open surface is cut to no cap, and a note says so", "[cli][section][X4]") {
+  const Directory d;
+  std::string open = cube;
+  open = open.substr(0, open.rfind("f "));  // the side at x = 1 is missing
+  const std::string model = write(d / "open.obj", open);
+  const std::string svg = d / "open.svg";
+  const Outcome outcome = run("draw " + model + " --view top --section z=0.5 -o " + svg);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.text.find("1 outline of the cut does not close") != std::string::npos);
+  CHECK_FALSE(layers_of(contents(svg)).contains("visible hatching"));
+  // A lid that is missing elsewhere leaves the outline closed.
+  CHECK(run("draw " + model + " --view right --section x=0.5 -o " + svg).text.find("does not close") == std::string::npos);
+  CHECK(layers_of(contents(svg)).contains("visible hatching"));
+}
+
+TEST_CASE("patches of one surface are cut together", "[cli][section][X4]") {
+  const Directory d;
+  std::string text = cube;
+  for (std::size_t at = text.find("f "), k = 0; at != std::string::npos; at = text.find("\nf ", at), ++k) {
+    if (k > 0) ++at;
+    const std::string name = "o patch" + std::to_string(k) + "\n";
+    text.insert(at, name);
+    at += name.size();
+  }
+  const std::string model = write(d / "patches.obj", text), lines = d / "a.json";
+  REQUIRE(run("draw " + model + " --view top --section z=0.5 -o " + lines).status == 0);
+  const json section = json::parse(contents(lines))["section"];
+  CHECK(section["open_outlines"] == 0);
+  CHECK(section["caps"].size() == 1);
+}
+
+TEST_CASE("planes that are none, or have no viewer's side, are refused", "[cli][section][X1]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube), svg = " -o " + (d / "a.svg");
+  check_refused(run("draw " + model + " --section q=1" + svg), {"--section", "q=1", "x=12.5"});
+  check_refused(run("draw " + model + " --section x=" + svg), {"--section"});
+  check_refused(run("draw " + model + " --section 1,0@0,0,0" + svg), {"--section", "1,0"});
+  check_refused(run("draw " + model + " --section 0,0,0@0,0,0" + svg), {"normal"});
+  check_refused(run("draw " + model + " --view top --section x=0.5" + svg), {"edge-on"});
+  check_refused(run("draw " + model + " --eye 3,0.5,0.5 --target 0,0.5,0.5 --near 2.5 --section x=0.25" + svg), {"near plane"});
+  check_refused(run("draw " + model + " --section x=0.5 --why -o " + (d / "a.json")), {"section", "why"});
+  check_refused(run("draw " + model + " --section x=0.5 --outline-only" + svg), {"section", "outline"});
+  check_refused(run("draw " + model + " --section x=0.5 -o " + (d / "a.csv")), {"csv"});
+  check_refused(run("draw " + model + " --section x=0.5 --fill --method roberts" + svg), {"roberts"});
+  check_refused(run("compare " + model + " --section x=0.5 -o " + (d / "c")), {"--section"});
+}
+
+TEST_CASE("fragments, the nearest face and orders agree beside the caps", "[cli][section][X5][X8]") {
+  const Directory d;
+  const std::string model = write(d / "walls.obj", walls());
+  for (const char* view :
+       {"--view iso --section 1,2,-3@3,0,1", "--eye 20,-15,12 --section y=0.15", "--view top --section z=1.2"}) {
+    INFO(view);
+    CHECK(run("draw " + model + " " + view + " --fill --check --size 300x200 -o " + (d / "a.svg")).status == 0);
+    CHECK(run("order " + model + " " + view + " --check --size 300x200 -o " + (d / "o.json") + " -o " + (d / "o.svg")).status ==
+          0);
+    CHECK(run("verify " + (d / "o.json")).status == 0);
+    // Caps are filled last.
+    const std::string svg = contents(d / "o.svg");
+    CHECK(svg.rfind("<path", svg.find("visible section")) != std::string::npos);
+  }
+}

@@ -1,0 +1,75 @@
+// What a section takes away, against the oracles: planes that cut at places that no double holds, and scenes that no cap covers.
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "geometry/error.h"
+#include "hsr/surfaces/section.h"
+#include "hsr/surfaces/visible_fragments.h"
+#include "tests/lines/checked_lines.h"
+#include "tests/oracle/surfaces_oracle.h"
+#include "tests/scenes/random_scenes.h"
+
+namespace hsr {
+namespace {
+
+/// A plane through some of the scene's points, near them, or anywhere; nothing: there is none that can be looked at.
+std::optional<View> any_section(const scenes::TestScene& scene, std::uint64_t seed) {
+  std::mt19937_64 random(seed * 31 + 7);
+  const auto between = [&](int low, int high) {
+    return low + static_cast<int>(random() % static_cast<std::uint64_t>(high - low + 1));
+  };
+  if (scene.points.empty()) return {};
+  const auto some = [&] { return scene.points[random() % scene.points.size()]; };
+  const Point3 a = some(), b = some();
+  const Point3 point = between(0, 1) == 0 ? a : Point3{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2};
+  Point3 normal = {static_cast<double>(between(-3, 3)), static_cast<double>(between(-3, 3)),
+                   static_cast<double>(between(-3, 3))};
+  if (between(0, 2) == 0) normal = {normal.x + 1.0 / 3, normal.y * 1.1, normal.z - 1.0 / 7};
+  try {
+    return with_section(scene.view, point, normal);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+template <class Wrong>
+void check_families(std::initializer_list<const char*> families, std::uint64_t count, const Wrong& wrong) {
+  for (const char* name : families) {
+    int checked = 0;
+    for (std::uint64_t seed = 0; seed < count; ++seed) {
+      scenes::TestScene scene = scenes::family(name).make(seed);
+      const auto view = any_section(scene, seed);
+      if (!view) continue;
+      scene.view = *view;
+      try {
+        const Mesh mesh = scene.mesh();
+        if (!section(SceneView(mesh, scene.view)).lines.empty()) continue;
+      } catch (const InputError&) {
+        continue;  // a perspective whose near plane cuts
+      }
+      ++checked;
+      INFO(name << " " << seed << "\n" << scenes::to_text(scene));
+      CHECK(wrong(scene) == "");
+    }
+    INFO(name);
+    CHECK(checked > static_cast<int>(count / 5));
+  }
+}
+
+TEST_CASE("lines of what a section leaves agree with the oracle", "[section][oracle]") {
+  check_families({"triangles", "polygons", "edge_on", "slopes", "echoes", "far_away", "scaled", "magnitudes"}, 200,
+                 [](const scenes::TestScene& scene) { return wrong_with(scene); });
+}
+
+TEST_CASE("fragments of what a section leaves agree with the oracle", "[section][oracle]") {
+  check_families({"triangles", "polygons", "edge_on", "slopes", "echoes"}, 100, [](const scenes::TestScene& scene) {
+    const Mesh mesh = scene.mesh();
+    const oracle::SurfacesOracle oracle(mesh, scene.view);
+    std::string all;
+    for (const std::string& text : oracle.differences(visible_fragments(SceneView(mesh, scene.view)))) all += text + "\n";
+    return all;
+  });
+}
+
+}  // namespace
+}  // namespace hsr
