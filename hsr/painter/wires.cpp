@@ -1,5 +1,6 @@
 #include "hsr/painter/wires.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -31,10 +32,9 @@ struct Meeting {
 
 /// What of a stretch is where a function that is linear along the wire, from `a` at 0 to `b` at 1, is positive. False: nothing.
 bool keep_positive(WireStretch& s, const Rational& a, const Rational& b) {
-  const Rational from = a + s.from * (b - a), to = a + s.to * (b - a);
-  if (from.sign() != Sign::positive && to.sign() != Sign::positive) return false;
-  if (from.sign() == Sign::negative) s.from = a / (a - b);
-  if (to.sign() == Sign::negative) s.to = a / (a - b);
+  if (a.sign() != Sign::positive && b.sign() != Sign::positive) return false;
+  if (a.sign() == Sign::negative) s.from = std::max(s.from, a / (a - b));
+  if (b.sign() == Sign::negative) s.to = std::min(s.to, a / (a - b));
   return s.from < s.to;
 }
 
@@ -108,6 +108,35 @@ class WireMeetings {
   const View& view_;
   const PaintersOrder& order_;
   RationalVector eye_;
+};
+
+/// A filter: whether a side of a piece, or the wire, has all of the other on one side of it in the image, by signs of vertices.
+class WireSeparator {
+ public:
+  WireSeparator(const ProjectedMesh& projected, const PaintersOrder& order)
+      : projected_(projected), order_(order), exact_(projected.predicates()) {}
+
+  bool are_certainly_apart(const Edge& wire, std::uint32_t piece) {
+    const auto corners = order_.corners_of(order_.pieces[piece]);
+    bool left = false, right = false;  // of the wire are corners, or may be
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const VertexId v = corners[k].vertex, next = corners[(k + 1) % corners.size()].vertex;
+      const Sign at = v.is_valid() ? side(wire.a, wire.b, v) : Sign::zero;
+      left = left || !v.is_valid() || at == Sign::positive;
+      right = right || !v.is_valid() || at == Sign::negative;
+      // Pieces are counter-clockwise as seen.
+      if (v.is_valid() && next.is_valid() && side(v, next, wire.a) != Sign::positive && side(v, next, wire.b) != Sign::positive)
+        return true;
+    }
+    return !(left && right);
+  }
+
+ private:
+  Sign side(VertexId a, VertexId b, VertexId p) { return exact_.side(projected_.sight_plane(a, b), projected_.point(p)); }
+
+  const ProjectedMesh& projected_;
+  const PaintersOrder& order_;
+  Predicates exact_;
 };
 
 /// Tiles a wire by its meetings: each part as long as there is a place for it in the order.
@@ -197,6 +226,8 @@ std::vector<OrderedWire> ordered_wires(const SceneView& scene, const PaintersOrd
   const std::vector<OrderedWire> wires = whole_wires(scene);
   if (wires.empty()) return {};
   const BoxTree tree(boxes_of(scene.parts(), order));
+  const ProjectedMesh& projected = scene.parts().projected();
+  tbb::enumerable_thread_specific<WireSeparator> separators([&] { return WireSeparator(projected, order); });
   const WireMeetings finder(mesh, scene.view(), order);
   const auto pieces = static_cast<std::uint32_t>(order.pieces.size());
   std::vector<std::vector<OrderedWire>> found(wires.size());
@@ -204,12 +235,11 @@ std::vector<OrderedWire> ordered_wires(const SceneView& scene, const PaintersOrd
     const Edge& wire = mesh.edges[wires[w].edge];
     const WireStretch all = {wires[w].from, wires[w].to};
     std::vector<Meeting> meetings;
-    if (!tree.is_empty())
-      tree.visit_boxes<BoxTree::Depth::any>(scene.parts().projected().box(wire.a, wire.b),
-                                            [&](std::uint32_t piece, std::uint32_t /*at*/) {
-                                              finder.add(wire, all, piece, meetings);
-                                              return true;
-                                            });
+    const auto meet = [&](std::uint32_t piece, std::uint32_t /*at*/) {
+      if (!separators.local().are_certainly_apart(wire, piece)) finder.add(wire, all, piece, meetings);
+      return true;
+    };
+    if (!tree.is_empty()) tree.visit_boxes<BoxTree::Depth::any>(projected.box(wire.a, wire.b), meet);
     found[w] = WireCutter(wires[w].edge, all, pieces).parts(meetings);
   });
   std::vector<OrderedWire> parts;
