@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
 #include "geometry/constructed_point.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/near_value.h"
+#include "geometry/parallel.h"
 #include "geometry/view_plane.h"
 
 namespace hsr::internal {
@@ -72,6 +74,13 @@ struct SectionCaps::Counter {
     if (count == counts.end()) count = counts.insert(count, Count{side.object});
     (side.counts_once ? count->crossed : count->winding) += winding;
   }
+  std::vector<std::uint32_t> inside() const {
+    std::vector<std::uint32_t> objects;
+    for (const Count& c : counts)
+      if (c.is_inside()) objects.push_back(c.object);
+    std::sort(objects.begin(), objects.end());
+    return objects;
+  }
   bool is_inside_any() const {
     return std::any_of(counts.begin(), counts.end(), [](const Count& c) { return c.is_inside(); });
   }
@@ -82,7 +91,7 @@ SectionCaps::SectionCaps(const ProjectedMesh& projected, const View& view, const
   find_sides(projected, labels);
   leave_out_open();
   place_corners();
-  fill_slabs();
+  make_tree();
 }
 
 /// Of a triangle some corners stay and some go: the cap's border runs from where its ring comes back to where it leaves, with the
@@ -253,50 +262,51 @@ void SectionCaps::leave_out_open() {
   open_outlines_ = together.open_outlines;
 }
 
-RationalVector SectionCaps::point(std::uint32_t corner) const {
-  const auto& [a, b] = corners_[corner];
-  if (a == b) return rational(mesh_.points[a]);
-  return ConstructedPoint::on_edge(mesh_.points[a], mesh_.points[b], plane_).exact();
-}
-
 void SectionCaps::place_corners() {
+  points_.resize(corners_.size());
   exact_places_.resize(corners_.size());
   places_.resize(corners_.size());
-  for (std::uint32_t k = 0; k < corners_.size(); ++k) {
-    exact_places_[k] = flat<Rational>(point(k), dropped_, lean);
+  parallel_for_each(corners_.size(), [&](std::size_t k) {
+    const auto& [a, b] = corners_[k];
+    points_[k] =
+        a == b ? rational(mesh_.points[a]) : ConstructedPoint::on_edge(mesh_.points[a], mesh_.points[b], plane_).exact();
+    exact_places_[k] = flat<Rational>(points_[k], dropped_, lean);
     places_[k] = {bounded(exact_places_[k][0]), bounded(exact_places_[k][1])};
-  }
-}
-
-std::size_t SectionCaps::slab_of(double v) const {
-  const double s = (v - bottom_) * slabs_per_unit_;
-  return s > 0 ? static_cast<std::size_t>(std::min(s, static_cast<double>(slab_count_ - 1))) : 0;
-}
-
-/// A place that is known to the last bit is looked for in one slab, so each side is in all that it may touch.
-void SectionCaps::fill_slabs() {
-  left_ = bottom_ = HUGE_VAL;
-  right_ = top_ = -HUGE_VAL;
-  for (const CapSide& s : sides_)
-    for (const std::uint32_t c : {s.from, s.to}) {
-      const auto& [u, v] = places_[c];
-      left_ = std::min(left_, u.value - u.error);
-      right_ = std::max(right_, u.value + u.error);
-      bottom_ = std::min(bottom_, v.value - v.error);
-      top_ = std::max(top_, v.value + v.error);
-    }
-  slab_count_ = std::clamp<std::size_t>(sides_.size(), 1, 4096);
-  const double height = top_ - bottom_;
-  margin_ = std::max(height, 0x1p-20 * std::max(std::fabs(top_), std::fabs(bottom_))) * 0x1p-30;
-  slabs_per_unit_ = height > 0 ? static_cast<double>(slab_count_) / height : 0;
-  if (!(slabs_per_unit_ < HUGE_VAL)) slabs_per_unit_ = 0;
-  slabs_.assign(slab_count_, [&](const auto& add) {
-    for (std::uint32_t k = 0; k < sides_.size(); ++k) {
-      const ErrorBounded &a = places_[sides_[k].from][1], &b = places_[sides_[k].to][1];
-      const std::size_t last = slab_of(std::max(a.value, b.value) + margin_);
-      for (std::size_t s = slab_of(std::min(a.value, b.value) - margin_); s <= last; ++s) add(s, k);
-    }
   });
+}
+
+void SectionCaps::make_tree() {
+  std::vector<ImageBox> boxes;
+  for (const CapSide& s : sides_) boxes.push_back(box_of(places_[s.from], places_[s.to]));
+  tree_ = BoxTree(boxes);
+}
+
+ImageBox SectionCaps::box_of(const Place& a, const Place& b) {
+  ImageBox box = ImageBox::nothing();
+  for (const Place& p : {a, b}) box.add({p[0].value, p[1].value, 0}, {p[0].error, p[1].error, 0});
+  return box;
+}
+
+/// From the place along u.
+ImageBox SectionCaps::ray_from(const Place& at) {
+  ImageBox box = box_of(at, at);
+  box.high[0] = std::numeric_limits<float>::infinity();
+  return box;
+}
+
+/// What doubles tell of a ray from the place along u: 1 or -1, it crosses the side, which goes up or down; 0, it does not; nothing, they do
+/// not tell.
+std::optional<int> SectionCaps::certain_crossing(const CapSide& side, const Place& at) const {
+  const auto& [u, v] = at;
+  const Place &a = places_[side.from], &b = places_[side.to];
+  if (certain(a[0] - u) == Sign::negative && certain(b[0] - u) == Sign::negative) return 0;
+  const Sign above_a = certain(a[1] - v), above_b = certain(b[1] - v);
+  if (above_a == Sign::zero || above_b == Sign::zero) return std::nullopt;
+  if (above_a == above_b) return 0;
+  const Sign left = certain(turn(a, b, at));
+  if (left == Sign::zero) return std::nullopt;
+  if (above_a == Sign::negative) return left == Sign::positive ? 1 : 0;
+  return left == Sign::negative ? -1 : 0;
 }
 
 SectionCaps::Place SectionCaps::seen_at(const std::array<ErrorBounded, 3>& p) const {
@@ -314,58 +324,80 @@ SectionCaps::ExactPlace SectionCaps::seen_at(const RationalVector& p) const {
 /// How often the outlines wind around the place: by the sides that a ray along u crosses.
 std::optional<bool> SectionCaps::covers(const Place& at) const {
   if (sides_.empty()) return false;
-  const auto& [u, v] = at;
-  if (!(u.error < HUGE_VAL && v.error < HUGE_VAL)) return std::nullopt;
-  if (u.value - u.error > right_ || u.value + u.error < left_ || v.value - v.error > top_ || v.value + v.error < bottom_)
-    return false;
-  if (!(2 * v.error < margin_)) return std::nullopt;
+  if (!(at[0].error < HUGE_VAL && at[1].error < HUGE_VAL)) return std::nullopt;
   Counter counter;
-  for (const std::uint32_t k : slabs_[slab_of(v.value)]) {
-    const Place &a = places_[sides_[k].from], &b = places_[sides_[k].to];
-    if (certain(a[0] - u) == Sign::negative && certain(b[0] - u) == Sign::negative) continue;
-    const Sign above_a = certain(a[1] - v), above_b = certain(b[1] - v);
-    if (above_a == Sign::zero || above_b == Sign::zero) return std::nullopt;
-    if (above_a == above_b) continue;
-    const Sign left = certain(turn(a, b, at));
-    if (left == Sign::zero) return std::nullopt;
-    if (above_a == Sign::negative && left == Sign::positive) counter.add(sides_[k], 1);
-    if (above_a == Sign::positive && left == Sign::negative) counter.add(sides_[k], -1);
-  }
+  bool is_known = true;
+  visit_ray(at, [&](std::uint32_t k) {
+    const auto crossing = certain_crossing(sides_[k], at);
+    is_known = crossing.has_value();
+    if (is_known && *crossing != 0) counter.add(sides_[k], *crossing);
+    return is_known;
+  });
+  if (!is_known) return std::nullopt;
   return counter.is_inside_any();
 }
 
-bool SectionCaps::covers(const ExactPlace& at) const {
-  if (sides_.empty()) return false;
+/// A ray along u from the hand that has the side between itself and what is farther along u crosses it, the other one does not.
+std::optional<SectionCaps::Hands> SectionCaps::certain_hands(std::uint32_t side) const {
+  const Place &a = places_[sides_[side].from], &b = places_[sides_[side].to];
+  const Sign rise = certain(b[1] - a[1]);
+  if (rise == Sign::zero) return std::nullopt;
+  const ErrorBounded half = {0.5, 0};
+  const Place middle = {half * (a[0] + b[0]), half * (a[1] + b[1])};
   Counter counter;
-  for (const std::uint32_t k : slabs_[slab_of(at[1].to_double())]) {
+  bool is_known = true;
+  visit_ray(middle, [&](std::uint32_t k) {
+    if (k == side) return true;
+    const auto crossing = certain_crossing(sides_[k], middle);
+    is_known = crossing.has_value();
+    if (is_known && *crossing != 0) counter.add(sides_[k], *crossing);
+    return is_known;
+  });
+  if (!is_known) return std::nullopt;
+  Hands hands;
+  auto& beyond = rise == Sign::positive ? hands.right : hands.left;
+  auto& before = rise == Sign::positive ? hands.left : hands.right;
+  beyond = counter.inside();
+  counter.add(sides_[side], rise == Sign::positive ? 1 : -1);
+  before = counter.inside();
+  return hands;
+}
+
+bool SectionCaps::covers(const ExactPlace& at) const {
+  const Place about = {bounded(at[0]), bounded(at[1])};
+  if (const auto known = covers(about)) return *known;
+  // On a side, or level with an end of one. A side may have nothing on either hand, where others lie along it.
+  std::optional<ExactPlace> along;
+  visit_ray(about, [&](std::uint32_t k) {
+    if (certain_crossing(sides_[k], about)) return true;
     const ExactPlace &a = exact_places_[sides_[k].from], &b = exact_places_[sides_[k].to];
-    const Sign at_a = (a[1] - at[1]).sign(), at_b = (b[1] - at[1]).sign();
-    if (at_a * at_b == Sign::positive) continue;
-    const Sign left = turn(a, b, at).sign();
-    if (left == Sign::zero && ((a[0] - at[0]).sign() * (b[0] - at[0]).sign() != Sign::positive)) {
-      // On the side: which may have nothing on either hand, where others lie along it.
-      const ExactPlace across = {a[1] - b[1], b[0] - a[0]};
-      std::optional<std::uint32_t> least;
-      return !objects_beside(at, across, least).empty() || !objects_beside(at, {-across[0], -across[1]}, least).empty();
-    }
-    const bool is_below_a = at_a == Sign::positive, is_below_b = at_b == Sign::positive;
-    if (is_below_a == is_below_b) continue;
-    if (is_below_b && left == Sign::positive) counter.add(sides_[k], 1);
-    if (is_below_a && left == Sign::negative) counter.add(sides_[k], -1);
-  }
-  return counter.is_inside_any();
+    if (turn(a, b, at).sign() != Sign::zero) return true;
+    const auto product = [&](std::size_t c) { return (a[c] - at[c]).sign() * (b[c] - at[c]).sign(); };
+    if (product(0) == Sign::positive || product(1) == Sign::positive) return true;
+    along = ExactPlace{b[0] - a[0], b[1] - a[1]};
+    return false;
+  });
+  std::optional<std::uint32_t> least;
+  if (!along) return !objects_beside(at, {Rational(1.0), Rational()}, least).empty();
+  const ExactPlace left = {-(*along)[1], (*along)[0]}, right = {(*along)[1], -(*along)[0]};
+  return !objects_beside(at, left, least).empty() || !objects_beside(at, right, least).empty();
 }
 
 /// As covers(), about a place that is moved toward: where that decides, the signs are those of the way.
 std::vector<std::uint32_t> SectionCaps::objects_beside(const ExactPlace& at, const ExactPlace& toward,
                                                        std::optional<std::uint32_t>& least_side, const ExactPlace& then) const {
+  const Place about = {bounded(at[0]), bounded(at[1])};
   Counter counter;
   const auto first_of = [](Sign a, Sign b) { return a != Sign::zero ? a : b; };
   const Sign up = first_of(toward[1].sign(), then[1].sign());
-  for (const std::uint32_t k : slabs_[slab_of(at[1].to_double())]) {
+  visit_ray(about, [&](std::uint32_t k) {
+    if (const auto known = certain_crossing(sides_[k], about)) {
+      if (*known != 0) counter.add(sides_[k], *known);
+      return true;
+    }
     const ExactPlace &a = exact_places_[sides_[k].from], &b = exact_places_[sides_[k].to];
     Sign at_a = (a[1] - at[1]).sign(), at_b = (b[1] - at[1]).sign();
-    if (at_a * at_b == Sign::positive) continue;
+    if (at_a * at_b == Sign::positive) return true;
     Sign left = turn(a, b, at).sign();
     if (left == Sign::zero) {
       if ((a[0] - at[0]).sign() * (b[0] - at[0]).sign() != Sign::positive) least_side = std::min(k, least_side.value_or(k));
@@ -375,15 +407,12 @@ std::vector<std::uint32_t> SectionCaps::objects_beside(const ExactPlace& at, con
     if (at_a == Sign::zero) at_a = -up;
     if (at_b == Sign::zero) at_b = -up;
     const bool is_below_a = at_a == Sign::positive, is_below_b = at_b == Sign::positive;
-    if (is_below_a == is_below_b) continue;
+    if (is_below_a == is_below_b) return true;
     if (is_below_b && left == Sign::positive) counter.add(sides_[k], 1);
     if (is_below_a && left == Sign::negative) counter.add(sides_[k], -1);
-  }
-  std::vector<std::uint32_t> inside;
-  for (const Counter::Count& c : counter.counts)
-    if (c.is_inside()) inside.push_back(c.object);
-  std::sort(inside.begin(), inside.end());
-  return inside;
+    return true;
+  });
+  return counter.inside();
 }
 
 }  // namespace hsr::internal

@@ -9,6 +9,7 @@
 #include "geometry/ragged.h"
 #include "geometry/rational_vector.h"
 #include "hsr/face_labels.h"
+#include "hsr/scene/box_tree.h"
 #include "hsr/scene/projected_mesh.h"
 
 namespace hsr::internal {
@@ -54,7 +55,7 @@ class SectionCaps {
   std::size_t open_outlines() const { return open_outlines_; }
 
   /// The point of a corner in space.
-  RationalVector point(std::uint32_t corner) const;
+  const RationalVector& point(std::uint32_t corner) const { return points_[corner]; }
   const ExactPlace& exact_place(std::uint32_t corner) const { return exact_places_[corner]; }
   const Place& place(std::uint32_t corner) const { return places_[corner]; }
 
@@ -71,28 +72,19 @@ class SectionCaps {
   std::vector<std::uint32_t> objects_beside(const ExactPlace& at, const ExactPlace& toward,
                                             std::optional<std::uint32_t>& least_side, const ExactPlace& then = {}) const;
 
-  /// Calls visit(side) for every side that may touch the box of these places, some twice.
+  /// What is to the left and to the right of the middle of a side that no other touches there; nothing where doubles do not tell.
+  struct Hands {
+    std::vector<std::uint32_t> left, right;
+  };
+  std::optional<Hands> certain_hands(std::uint32_t side) const;
+
+  /// Calls visit(side) for every side that may touch the box of these places.
   template <class Visit>
   void visit_sides(const Place& a, const Place& b, const Visit& visit) const {
-    if (sides_.empty()) return;
-    const auto low = [](const ErrorBounded& x, const ErrorBounded& y) {
-      return std::min(x.value - x.error, y.value - y.error);
-    };
-    const auto high = [](const ErrorBounded& x, const ErrorBounded& y) {
-      return std::max(x.value + x.error, y.value + y.error);
-    };
-    const double left = low(a[0], b[0]), right = high(a[0], b[0]), bottom = low(a[1], b[1]), top = high(a[1], b[1]);
-    if (!(left <= right_ && right >= left_ && bottom <= top_ && top >= bottom_)) {
-      if (left <= right && bottom <= top) return;  // else doubles do not tell
-    }
-    for (std::size_t s = slab_of(bottom); s <= slab_of(top); ++s)
-      for (const std::uint32_t k : slabs_[s]) {
-        const Place &from = places_[sides_[k].from], &to = places_[sides_[k].to];
-        if (low(from[0], to[0]) > right || high(from[0], to[0]) < left || low(from[1], to[1]) > top ||
-            high(from[1], to[1]) < bottom)
-          continue;
-        visit(k);
-      }
+    tree_.visit_boxes<BoxTree::Depth::any>(box_of(a, b), [&](std::uint32_t side, std::uint32_t /*at*/) {
+      visit(side);
+      return true;
+    });
   }
 
  private:
@@ -101,8 +93,15 @@ class SectionCaps {
   void cancel_opposite();
   void leave_out_open();
   void place_corners();
-  void fill_slabs();
-  std::size_t slab_of(double v) const;
+  void make_tree();
+  static ImageBox box_of(const Place& a, const Place& b);
+  static ImageBox ray_from(const Place& at);
+  std::optional<int> certain_crossing(const CapSide& side, const Place& at) const;
+  /// Calls visit(side) for every side that a ray from the place along u may meet, until it returns false.
+  template <class Visit>
+  void visit_ray(const Place& at, const Visit& visit) const {
+    tree_.visit_boxes<BoxTree::Depth::any>(ray_from(at), [&](std::uint32_t side, std::uint32_t /*at*/) { return visit(side); });
+  }
 
   const Mesh& mesh_;
   const View& view_;
@@ -110,13 +109,11 @@ class SectionCaps {
   int dropped_;  // the axis that the coordinates do without
   std::vector<CapCorner> corners_;
   std::vector<CapSide> sides_;
-  std::vector<ExactPlace> exact_places_;  // by corner
+  std::vector<RationalVector> points_;  // by corner
+  std::vector<ExactPlace> exact_places_;
   std::vector<Place> places_;
   std::size_t open_outlines_ = 0;
-  // Sides by horizontal slabs of the plane.
-  double left_ = 0, right_ = 0, bottom_ = 0, top_ = 0, slabs_per_unit_ = 0, margin_ = 0;
-  std::size_t slab_count_ = 1;
-  Ragged<std::uint32_t> slabs_;
+  BoxTree tree_;  // of the sides, by u and v
 };
 
 }  // namespace hsr::internal

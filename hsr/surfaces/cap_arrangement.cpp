@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/parallel.h"
+
 namespace hsr::internal {
 
 namespace {
@@ -16,7 +18,10 @@ Place difference(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b
 Rational cross(const Place& a, const Place& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 CapArrangement::CapArrangement(const SectionCaps& caps) : caps_(caps) {
-  for (std::uint32_t k = 0; k < caps.sides().size(); ++k) add_parts(k);
+  std::vector<std::vector<CapPart>> of_side(caps.sides().size());
+  parallel_for_each(of_side.size(), [&](std::size_t k) { of_side[k] = parts_of(static_cast<std::uint32_t>(k)); });
+  for (std::vector<CapPart>& parts : of_side)
+    for (CapPart& part : parts) parts_.push_back(std::move(part));
 }
 
 /// Where the side `other` cuts the side k or ends on it, as shares of the way along k.
@@ -34,18 +39,45 @@ void CapArrangement::add_cuts(std::uint32_t k, std::uint32_t other, std::vector<
   cuts.push_back(share({to_p[0] + s * (to_q[0] - to_p[0]), to_p[1] + s * (to_q[1] - to_p[1])}));
 }
 
-void CapArrangement::add_parts(std::uint32_t k) {
+/// Whether doubles tell that the two sides have no place in common but a corner that they share. Most that are close are neighbours.
+bool CapArrangement::certainly_apart(std::uint32_t k, std::uint32_t other) const {
+  const CapSide &own = caps_.sides()[k], &o = caps_.sides()[other];
+  const SectionCaps::Place &a = caps_.place(own.from), &b = caps_.place(own.to);
+  const auto side_of = [&](std::uint32_t corner) {
+    if (corner == own.from || corner == own.to) return Sign::zero;
+    const SectionCaps::Place& p = caps_.place(corner);
+    const ErrorBounded turn = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+    return turn.is_certain() ? sign_of(turn.value) : Sign::zero;
+  };
+  const Sign from = side_of(o.from), to = side_of(o.to);
+  const auto is_shared = [&](std::uint32_t corner) { return corner == own.from || corner == own.to; };
+  if (is_shared(o.from) && is_shared(o.to)) return false;
+  if (is_shared(o.from)) return to != Sign::zero;
+  if (is_shared(o.to)) return from != Sign::zero;
+  return from * to == Sign::positive;
+}
+
+std::vector<CapPart> CapArrangement::parts_of(std::uint32_t k) const {
+  std::vector<CapPart> parts;
   std::vector<Rational> cuts = {0.0, 1.0};
   const CapSide& side = caps_.sides()[k];
-  const Place& a = caps_.exact_place(side.from);
+  const Place &a = caps_.exact_place(side.from), &b = caps_.exact_place(side.to);
+  bool is_alone = true;
   caps_.visit_sides(caps_.place(side.from), caps_.place(side.to), [&](std::uint32_t other) {
-    if (other != k) add_cuts(k, other, cuts);
+    if (other == k || certainly_apart(k, other)) return;
+    is_alone = false;
+    add_cuts(k, other, cuts);
   });
+  if (is_alone)
+    if (auto hands = caps_.certain_hands(k)) {
+      if (hands->left != hands->right) parts.push_back({k, a, b, std::move(hands->left), std::move(hands->right)});
+      return parts;
+    }
   const Rational zero = 0.0, one = 1.0;
   std::erase_if(cuts, [&](const Rational& x) { return x < zero || x > one; });
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-  const Place along = difference(caps_.exact_place(side.to), a), across = {-along[1], along[0]};
+  const Place along = difference(b, a), across = {-along[1], along[0]};
   const auto at = [&](const Rational& share) { return Place{a[0] + share * along[0], a[1] + share * along[1]}; };
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     CapPart part{k, at(cuts[i]), at(cuts[i + 1]), {}, {}};
@@ -54,8 +86,9 @@ void CapArrangement::add_parts(std::uint32_t k) {
     part.left = caps_.objects_beside(middle, across, least);
     if (least && *least < k) continue;  // it stands there already
     part.right = caps_.objects_beside(middle, {-across[0], -across[1]}, least);
-    if (part.left != part.right) parts_.push_back(std::move(part));
+    if (part.left != part.right) parts.push_back(std::move(part));
   }
+  return parts;
 }
 
 std::vector<CapRun> CapArrangement::runs(const std::function<bool(const CapPart&)>& is_chosen,
@@ -113,6 +146,7 @@ RationalVector CapArrangement::point(std::uint32_t side, const Place& at) const 
   const Place &a = caps_.exact_place(s.from), &b = caps_.exact_place(s.to);
   RationalVector p = caps_.point(s.from);
   if (at == a) return p;
+  if (at == b) return caps_.point(s.to);
   const RationalVector along = minus(caps_.point(s.to), p);
   const Place d = difference(b, a), to = difference(at, a);
   const Rational share = d[0].sign() != Sign::zero ? to[0] / d[0] : to[1] / d[1];

@@ -55,7 +55,8 @@ class CapArrangement {
 
  private:
   void add_cuts(std::uint32_t k, std::uint32_t other, std::vector<Rational>& cuts) const;
-  void add_parts(std::uint32_t k);
+  bool certainly_apart(std::uint32_t k, std::uint32_t other) const;
+  std::vector<CapPart> parts_of(std::uint32_t k) const;
 
   const SectionCaps& caps_;
   std::vector<CapPart> parts_;
