@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,6 +21,14 @@ std::string contents_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+double tolerance_of_arcs(const std::string& text) {
+  double mm = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), mm);
+  if (error != std::errc{} || end != text.data() + text.size() || !(mm > 0) || !std::isfinite(mm))
+    throw InputError(fmt::format("--fit-arcs: found \"{}\", expected millimetres, more than 0", text));
+  return mm;
+}
+
 }  // namespace
 
 DrawingOptions PageArguments::options() const {
@@ -28,6 +38,7 @@ DrawingOptions PageArguments::options() const {
   options.page.margin = margin;
   if (!(min_length >= 0)) throw InputError(fmt::format("--min-length: found {}, expected millimetres, 0 or more", min_length));
   options.min_length = min_length;
+  if (!fit_arcs.empty()) options.fit_arcs = tolerance_of_arcs(fit_arcs);
   options.scale = parse_scale(scale);
   options.sort_for_pen = sort == "pen";
   options.standard_scale = scale == "standard";

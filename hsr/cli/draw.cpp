@@ -73,6 +73,7 @@ const char* const examples = R"(Examples:
   hsr draw part.stl -o part.svg --pen visible=0.35,hidden-sharp=0.18:#555 --hidden dashed --scale standard
   hsr draw part.stl -o part.hpgl --sort pen                for a plotter: short ways with the pen up
   hsr draw part.stl -o part.dxf --outline-only --view top  closed rings for a laser cutter
+  hsr draw part.stl -o part.dxf --view front --fit-arcs 0.05  holes as circles, where the edges of the model lie on some
   zcat part.obj.gz | hsr draw - -o svg:- > part.svg        from standard input to standard output
 
 Writes each FILE, all of them or none: .svg, .pdf, .eps, .tex (TikZ), .hpgl (or .plt) and .png show the lines on a page, .dxf has
@@ -105,6 +106,7 @@ void describe(Report& report, const Drawing& drawing) {
                          {"merged", drawing.merged},
                          {"short_dropped", drawing.short_dropped},
                          {"groups_dropped", drawing.groups_dropped},
+                         {"arcs", drawing.arcs.size()},
                          {"scale_mm_per_unit", drawing.scale}});
 }
 
@@ -480,18 +482,20 @@ std::string DrawCommand::bytes_of(Format format) const {
   return written(format == Format::dxf ? *model_drawing_ : *drawing_, name_of(format), options);
 }
 
-/// The straight ones; those that were joined end to end count each.
-std::uint64_t straight_lines(const Drawing& drawing) {
+/// The straight ones, of which those that were joined end to end count each, and the arcs.
+std::string counted_lines(const Drawing& drawing) {
   std::uint64_t count = 0;
   for (const Polyline& p : drawing.polylines) count += p.end_point - p.first_point - (p.closed ? 0 : 1);
-  return count;
+  for (const DrawnArc& arc : drawing.arcs) count -= arc.end_line - arc.first_line;
+  const std::string lines = counted(count, "line");
+  return drawing.arcs.empty() ? lines : lines + ", " + counted(drawing.arcs.size(), "arc");
 }
 
 std::string DrawCommand::summary_of_page(bool has_fills) const {
   std::string text = paper_size(drawing_->width, drawing_->height);
   const bool is_empty = drawing_->polylines.empty() && drawing_->fills.fills.empty();
   if (!is_empty) text += ", " + scale_text(drawing_->scale, request_.drawing.unit, a_.page, scene_.view().is_perspective());
-  text += ", " + counted(straight_lines(*drawing_), "line");
+  text += ", " + counted_lines(*drawing_);
   if (a_.page.sort == "pen") {
     const PenTravel travel = pen_travel(*drawing_);
     text += fmt::format(", pen down {:.2f} m, up {:.2f} m", travel.down / 1000, travel.up / 1000);
@@ -509,7 +513,7 @@ std::string DrawCommand::summary_of(Format format, const std::string& bytes) con
     case Format::hpgl:
       return summary_of_page(format != Format::hpgl);
     case Format::dxf:
-      return model_size(*model_drawing_, request_.drawing.unit) + ", " + counted(straight_lines(*model_drawing_), "line");
+      return model_size(*model_drawing_, request_.drawing.unit) + ", " + counted_lines(*model_drawing_);
     case Format::png:
       return pixel_size(bytes);
     case Format::csv:
@@ -584,6 +588,7 @@ void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
   a->page.add_to(options, "PNG: pixels [150 to the inch]; --check and csv: samples");
   a->page.add_pens_to(options);
   a->page.add_sort_to(options);
+  a->page.add_fit_arcs_to(options);
   options.add("--dxf", a->dxf_release, "RELEASE", "DXF: r12, which everything reads, or 2000, with line weights")
       .with_default_shown()
       .one_of({"r12", "2000"});

@@ -52,9 +52,9 @@ const char* const examples = R"(Examples:
   hsr order scene.obj -o scene.json --method naive     by the middle of each face, as most software does; may be wrong
   hsr order scene.obj -o scene.svg --check             and compared with the nearest face at each of 1024 x 1024 samples
 
-Writes each FILE, all of them or none: .json has the pieces from far to near, which 'hsr verify' reads; .svg, .pdf, .eps,
-.tex (TikZ) and .png are painted in that order, with the lines on top; where something is seen through, or the order may be wrong,
-with the lines of each piece, which later ones cover. Standard error tells what was written, and the scale of a page. Exit status 1: --check found a difference.)";
+Writes each FILE, all of them or none: .json has the pieces from far to near, wires among them, which 'hsr verify' reads; .svg, .pdf,
+.eps, .tex (TikZ) and .png are painted in that order, with the lines on top; where something is seen through, or the order may be wrong,
+with the lines of each piece and the wires in their places, which later pieces cover. Standard error tells what was written, and the scale of a page. Exit status 1: --check found a difference.)";
 
 /// Each cycle of faces, and a point of each overlap in it.
 Report::Json json_of(const std::vector<PaintersCycle>& cycles, const Mesh& mesh, const View& view) {
@@ -138,7 +138,6 @@ class OrderCommand {
     context_.find_section(scene_, *prepared_, request_.lines.classes, request_.drawing, section_);
     find_order();
     note_coincident_faces();
-    note_wires();
     note_caps();
     check();
     write();
@@ -151,7 +150,6 @@ class OrderCommand {
   PaintersOrder by_tree();
   bool is_opaque() const;
   void note_coincident_faces();
-  void note_wires();
   void note_caps();
   void check();
   void write();
@@ -184,6 +182,7 @@ void OrderCommand::find_order() {
   }
   report.set("faces", scene_.mesh.faces.size());
   report.set("pieces", order_.pieces.size());
+  report.set("wires", order_.wires.size());
   report.set_decisions(order_.decisions);
 }
 
@@ -221,16 +220,6 @@ void OrderCommand::note_coincident_faces() {
     return coincident_note(*prepared_, scene_.model, is_opaque() ? Coincidence::seen : Coincidence::all);
   });
   if (!text.empty()) context_.note(text);
-}
-
-void OrderCommand::note_wires() {
-  const bool are_there = std::any_of(scene_.mesh.edges.begin(), scene_.mesh.edges.end(), [](const Edge& e) { return e.wire; });
-  if (!are_there || !request_.lines.classes[static_cast<std::size_t>(EdgeClass::wire)]) return;
-  const auto is_json = [](const Output& o) { return o.format == Format::json; };
-  if (std::any_of(request_.outputs.begin(), request_.outputs.end(), is_json))
-    context_.note("the pieces in JSON are of faces: wires are not among them");
-  if (!is_opaque())
-    context_.note("wires are drawn where nothing lies before them, and not where they are seen through something");
 }
 
 void OrderCommand::note_caps() {
@@ -280,7 +269,8 @@ void OrderCommand::write() {
   context_.report.timed("write", [&] {
     for (const Output& output : request_.outputs) {
       const std::string bytes = bytes_of(output.format);
-      const std::string pieces = counted(order_.pieces.size(), "piece");
+      std::string pieces = counted(order_.pieces.size(), "piece");
+      if (!order_.wires.empty()) pieces += ", " + counted(order_.wires.size(), "part") + " of wires";
       std::string summary = output.format == Format::json ? pieces : pixel_size(bytes);
       if (output.format != Format::json && output.format != Format::png) {
         summary = paper_size(drawing().width, drawing().height);
@@ -349,6 +339,7 @@ void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
   add_picture_options(*a, options);
   a->page.add_to(options, "PNG: pixels [150 to the inch]; --check: samples [1024x1024]");
   a->page.add_pens_to(options);
+  a->page.add_fit_arcs_to(options);
   options.add("--id-prefix", a->id_prefix, "TEXT", "SVG: what each id begins with, for several files in one document");
   options.begin_group("Numbers");
   options.add_flag("--exact", a->exact, "JSON: all coordinates as strings \"p/q\"; those that are no doubles always are");

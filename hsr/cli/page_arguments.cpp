@@ -33,6 +33,14 @@ void PageArguments::add_pens_to(Options& options) {
   options.add("--pens", pens_file, "FILE", "Pens, one NAME=MM:COLOUR:DASH to a line, # for comments; --pen counts more");
 }
 
+void PageArguments::add_fit_arcs_to(Options& options) {
+  options.add(
+      "--fit-arcs", fit_arcs, "MM",
+      "Draw lines whose edges lie on one circle in space, within this on paper, as arcs of circles and ellipses: of 4 edges "
+      "or more that turn by at most 35 degrees each. DXF: as CIRCLE and ARC, and in release 2000 ELLIPSE. Fills keep their "
+      "corners");
+}
+
 void PageArguments::add_sort_to(Options& options) {
   options
       .add("--sort", sort, "HOW",

@@ -16,6 +16,7 @@ namespace hsr::cli {
 struct PageArguments {
   std::string page = "A4", scale = "fit", unit, size;  ///< an empty unit: the model's
   double margin = 10, min_length = 0;
+  std::string fit_arcs;           ///< millimetres; empty: none
   std::vector<std::string> pens;  ///< settings, as parse_pens() has them
   std::string sort = "none";      ///< or pen
   std::string pens_file;          ///< a file of settings, before those; empty: none
@@ -24,6 +25,7 @@ struct PageArguments {
   void add_to(Options& options, const std::string& size_help);
   void add_pens_to(Options& options);
   void add_sort_to(Options& options);
+  void add_fit_arcs_to(Options& options);
   /// @throws InputError naming the option
   DrawingOptions options() const;
   /// Puts the unit of the model into the options, where none was given. @returns a note if that made a difference, or nothing

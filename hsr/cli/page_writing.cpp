@@ -26,6 +26,7 @@ void add_dxf(WriteOptions& options, const std::string& release, double unit, dou
 DrawingOptions in_model_units(DrawingOptions options, double page_scale) {
   options.in_frame_units = true;
   options.min_length /= page_scale;
+  options.fit_arcs /= page_scale;
   options.hatch_scale = page_scale;
   return options;
 }

@@ -85,6 +85,7 @@ class Teller {
           {{"piece", verdict_.cycle[k]}, {"face", face(verdict_.cycle[k])}, {"witness", witness(verdict_.cycle_witnesses[k])}});
     Report::Json out = {{"correct", verdict_.is_correct()},
                         {"pieces", verdict_.polygons},
+                        {"wires", verdict_.wires},
                         {"triangulated", verdict_.triangulated},
                         {"overlapping", verdict_.overlapping},
                         {"wrong", verdict_.wrong},
@@ -102,11 +103,12 @@ class Teller {
         verdict_.triangulated == 0
             ? std::string()
             : fmt::format(" ({} that are not planar or not convex, by their triangles)", verdict_.triangulated);
+    std::string pieces = counted(verdict_.polygons, "piece") + judged;
+    if (verdict_.wires > 0) pieces += " and " + counted(verdict_.wires, "part") + " of wires";
     if (verdict_.is_correct())
-      return fmt::format("correct: {} pieces{}, each of {} overlapping pairs is painted far to near", verdict_.polygons, judged,
-                         verdict_.overlapping);
-    std::string wrong = fmt::format("{} of {} overlapping pairs of {} pieces{} are painted the wrong way round", verdict_.wrong,
-                                    verdict_.overlapping, verdict_.polygons, judged);
+      return fmt::format("correct: {}, each of {} overlapping pairs is painted far to near", pieces, verdict_.overlapping);
+    std::string wrong = fmt::format("{} of {} overlapping pairs of {} are painted the wrong way round", verdict_.wrong,
+                                    verdict_.overlapping, pieces);
     if (verdict_.piercing > 0) wrong += fmt::format(", {} of them pierce each other", verdict_.piercing);
     if (verdict_.covered_twice > 0)
       wrong += fmt::format("; {} pairs of pieces of one face cover a place twice", verdict_.covered_twice);
@@ -122,6 +124,7 @@ class Teller {
     return text;
   }
   std::string name(std::uint32_t piece) const {
+    if (pieces_[piece].corners.size() == 2) return fmt::format("piece {} (of a wire)", piece);
     return pieces_[piece].face ? fmt::format("piece {} (face {})", piece, *pieces_[piece].face)
                                : fmt::format("piece {}", piece);
   }
@@ -208,11 +211,14 @@ Input from_order(const VerifyArguments& a, const std::string& path, CommandConte
   std::vector<Point3> points;
   Polygons polygons;
   for (const PaintedPolygon& p : in.pieces) {
-    for (const auto& c : p.corners) {
-      polygons.corners.push_back(static_cast<std::uint32_t>(points.size()));
-      points.push_back({c[0].to_double(), c[1].to_double(), c[2].to_double()});
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (const auto& c : p.corners) points.push_back({c[0].to_double(), c[1].to_double(), c[2].to_double()});
+    if (p.corners.size() == 2) {
+      polygons.segments.push_back({first, first + 1});
+      continue;
     }
-    polygons.first.push_back(static_cast<std::uint32_t>(points.size()));
+    for (std::uint32_t k = first; k < points.size(); ++k) polygons.corners.push_back(k);
+    polygons.first.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
   }
   const ChosenView chosen = choose_view(a.view, make_mesh(points, polygons), Model{});
   in.view = chosen.view;

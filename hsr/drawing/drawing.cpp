@@ -13,6 +13,7 @@
 #include "geometry/error.h"
 #include "hsr/drawing/filled_drawing.h"
 #include "hsr/drawing/fills.h"
+#include "hsr/drawing/fit_arcs.h"
 #include "hsr/drawing/image_lines.h"
 #include "hsr/drawing/join.h"
 #include "hsr/drawing/near_lines.h"
@@ -182,7 +183,8 @@ double length_of(std::span<const PaperPoint> points, bool closed) {
 }
 
 /// Each ring as a closed outline of no edge and no face.
-void add_outlines(Drawing& drawing, const Fills& fills) {
+/// @param rings as fills has them; nullptr, or rings of which the frame cut something off: no edges for arcs
+void add_outlines(Drawing& drawing, const Fills& fills, const Ragged<MapCorner>* rings, EdgesOfLines& edges) {
   for (const Fill& fill : fills.fills)
     for (std::uint32_t r = fill.first_ring; r < fill.end_ring; ++r) {
       const auto ring = fills.rings[r];
@@ -196,14 +198,21 @@ void add_outlines(Drawing& drawing, const Fills& fills) {
       drawing.points.insert(drawing.points.end(), ring.begin(), ring.end());
       p.end_point = static_cast<std::uint32_t>(drawing.points.size());
       drawing.polylines.push_back(p);
+      const bool has_corners = rings != nullptr && (*rings)[r].size() == ring.size();
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const MapLine line = has_corners ? (*rings)[r][k].line : MapLine{MapLine::Kind::near, 0, 0};
+        if (line.kind == MapLine::Kind::edge) edges.rows.push_back({VertexId(line.u), VertexId(line.v)});
+        edges.end_line();
+      }
     }
 }
 
 /// Fills in the polylines from the chains of strokes.
 class Collector {
  public:
-  Collector(Drawing& drawing, const Mesh& mesh, const VisibleLines& lines, const Overlay& overlay)
-      : drawing_(drawing), mesh_(mesh), lines_(lines), overlay_(overlay) {}
+  /// @param edges_of_lines what arcs are found by; nullptr: nothing
+  Collector(Drawing& drawing, const Mesh& mesh, const VisibleLines& lines, const Overlay& overlay, EdgesOfLines* edges_of_lines)
+      : drawing_(drawing), mesh_(mesh), lines_(lines), overlay_(overlay), edges_of_lines_(edges_of_lines) {}
 
   /// @param of_line the stroke of each line of the paper before any was left out near another
   void add(std::span<const std::uint32_t> passes, bool closed, const DistinctLines& distinct,
@@ -227,9 +236,21 @@ class Collector {
     p.object = first.object;
     add_sources(p, passes, distinct, of_line);
     drawing_.polylines.push_back(p);
+    if (edges_of_lines_ == nullptr) return;
+    for (const std::uint32_t pass : passes) {
+      add_edges_of(overlay_.strokes[of_line[distinct.part_of[pass / 2]]]);
+      edges_of_lines_->end_line();
+    }
+    if (!closed) edges_of_lines_->end_line();  // no line begins at the last point
   }
 
  private:
+  void add_edges_of(const Stroke& stroke) {
+    for (std::uint32_t s = stroke.first_source; s < stroke.end_source; ++s) {
+      const Line& source = lines_.lines[overlay_.sources[s]];
+      if (!source.is_intersection()) edges_of_lines_->rows.push_back({mesh_.edges[source.edge].a, mesh_.edges[source.edge].b});
+    }
+  }
   void add_sources(Polyline& p, std::span<const std::uint32_t> passes, const DistinctLines& distinct,
                    const std::vector<std::uint32_t>& of_line) {
     edges_.clear();
@@ -271,7 +292,44 @@ class Collector {
   const Mesh& mesh_;
   const VisibleLines& lines_;
   const Overlay& overlay_;
+  EdgesOfLines* edges_of_lines_;
 };
+
+/// The chains by style and object, without those in groups that are too short.
+/// @param shortest thousandths of a millimetre
+void collect(Drawing& drawing, Collector collector, const Chains& chains, const DistinctLines& distinct,
+             const std::vector<std::uint32_t>& of_line, double shortest) {
+  std::vector<std::uint32_t> order(chains.passes.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const PaperLine &x = distinct.lines[chains.passes[a].front() / 2], &y = distinct.lines[chains.passes[b].front() / 2];
+    return std::pair(x.style, x.object) < std::pair(y.style, y.object);
+  });
+  std::vector<std::uint8_t> is_short(chains.passes.size(), 0);
+  if (shortest > 0) is_short = in_short_groups(distinct.lines, chains, shortest);
+  for (const std::uint32_t c : order) {
+    if (is_short[c] != 0) {
+      ++drawing.groups_dropped;
+      continue;
+    }
+    collector.add(chains.passes[c], chains.closed[c] != 0, distinct, of_line);
+  }
+}
+
+/// What is done with the polylines once they are there.
+/// @param unit millimetres in what the options are in
+void finish(Drawing& drawing, const DrawingOptions& options, const Projection& projection, EdgesOfLines& edges, double unit) {
+  const bool fits = options.fit_arcs > 0;
+  while (fits && edges.row_of_line.size() < drawing.points.size()) edges.end_line();  // of a section: no edge
+  if (options.sort_for_pen) {
+    const std::vector<std::uint32_t> line_before = sort_for_pen(drawing);
+    std::vector<std::uint32_t> rows;
+    if (fits)
+      for (const std::uint32_t line : line_before) rows.push_back(edges.row_of_line[line]);
+    edges.row_of_line = std::move(rows);
+  }
+  if (fits) fit_arcs(drawing, projection, edges, options.fit_arcs * unit, options.sort_for_pen);
+}
 
 }  // namespace
 
@@ -287,13 +345,14 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
       reach_beneath(placed);
       return placed;
     };
-  return draw_with_fills(mesh, view, lines, nullptr, options, fills);
+  return draw_with_fills(mesh, view, lines, nullptr, options, fills, regions == nullptr ? nullptr : &regions->rings);
 }
 
 namespace internal {
 
 Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& lines, const VisibleLines* bounds,
-                        const DrawingOptions& options, const std::function<Fills(const Placement&)>& fills) {
+                        const DrawingOptions& options, const std::function<Fills(const Placement&)>& fills,
+                        const Ragged<MapCorner>* rings) {
   std::vector<std::uint32_t> seen;  // lines whose image is not a point, and that the near plane does not cut away
   for (std::uint32_t i = 0; i < lines.lines.size(); ++i)
     if (lines.lines[i].intervals() > 0) seen.push_back(i);
@@ -317,9 +376,11 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
   drawing.pens = Pens(line_group(options.page), options.hidden);
   drawing.pens.set(options.pens);
 
+  EdgesOfLines edges;
+  const double unit = options.in_frame_units ? drawing.scale : 1;
   if (options.outline_only) {
-    if (fills) add_outlines(drawing, fills(place));
-    if (options.sort_for_pen) sort_for_pen(drawing);
+    if (fills) add_outlines(drawing, fills(place), rings, edges);
+    finish(drawing, options, place.projection, edges, unit);
     return drawing;
   }
   const std::vector<std::uint32_t> object_of_line = objects_of_lines(mesh, lines, options.objects);
@@ -376,26 +437,10 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
     distinct.part_of.resize(distinct.lines.size());
     std::iota(distinct.part_of.begin(), distinct.part_of.end(), 0U);
   }
-  std::vector<std::uint32_t> order(chains.passes.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const PaperLine &x = distinct.lines[chains.passes[a].front() / 2], &y = distinct.lines[chains.passes[b].front() / 2];
-    return std::pair(x.style, x.object) < std::pair(y.style, y.object);
-  });
-  Collector collector(drawing, mesh, lines, overlay);
-  std::vector<std::uint8_t> is_short(chains.passes.size(), 0);
-  if (options.min_length > 0)
-    is_short =
-        in_short_groups(distinct.lines, chains, options.min_length * 1000 * (options.in_frame_units ? drawing.scale : 1));
-  for (const std::uint32_t c : order) {
-    if (is_short[c] != 0) {
-      ++drawing.groups_dropped;
-      continue;
-    }
-    collector.add(chains.passes[c], chains.closed[c] != 0, distinct, of_line);
-  }
+  collect(drawing, Collector(drawing, mesh, lines, overlay, options.fit_arcs > 0 ? &edges : nullptr), chains, distinct, of_line,
+          options.min_length * 1000 * unit);
   add_section_lines(drawing, place, options);
-  if (options.sort_for_pen) sort_for_pen(drawing);
+  finish(drawing, options, projection, edges, unit);
   return drawing;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/ragged.h"
+#include "hsr/drawing/ellipse_arc.h"
 #include "hsr/drawing/page.h"
 #include "hsr/drawing/pens.h"
 #include "hsr/face_labels.h"
@@ -40,6 +41,9 @@ struct DrawingOptions {
   bool outline_only = false;
   /// Millimetres: lines that are joined to one another and together shorter than this are left out, such as freckles on scans.
   double min_length = 0;
+  /// Millimetres, in_frame_units: of the frame; 0: none. Runs of lines that lie on one circle in space, within this, become arcs: see
+  /// fit_arcs.h. Fills keep the lines of their faces.
+  double fit_arcs = 0;
   /// The caps of the view's section: their borders and hatching lie over all lines, and with regions their faces over all fills.
   /// nullptr: none.
   const Section* section = nullptr;
@@ -55,7 +59,15 @@ struct Polyline {
   bool hidden = false, closed = false;  ///< closed: the last point is joined to the first, which is not repeated
   EdgeClass edge_class = EdgeClass::outline;
   std::uint32_t first_point = 0, end_point = 0, first_edge = 0, end_edge = 0, first_face = 0, end_face = 0;
+  std::uint32_t first_arc = 0, end_arc = 0;
   std::uint32_t object = SceneObjects::none;  ///< of Drawing::objects; none: of several
+};
+
+/// Lines of a polyline that are drawn as one arc: from the point first_line of Drawing::points to the point end_line, which is the
+/// first of the polyline where that is closed and ends there.
+struct DrawnArc {
+  std::uint32_t first_line = 0, end_line = 0;
+  EllipseArc ellipse;
 };
 
 /// A part of the page in one colour.
@@ -69,7 +81,7 @@ struct Fill {
 
 /// A line that is painted between fills: of a painting in which one is seen through another.
 struct FillLine {
-  std::uint32_t after = 0;  ///< the fill that is painted just before
+  std::uint32_t fills_before = 0;  ///< how many fills are painted before it
   bool closed = false;
   EdgeClass edge_class = EdgeClass::outline;
   std::uint32_t first_point = 0, end_point = 0;
@@ -101,6 +113,8 @@ struct Drawing {
   std::vector<PaperPoint> points;                   ///< x to the right, y down, from the upper left corner of the page
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< i < j, ascending and unique for each polyline
   std::vector<std::uint32_t> faces;                 ///< ascending and unique for each polyline
+  std::vector<DrawnArc> arcs;                       ///< ascending; polylines have the points of their lines all the same
+  double arc_tolerance = 0;                         ///< mm: how far arcs are from the lines they stand for, at most
 
   Fills fills;  ///< under the lines
 
@@ -121,6 +135,7 @@ struct Drawing {
   std::span<const std::uint32_t> faces_of(const Polyline& p) const {
     return {faces.data() + p.first_face, faces.data() + p.end_face};
   }
+  std::span<const DrawnArc> arcs_of(const Polyline& p) const { return {arcs.data() + p.first_arc, arcs.data() + p.end_arc}; }
 };
 
 /// The picture that the field of view cuts out, for LineOptions::frame; nothing where there is none.

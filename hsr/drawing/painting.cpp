@@ -109,32 +109,35 @@ class PaintedGroups {
   }
 };
 
-/// Lines that are drawn from these sides on top of what is painted with them: those along which two pieces meet once, with the
-/// later one.
-void add_lines(Fills& fills, const std::vector<PlacedPiece>& pieces, const std::vector<std::uint32_t>& last_fill_of_layer,
-               const std::vector<std::uint32_t>& layers) {
-  struct Found {
-    SideLine line;
-    std::uint32_t layer;
+/// A line that is painted with the fills.
+struct PaintedLine {
+  SideLine line;
+  std::uint32_t fills_before = 0;
+};
+
+/// Of lines that run along one another, as where two pieces meet, the one that is painted last.
+void add_lines(Fills& fills, const std::vector<PaintedLine>& all) {
+  struct Found : PaintedLine {
     auto ends() const { return std::minmax(line.from, line.to); }
-    auto key() const { return std::tuple(std::min(line.from, line.to), std::max(line.from, line.to), ~layer, line.edge_class); }
+    auto key() const {
+      return std::tuple(std::min(line.from, line.to), std::max(line.from, line.to), ~fills_before, line.edge_class);
+    }
   };
   std::vector<Found> found;
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    for (const SideLine& line : pieces[i].lines)
-      if (line.from != line.to) found.push_back({line, layers[i]});
+  for (const PaintedLine& line : all)
+    if (line.line.from != line.line.to) found.push_back({line});
   std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.key() < b.key(); });
   std::vector<PaperLine> lines;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const SideLine& line = found[k].line;
     if (k == 0 || found[k].ends() != found[k - 1].ends())
-      lines.push_back({line.from, line.to, static_cast<std::uint32_t>(line.edge_class), last_fill_of_layer[found[k].layer]});
+      lines.push_back({line.from, line.to, static_cast<std::uint32_t>(line.edge_class), found[k].fills_before});
   }
   const Chains chains = join(lines);
   for (std::size_t c = 0; c < chains.passes.size(); ++c) {
     const PaperLine& first = lines[chains.passes[c].front() / 2];
     FillLine out;
-    out.after = first.object;
+    out.fills_before = first.object;
     out.closed = chains.closed[c] != 0;
     out.edge_class = static_cast<EdgeClass>(first.style);
     out.first_point = static_cast<std::uint32_t>(fills.line_points.size());
@@ -146,7 +149,7 @@ void add_lines(Fills& fills, const std::vector<PlacedPiece>& pieces, const std::
     fills.lines.push_back(out);
   }
   std::stable_sort(fills.lines.begin(), fills.lines.end(),
-                   [](const FillLine& a, const FillLine& b) { return a.after < b.after; });
+                   [](const FillLine& a, const FillLine& b) { return a.fills_before < b.fills_before; });
 }
 
 /// Makes the fills of a painting, step by step.
@@ -174,32 +177,78 @@ class FillPainter {
       fill.colour = colours_[scene_.mesh().face_of[first_triangle(piece.facet)].value];
       fill.opacity = opacity_ * fill.colour[3] / 255;
     }
+    std::vector<PlacedWire> wires = placed_wires(placer, asked);
     std::vector<std::uint32_t> layers(pieces.size());
     if (is_opaque()) {
       std::iota(layers.begin(), layers.end(), 0U);
       close_cuts_of(pieces);
     } else {
-      std::vector<std::vector<PaperPoint>> rings;
-      rings.reserve(pieces.size());
-      for (const PlacedPiece& p : pieces) rings.push_back(p.ring);
-      layers = paint_layers(rings);
+      layers = see_through_layers(pieces, wires);
     }
-    const std::vector<PaintedGroup> groups = PaintedGroups(pieces, looks, layers).groups;
     Fills fills;
-    std::vector<std::uint32_t> last_of_layer(groups.empty() ? 0 : groups.back().layer + 1, 0);
-    for (const PaintedGroup& group : groups) {
+    for (const PaintedGroup& group : PaintedGroups(pieces, looks, layers).groups) {
       const bool has_area =
           std::any_of(group.pieces.begin(), group.pieces.end(), [&](auto i) { return !pieces[i].ring.empty(); });
       if (has_area) append(fills, group, pieces, looks[group.pieces.front()]);
-      if (!fills.fills.empty()) last_of_layer[group.layer] = static_cast<std::uint32_t>(fills.fills.size() - 1);
     }
-    if (asked != nullptr) add_lines(fills, pieces, last_of_layer, layers);
+    if (asked != nullptr) add_lines(fills, painted_lines(fills, pieces, layers, wires));
     add_section_fills(fills, place, options_);
     reach_beneath(fills);
     return fills;
   }
 
  private:
+  /// A part of a wire: its ends on the page, and the layer after which it comes; -1: before all.
+  struct PlacedWire {
+    std::vector<PaperPoint> ends;
+    std::int64_t layer = -1;
+  };
+
+  /// Those whose class is asked for; a wire that faces make more of is drawn as their edge. In layers by number of piece.
+  std::vector<PlacedWire> placed_wires(const PiecePlacer& placer, const std::vector<std::optional<EdgeClass>>* asked) const {
+    std::vector<PlacedWire> wires(asked == nullptr ? 0 : order_.wires.size());
+    parallel_for_each(wires.size(), [&](std::size_t w) {
+      const OrderedWire& wire = order_.wires[w];
+      if ((*asked)[wire.edge.value] == EdgeClass::wire) wires[w] = {placer(wire), std::int64_t{wire.before} - 1};
+    });
+    return wires;
+  }
+
+  /// Layers of what does not overlap, in the order of the pieces and the wires among them.
+  std::vector<std::uint32_t> see_through_layers(const std::vector<PlacedPiece>& pieces, std::vector<PlacedWire>& wires) const {
+    std::vector<std::vector<PaperPoint>> rings;
+    rings.reserve(pieces.size() + wires.size());
+    std::size_t w = 0;
+    for (std::size_t i = 0; i <= pieces.size(); ++i) {
+      for (; w < wires.size() && order_.wires[w].before == i; ++w) rings.push_back(wires[w].ends);
+      if (i < pieces.size()) rings.push_back(pieces[i].ring);
+    }
+    const std::vector<std::uint32_t> all = paint_layers(rings);
+    std::vector<std::uint32_t> layers;
+    w = 0;
+    for (std::size_t i = 0; i <= pieces.size(); ++i) {
+      for (; w < wires.size() && order_.wires[w].before == i; ++w) wires[w].layer = all[i + w];
+      if (i < pieces.size()) layers.push_back(all[i + w]);
+    }
+    return layers;
+  }
+
+  /// Lines of the sides of pieces, and wires, each on top of the fills of its layer.
+  static std::vector<PaintedLine> painted_lines(const Fills& fills, const std::vector<PlacedPiece>& pieces,
+                                                const std::vector<std::uint32_t>& layers,
+                                                const std::vector<PlacedWire>& wires) {
+    const auto fills_up_to = [&](std::int64_t layer) {
+      const auto end = std::ranges::upper_bound(fills.fills, layer, {}, &Fill::layer);
+      return static_cast<std::uint32_t>(end - fills.fills.begin());
+    };
+    std::vector<PaintedLine> lines;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (const SideLine& line : pieces[i].lines) lines.push_back({line, fills_up_to(layers[i])});
+    for (const PlacedWire& wire : wires)
+      if (wire.ends.size() == 2) lines.push_back({{wire.ends[0], wire.ends[1], EdgeClass::wire}, fills_up_to(wire.layer)});
+    return lines;
+  }
+
   void append(Fills& fills, const PaintedGroup& group, const std::vector<PlacedPiece>& pieces, const Fill& look) const {
     Fill fill = look;
     fill.layer = group.layer;
@@ -241,23 +290,15 @@ class FillPainter {
   const DrawingOptions& options_;
 };
 
-/// Those that nothing hides.
-VisibleLines lines_on_top(const SceneView& scene, LineOptions options, bool only_wires) {
-  if (only_wires)
-    for (std::size_t c = 0; c < options.classes.size(); ++c)
-      options.classes[c] = options.classes[c] && c == static_cast<std::size_t>(EdgeClass::wire);
-  return visible_lines(scene, options);
-}
-
 }  // namespace
 
 Drawing paint_on_page(const SceneView& scene, const PaintersOrder& order, const std::vector<Colour>& colours,
                       const LineOptions& lines, const DrawingOptions& options, const PaintingOptions& painting) {
   const FillPainter painter(scene, order, colours, painting.opacity, options);
-  const bool with_pieces = painting.paints_lines_with_pieces || !painter.is_opaque();
+  const bool with_pieces = !order.pieces.empty() && (painting.paints_lines_with_pieces || !painter.is_opaque());
   std::vector<std::optional<EdgeClass>> asked;
   if (with_pieces) asked = asked_classes(scene.parts(), lines);
-  const VisibleLines on_top = lines_on_top(scene, lines, with_pieces);
+  const VisibleLines on_top = with_pieces ? VisibleLines() : visible_lines(scene, lines);
   const VisibleLines bounds = all_edges(scene.mesh(), scene.parts().projected());
   return draw_with_fills(scene.mesh(), scene.view(), on_top, &bounds, options,
                          [&](const Placement& place) { return painter(place, with_pieces ? &asked : nullptr); });

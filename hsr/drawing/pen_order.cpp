@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "hsr/drawing/end_tree.h"
 #include "hsr/drawing/pen_tour.h"
@@ -107,20 +108,31 @@ class PenWriter {
     const Polyline& p = from_.polylines[start.polyline];
     const auto all = from_.points_of(p);
     std::vector<PaperPoint> run(all.begin(), all.end());
-    if (p.closed)
+    std::vector<std::uint32_t> lines(all.size());  // by the point that they begin at; of the last of an open one none
+    std::iota(lines.begin(), lines.end(), p.first_point);
+    if (p.closed) {
       std::rotate(run.begin(), run.begin() + start.point, run.end());
-    else if (start.point != 0)
+      std::rotate(lines.begin(), lines.begin() + start.point, lines.end());
+    } else if (start.point != 0) {
       std::reverse(run.begin(), run.end());
+      std::reverse(lines.begin(), lines.end() - 1);
+    }
     const bool goes_on = is_open_ && p.hidden == last_.hidden && p.edge_class == last_.edge_class && p.object == last_.object &&
                          !run_.empty() && run_.back() == run.front();
     if (!goes_on) finish();
     if (run_.empty()) {
       last_ = p;
       run_ = std::move(run);
+      lines_ = std::move(lines);
       is_open_ = !p.closed;
     } else {
       run_.insert(run_.end(), run.begin() + 1, run.end());
-      if (p.closed) run_.push_back(run.front());
+      lines_.back() = lines.front();
+      lines_.insert(lines_.end(), lines.begin() + 1, lines.end());
+      if (p.closed) {
+        run_.push_back(run.front());
+        lines_.push_back(lines.front());
+      }
     }
     const auto edges = from_.edges_of(p);
     edges_.insert(edges_.end(), edges.begin(), edges.end());
@@ -128,12 +140,14 @@ class PenWriter {
     faces_.insert(faces_.end(), faces.begin(), faces.end());
   }
 
-  void write_into(Drawing& drawing) {
+  /// @returns for each point the line that begins there
+  std::vector<std::uint32_t> write_into(Drawing& drawing) {
     finish();
     drawing.polylines = std::move(to_.polylines);
     drawing.points = std::move(to_.points);
     drawing.edges = std::move(to_.edges);
     drawing.faces = std::move(to_.faces);
+    return std::move(all_lines_);
   }
 
  private:
@@ -141,9 +155,13 @@ class PenWriter {
     if (run_.empty()) return;
     Polyline p = last_;
     p.closed = !is_open_ || (run_.size() > 3 && run_.front() == run_.back());
-    if (is_open_ && p.closed) run_.pop_back();
+    if (is_open_ && p.closed) {
+      run_.pop_back();
+      lines_.pop_back();
+    }
     p.first_point = static_cast<std::uint32_t>(to_.points.size());
     to_.points.insert(to_.points.end(), run_.begin(), run_.end());
+    all_lines_.insert(all_lines_.end(), lines_.begin(), lines_.end());
     p.end_point = static_cast<std::uint32_t>(to_.points.size());
     p.first_edge = static_cast<std::uint32_t>(to_.edges.size());
     append_unique(edges_, to_.edges);
@@ -153,6 +171,7 @@ class PenWriter {
     p.end_face = static_cast<std::uint32_t>(to_.faces.size());
     to_.polylines.push_back(p);
     run_.clear();
+    lines_.clear();
   }
   template <class T>
   static void append_unique(std::vector<T>& some, std::vector<T>& all) {
@@ -165,6 +184,7 @@ class PenWriter {
   Drawing to_;
   Polyline last_;
   std::vector<PaperPoint> run_;
+  std::vector<std::uint32_t> lines_, all_lines_;
   bool is_open_ = true;
   std::vector<std::array<std::uint32_t, 2>> edges_;
   std::vector<std::uint32_t> faces_;
@@ -185,7 +205,7 @@ PenTravel pen_travel(const Drawing& drawing) {
   return travel;
 }
 
-void sort_for_pen(Drawing& drawing) {
+std::vector<std::uint32_t> sort_for_pen(Drawing& drawing) {
   PenWriter writer(drawing);
   PaperPoint pen;
   const std::vector<Polyline>& all = drawing.polylines;
@@ -196,7 +216,7 @@ void sort_for_pen(Drawing& drawing) {
       ++end;
     for (const Start& start : PenSorter(drawing, first, end).sorted(pen)) writer.add(start);
   }
-  writer.write_into(drawing);
+  return writer.write_into(drawing);
 }
 
 }  // namespace hsr::internal

@@ -18,6 +18,8 @@ PenTravel pen_travel(const Drawing& drawing);
 ///
 /// First the nearest of those that are left, again and again, then what shorten() finds. The same for any number of threads.
 /// Cost: O(n log n) where lines are spread; see pen_tour.h.
-void sort_for_pen(Drawing& drawing);
+/// @returns for each point of the drawing the one at which the line from it began, or ended, before; of the last point of an open
+/// polyline any. @pre no arcs yet
+std::vector<std::uint32_t> sort_for_pen(Drawing& drawing);
 
 }  // namespace hsr::internal

@@ -33,6 +33,22 @@ PlacedPiece PiecePlacer::operator()(const OrderedPiece& piece, std::span<const P
   return placed;
 }
 
+std::vector<PaperPoint> PiecePlacer::operator()(const OrderedWire& wire) const {
+  std::vector<PaperPoint> ends;
+  std::vector<std::array<Wide, 2>> at;
+  for (const auto& end : exact_ends(mesh_, wire)) {
+    const std::array<Rational, 2> p = projection_.exact(end);
+    ends.push_back(Projection::rounded(p));
+    at.push_back({enclose(p[0]).middle, enclose(p[1]).middle});
+  }
+  if (frame_ && !(is_in_frame(at[0]) && is_in_frame(at[1]))) {
+    ends = clipped(at, *frame_);
+    if (ends.size() > 2) ends.resize(2);  // the way back is another line
+  }
+  if (ends.size() == 2 && ends[0] == ends[1]) ends.clear();
+  return ends;
+}
+
 bool PiecePlacer::is_in_frame(const std::array<Wide, 2>& p) const {
   return p[0] >= frame_->left && p[0] <= frame_->right && p[1] >= frame_->top && p[1] <= frame_->bottom;
 }

@@ -30,6 +30,8 @@ class PiecePlacer {
   PiecePlacer(const Mesh& mesh, const View& view, const Placement& place)
       : mesh_(mesh), view_(view), projection_(place.projection), frame_(place.frame) {}
 
+  /// A part of a wire: its ends, or nothing where it is outside the frame.
+  std::vector<PaperPoint> operator()(const OrderedWire& wire) const;
   /// @param asked by edge: its class if it is drawn; nullptr: none is
   PlacedPiece operator()(const OrderedPiece& piece, std::span<const PieceCorner> corners,
                          const std::vector<std::optional<EdgeClass>>* asked) const;

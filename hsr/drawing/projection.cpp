@@ -70,6 +70,13 @@ void Projection::enclose_rows() {
     for (std::size_t k = 0; k < 4; ++k) enclosed_[i][k] = enclose(rows_[i][k]);
 }
 
+std::array<std::array<double, 4>, 3> Projection::rounded_rows() const {
+  std::array<std::array<double, 4>, 3> rounded;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 4; ++k) rounded[i][k] = rows_[i][k].to_double();
+  return rounded;
+}
+
 HomogeneousPoint Projection::at(const std::array<Enclosure, 3>& p) const {
   const auto row = [&](std::size_t i) {
     return enclosed_[i][0] * p[0] + enclosed_[i][1] * p[1] + enclosed_[i][2] * p[2] + enclosed_[i][3];

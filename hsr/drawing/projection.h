@@ -47,6 +47,11 @@ class Projection {
   /// The image of a point in space.
   std::array<Rational, 2> exact(const std::array<Rational, 3>& p) const;
 
+  /// Of what is drawn, never of what hides what: x, y and w of a point relative to the anchor are these rows times (point, 1), in
+  /// the nearest doubles.
+  std::array<std::array<double, 4>, 3> rounded_rows() const;
+  const Point3& anchor() const { return anchor_; }
+
   const Mesh& mesh() const { return mesh_; }
   const View& view() const { return view_; }
 

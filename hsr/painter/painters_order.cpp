@@ -16,4 +16,14 @@ std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, FacetId 
       .exact();
 }
 
+std::array<std::array<Rational, 3>, 2> exact_ends(const Mesh& mesh, const OrderedWire& wire) {
+  const RationalVector a = rational(mesh.points[mesh.edges[wire.edge].a]), b = rational(mesh.points[mesh.edges[wire.edge].b]);
+  const auto at = [&](const Rational& t) {
+    RationalVector p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + t * (b[k] - a[k]);
+    return p;
+  };
+  return {at(wire.from), at(wire.to)};
+}
+
 }  // namespace hsr

@@ -28,10 +28,18 @@ struct OrderedPiece {
   std::uint32_t first_corner = 0, end_corner = 0;
 };
 
+/// A part of a wire among the pieces of an order.
+struct OrderedWire {
+  EdgeId edge;
+  Rational from = 0.0, to = 1.0;  ///< parameters along the edge, 0 at its first vertex: exact, and ascending
+  std::uint32_t before = 0;       ///< the piece that is painted just after it; the number of pieces: none is
+};
+
 /// Convex pieces from far to near (docs/conventions.md, "Painter's order").
 struct PaintersOrder {
   std::vector<OrderedPiece> pieces;
   std::vector<PieceCorner> corners;
+  std::vector<OrderedWire> wires;  ///< ascending by `before`, then by edge and along it
   DecisionCounts decisions;
 
   std::span<const PieceCorner> corners_of(const OrderedPiece& p) const {
@@ -42,5 +50,8 @@ struct PaintersOrder {
 /// The corner in space, exactly.
 /// @throws PreconditionError if its planes meet in no single point: a corner of another mesh or view
 std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, FacetId facet, const PieceCorner& corner);
+
+/// The ends of a part of a wire in space, exactly.
+std::array<std::array<Rational, 3>, 2> exact_ends(const Mesh& mesh, const OrderedWire& wire);
 
 }  // namespace hsr

@@ -80,6 +80,7 @@ def draw(
     pen=None,
     pens=None,
     sort=None,
+    fit_arcs=None,
     outline_only=False,
     dxf=None,
     id_prefix=None,
@@ -100,6 +101,7 @@ def draw(
     page: "A0" ... "A6", "letter", "WIDTHxHEIGHTmm", (width, height) in mm, or "fit" ["A4"]; margin: mm [10]; scale: "1:5", a
     number, "standard", or "fit"; unit: of the scene, "mm", "cm", "m" or "in" [glTF: "m", else "mm"]; min_length: mm on paper, of what is left out
     pen: "visible=0.35,hidden-sharp=0.18:#555", a list of such, or a dict of widths; pens: a file of them; sort: "pen" for a plotter
+    fit_arcs: mm on paper, within which edges that lie on one circle in space are drawn as arcs
     outline_only: the outline of everything alone, as closed rings; id_prefix: SVG, what each id begins with
     dxf: the release, "r12" or "2000", with line weights; a DXF is in units of the scene, whatever the page
     size: PNG, (width, height) in pixels; exact: JSON, numbers as "p/q"; why: JSON, which faces hide each part
@@ -139,6 +141,7 @@ def draw(
         pen=pen,
         pens=pens,
         sort=sort,
+        fit_arcs=fit_arcs,
         outline_only=outline_only,
         dxf=dxf,
         id_prefix=id_prefix,

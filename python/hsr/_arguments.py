@@ -70,6 +70,10 @@ def _page(name, value):
     return f"{number_text(finite(name, width))}x{number_text(finite(name, height))}mm"
 
 
+def _number(name, value):
+    return number_text(finite(name, value))
+
+
 def _strings(name, value):
     return value
 
@@ -110,6 +114,7 @@ _SPELLED = {
     "min_length": finite,
     "tolerance": finite,
     "opacity": finite,
+    "fit_arcs": _number,
     "stages": _stages,
     "seed": count,
     "limit": count,

@@ -213,6 +213,7 @@ class Order:
         size=None,
         pen=None,
         pens=None,
+        fit_arcs=None,
         id_prefix=None,
         exact=False,
         threads=None,
@@ -241,6 +242,7 @@ class Order:
             size=size,
             pen=pen,
             pens=pens,
+            fit_arcs=fit_arcs,
             id_prefix=id_prefix,
             exact=exact,
         )

@@ -52,6 +52,7 @@ cli::PageArguments Arguments::page() const {
   page.unit = word("unit", "", {"mm", "cm", "m", "in"});
   page.margin = get<double>("margin", page.margin);
   page.min_length = get<double>("min_length", page.min_length);
+  page.fit_arcs = get<std::string>("fit_arcs", "");
   page.size = get<std::string>("size", "");
   page.pens = get<std::vector<std::string>>("pen", {});
   page.pens_file = get<std::string>("pens", "");

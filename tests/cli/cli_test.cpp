@@ -412,6 +412,9 @@ TEST_CASE("an order that is none is refused in one line", "[cli][order]") {
   refused(head + "3}", {"pieces", "3"});
   refused(head + "[{}]}", {"piece 0", "points"});
   refused(head + R"([{"points": [[0, 0, 0], [1, 0, 0]]}]})", {"piece 0", "2 points"});
+  refused(head + R"([{"wire": [0, 1], "points": [[0, 0, 0], [1, 0, 0], [1, 1, 1]]}]})",
+          {"piece 0", "3 points", "the two of a wire"});
+  refused(head + R"([{"wire": [0, 1], "face": 2, "points": [[0, 0, 0], [1, 0, 0]]}]})", {"piece 0", "one of them"});
   refused(head + R"([{"points": [[0, 0, 0], [1, 0, "a"], [1, 1, 1]]}]})", {"piece 0, point 1", "p/q"});
   refused(head + R"([{"points": [[0, 0, 0], [1, 0, "1/0"], [1, 1, 1]]}]})", {"piece 0, point 1", "1/0"});
   refused(head + R"([{"points": [[0, 0, 0], [1, 0, 1e999], [1, 1, 1]]}]})", {"finite"});

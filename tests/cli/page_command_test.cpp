@@ -1,5 +1,6 @@
 // What is said of the page: pens, standard scales, the order for a plotter, the outline alone, ids.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <regex>
 #include <string>
 
@@ -91,6 +92,31 @@ TEST_CASE("a drawing for a plotter tells its ways, and has the same bytes for an
   CHECK(run("draw " + model + " --sort up -o " + (d / "a.hpgl")).status == 2);
 }
 
+TEST_CASE("circles of the model are told, and written as such where the format has them", "[cli][D22]") {
+  const Directory d;
+  std::string disc, face = "f";
+  for (int k = 0; k < 96; ++k) {
+    const double t = k * 3.14159265358979 / 48;
+    disc += "v " + std::to_string(30 * std::cos(t)) + " " + std::to_string(30 * std::sin(t)) + " 0\n";
+    face += " " + std::to_string(k + 1);
+  }
+  const std::string model = write(d / "disc.obj", disc + face + "\n");
+  const std::string ask = "draw " + model + " --view top --scale 1:1 --margin 0 --page 60x60mm -o " + (d / "a.svg") + " -o " +
+                          (d / "a.dxf") + " --report " + (d / "r.json");
+  CHECK(run(ask).text.find(" 96 lines\n") != std::string::npos);
+  const Outcome outcome = run(ask + " --fit-arcs 0.05");
+  INFO(outcome.text);
+  CHECK(count(outcome.text, ", no lines, 1 arc\n") == 2);
+  CHECK(count(contents(d / "a.svg"), "A30 30 0 0 ") == 3);
+  CHECK(count(contents(d / "a.dxf"), "\nCIRCLE\n") == 1);
+  CHECK(contents(d / "r.json").find("\"arcs\": 1") != std::string::npos);
+  CHECK(run(ask + " --fit-arcs 0.01").text.find(" 96 lines\n") != std::string::npos);  // the middle of an edge is 0.016 mm off
+  REQUIRE(run("order " + model + " --view top --scale 1:1 --fit-arcs 0.05 -q -o " + (d / "o.svg")).status == 0);
+  CHECK(count(contents(d / "o.svg"), "A30 30 0 0 ") == 3);
+  for (const char* const wrong : {"0", "-1", "x", "nan", "inf"})
+    check_refused(run("draw " + model + " -o " + (d / "b.svg") + " --fit-arcs=" + wrong), {"--fit-arcs", wrong, "more than 0"});
+}
+
 TEST_CASE("the outline alone is closed rings in each format, without fills", "[cli][D19]") {
   const Directory d;
   const std::string model = write(d / "boxes.obj", boxes);
@@ -120,14 +146,23 @@ TEST_CASE("a painting order has the pages and the pens of a drawing", "[cli][ord
   CHECK(order.find(lines) != std::string::npos);
   CHECK(order.substr(0, order.find(">")) == drawing.substr(0, drawing.find(">")));
   CHECK(count(order, "Z\" fill=\"#") > 0);
-  // A rod over a plate: what nothing lies before is drawn, and a file of pieces says that it has no wires.
+  // A rod over a plate is a piece of its own, drawn on top.
   const std::string rod = write(d / "rod.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 2\nv 3 3 2\nf 1 2 3 4\nl 5 6\n");
   const Outcome wires = run("order " + rod + " --view top --edges wire -o " + (d / "w.svg") + " -o " + (d / "w.json"));
   CHECK(wires.status == 0);
   CHECK(count(contents(d / "w.svg"), "visible wire") > 0);
-  CHECK(wires.text.find("wires are not among them") != std::string::npos);
-  CHECK(run("order " + rod + " --view top --opacity 0.5 -o " + (d / "w.svg")).text.find("nothing lies before them") !=
-        std::string::npos);
+  CHECK(count(wires.text, "1 piece, 1 part of wires\n") == 2);
+  CHECK(contents(d / "w.json").find("{\"wire\": [4, 5], \"points\": [[1, 1, 2], [3, 3, 2]]}\n]}") != std::string::npos);
+  const Outcome right = run("verify " + (d / "w.json"));
+  CHECK(right.status == 0);
+  CHECK(right.text.find("correct: 1 piece and 1 part of wires, each of 1 overlapping pairs") != std::string::npos);
+  const Outcome wrong = run("verify " + (d / "w.json") + " --view bottom");
+  CHECK(wrong.status == 1);
+  CHECK(wrong.text.find("piece 0 (face 0) is painted before piece 1 (of a wire), but is the nearer") != std::string::npos);
+  // Under a pane it is painted first, and seen through it.
+  REQUIRE(run("order " + rod + " --view bottom --opacity 0.5 --edges wire -q -o " + (d / "w.svg")).status == 0);
+  const std::string pane = contents(d / "w.svg");
+  CHECK(pane.find("fill=\"none\" stroke=\"#000000\"") < pane.find("fill-opacity"));
 }
 
 TEST_CASE("ids of an SVG begin as asked for, and all that refers to them", "[cli][D20]") {

@@ -115,7 +115,8 @@ TEST_CASE("the coordinates of fragments and of pieces are correctly rounded", "[
       }
       const PaintersOrder order = depth_sort(scene).order;
       const std::vector<PlacedPolygon> pieces = polygons(scene, order);
-      const std::vector<PaintedPolygon> exact = painted_polygons(scene, order);
+      std::vector<PaintedPolygon> exact = painted_polygons(scene, order);
+      std::erase_if(exact, [](const PaintedPolygon& p) { return p.corners.size() == 2; });  // wires
       REQUIRE(pieces.size() == order.pieces.size());
       for (std::size_t k = 0; k < pieces.size(); ++k) {
         REQUIRE(pieces[k].rings.size() == 1);

@@ -222,10 +222,41 @@ TEST_CASE("lines between see-through pieces are covered by what is painted later
   const Drawing drawing = paint_on_page(mesh, scene.view, depth_sort(mesh, scene.view).order, black, {}, {}, {.opacity = 0.5});
   CHECK(drawing.polylines.empty());
   REQUIRE(drawing.fills.lines.size() == 2);  // around each of the two sheets
-  CHECK(drawing.fills.lines[0].after == 0);
-  CHECK(drawing.fills.lines[1].after == 1);
+  CHECK(drawing.fills.lines[0].fills_before == 1);
+  CHECK(drawing.fills.lines[1].fills_before == 2);
   CHECK(drawing.fills.lines[0].closed);
   CHECK(drawing.fills.points_of(drawing.fills.lines[0]).size() == 37);
+}
+
+TEST_CASE("wires are painted between what they are in front of and what they are behind", "[drawing][fills][layers][P20]") {
+  scenes::TestScene scene;
+  scene.view = scenes::from_direction({0, 0, 1});
+  for (const double z : {0.0, 2.0}) scene.add_face(std::vector<Point3>{{0, 0, z}, {4, 0, z}, {4, 4, z}, {0, 4, z}});
+  for (const double z : {-1.0, 0.0, 1.0, 3.0}) {
+    scene.points.push_back({-1, 1 + z / 4, z});
+    scene.points.push_back({5, 1 + z / 4, z});
+    const auto n = static_cast<std::uint32_t>(scene.points.size());
+    scene.polygons.segments.push_back({n - 2, n - 1});
+  }
+  const Mesh mesh = scene.mesh();
+  const std::vector<Colour> grey(2, Colour{99, 99, 99, 255});
+  LineOptions only_wires = no_lines();
+  only_wires.classes[static_cast<std::size_t>(EdgeClass::wire)] = true;
+  const PaintersOrder order = depth_sort(mesh, scene.view).order;
+  const auto fills_before = [&](const LineOptions& lines, const PaintingOptions& options) {
+    std::vector<std::uint32_t> all;
+    const Drawing drawing = paint_on_page(mesh, scene.view, order, grey, lines, {}, options);
+    CHECK(drawing.polylines.empty());
+    for (const FillLine& line : drawing.fills.lines) all.push_back(line.fills_before);
+    return all;
+  };
+  CHECK(fills_before(only_wires, {.opacity = 0.5}) == std::vector<std::uint32_t>{0, 1, 1, 2});
+  CHECK(fills_before(only_wires, {.paints_lines_with_pieces = true}) == std::vector<std::uint32_t>{0, 1, 1, 2});
+  CHECK(fills_before(no_lines(), {.opacity = 0.5}).empty());
+  // What nothing hides is on top of opaque pieces, as in a drawing.
+  const Drawing opaque = paint_on_page(mesh, scene.view, order, grey, only_wires, {});
+  CHECK(opaque.fills.lines.empty());
+  CHECK(opaque.polylines.size() == 7);  // of three what sticks out on both sides
 }
 
 TEST_CASE("merging unites what is of one colour, and in one plane", "[drawing][fills][D9]") {

@@ -42,7 +42,7 @@ class Documents(unittest.TestCase):
             try:
                 for block in blocks:
                     exec(block, names)
-                self.assertEqual(sorted(os.listdir(".")), ["cube.dxf", "cube.pdf", "cube.png", "cube.svg", "lines.png", "painted.pdf", "planes.png", "plot.svg"])
+                self.assertEqual(sorted(os.listdir(".")), ["cube.dxf", "cube.pdf", "cube.png", "cube.svg", "holes.dxf", "lines.png", "painted.pdf", "planes.png", "plot.svg"])
             finally:
                 os.chdir(before)
 

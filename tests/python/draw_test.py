@@ -1,6 +1,7 @@
 """`hsr.draw` writes what the command writes, byte by byte, for the same request. HSR_COMMAND is the command."""
 
 import inspect
+import math
 import os
 import pathlib
 import re
@@ -44,6 +45,7 @@ REQUESTS = (
     ({"fill": True, "method": "roberts", "coplanar": "last"}, ["--fill", "--method", "roberts", "--coplanar", "last"]),
     ({"hidden": "dashed", "pen": "visible=0.35,hidden-sharp=0.18:#555"}, ["--hidden", "dashed", "--pen", "visible=0.35,hidden-sharp=0.18:#555"]),
     ({"pen": {"visible": 0.7, "sharp": ":red"}, "scale": "standard"}, ["--pen", "visible=0.7", "--pen", "sharp=:red", "--scale", "standard"]),
+    ({"fit_arcs": 0.05, "hidden": "dashed"}, ["--fit-arcs", "0.05", "--hidden", "dashed"]),
     ({"sort": "pen", "fill": True, "id_prefix": "a-"}, ["--sort", "pen", "--fill", "--id-prefix", "a-"]),
     ({"tolerance": 0.01, "threads": 1}, ["--tolerance", "0.01", "--threads", "1"]),
     ({"dxf": "2000", "hidden": "dashed", "unit": "in"}, ["--dxf", "2000", "--hidden", "dashed", "--unit", "in"]),
@@ -64,8 +66,8 @@ ORDERS = (
     ({"method": "z-sort", "coplanar": "last"}, {"exact": True}, ["--method", "z-sort", "--coplanar", "last", "--exact"]),
     (
         {"cuts": "classic", "view": hsr.View.perspective((20, 15, 30), fov=30)},
-        {"page": "A3", "pen": "visible=0.7", "id_prefix": "b-"},
-        ["--cuts", "classic", "--eye", "20,15,30", "--fov", "30", "--page", "A3", "--pen", "visible=0.7", "--id-prefix", "b-"],
+        {"page": "A3", "pen": "visible=0.7", "id_prefix": "b-", "fit_arcs": 0.1},
+        ["--cuts", "classic", "--eye", "20,15,30", "--fov", "30", "--page", "A3", "--pen", "visible=0.7", "--id-prefix", "b-", "--fit-arcs", "0.1"],
     ),
     (
         {"view": "front"},
@@ -176,6 +178,15 @@ class Drawings(unittest.TestCase):
                 self.assertEqual(page.written(ending), theirs[ending], ending)
             with self.assertRaisesRegex(hsr.InputError, "json"):
                 hsr.draw(PIERCED, os.path.join(directory, "a.json"), outline_only=True)
+
+    def test_circles(self):
+        disc = [[math.cos(k * math.pi / 48), math.sin(k * math.pi / 48), 0] for k in range(96)], [list(range(96))]
+        drawing = hsr.draw(disc, view="top", scale="20:1", fit_arcs=0.05)
+        self.assertEqual(drawing.svg().count("A20 20 0 0 "), 3)
+        self.assertNotIn("A20", hsr.draw(disc, view="top", scale="20:1").svg())
+        self.assertEqual(len(drawing.polylines()[0][0]), 97)
+        with self.assertRaisesRegex(hsr.InputError, '^fit_arcs: found "0", expected millimetres, more than 0'):
+            hsr.draw(disc, fit_arcs=0)
 
     def test_pens_of_a_file(self):
         with tempfile.TemporaryDirectory() as directory:

@@ -121,7 +121,11 @@ class OrderReader {
       if (!p.is_array() || p.size() != 3) refuse(at, p, "[x, y, z]");
       out.corners.push_back({coordinate(p[0], at), coordinate(p[1], at), coordinate(p[2], at)});
     }
-    if (out.corners.size() < 3)
+    const bool is_wire = piece.contains("wire") && !piece["wire"].is_null();
+    if (is_wire && out.face) source_.refuse(where, "found \"wire\" beside \"face\", expected one of them");
+    if (is_wire && out.corners.size() != 2)
+      source_.refuse(where, "found " + std::to_string(out.corners.size()) + " points, expected the two of a wire");
+    if (!is_wire && out.corners.size() < 3)
       source_.refuse(where, "found " + std::to_string(out.corners.size()) + " points, expected 3 or more");
     return out;
   }

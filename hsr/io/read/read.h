@@ -31,7 +31,8 @@ struct PaintingFile {
   std::optional<Coplanar> coplanar;  ///< which of coincident faces is painted last, if the file says so
 };
 
-/// Reads "hsr-order/1" (docs/conventions.md, "JSON"): `face`, `original`, `view` and `coplanar` may be missing. Coordinates are numbers,
+/// Reads "hsr-order/1" (docs/conventions.md, "JSON"): `face`, `original`, `view` and `coplanar` may be missing. A piece
+/// with `wire` has two points. Coordinates are numbers,
 /// rounded correctly, or strings "p/q".
 /// @throws InputError in one line: the file, the piece and point, what was found and what was expected
 PaintingFile read_order(const std::string& path);

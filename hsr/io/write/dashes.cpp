@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace hsr::internal {
 
@@ -11,15 +12,13 @@ namespace {
 
 const double corner_cosine = std::cos(35 * 3.14159265358979 / 180);
 
-double distance(const PaperPoint& a, const PaperPoint& b) {  // mm
-  return std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)) / 1000;
-}
+double length_of(const Point2& v) { return std::hypot(v.x, v.y) / 1000; }  // mm
 
-bool is_corner(const PaperPoint& a, const PaperPoint& b, const PaperPoint& c) {
-  const double scalar = static_cast<double>(b.x - a.x) * static_cast<double>(c.x - b.x) +
-                        static_cast<double>(b.y - a.y) * static_cast<double>(c.y - b.y);
-  return scalar < corner_cosine * distance(a, b) * distance(b, c) * 1e6;
+/// Where one direction turns into another.
+bool is_corner(const Point2& u, const Point2& v) {
+  return u.x * v.x + u.y * v.y < corner_cosine * length_of(u) * length_of(v) * 1e6;
 }
+bool is_corner(const PathPart& before, const PathPart& after) { return is_corner(before.arriving(), after.leaving()); }
 
 /// The pen's dashes, and what they come to.
 class Pattern {
@@ -71,11 +70,11 @@ class Pattern {
 };
 
 /// The lengths of the stretches of an open line.
-std::vector<double> stretches_of(std::span<const PaperPoint> points, double least) {
+std::vector<double> stretches_of(std::span<const PathPart> parts, double least) {
   std::vector<double> stretches = {0};
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    if (k > 0 && stretches.back() >= least && is_corner(points[k - 1], points[k], points[k + 1])) stretches.push_back(0);
-    stretches.back() += distance(points[k], points[k + 1]);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (k > 0 && stretches.back() >= least && is_corner(parts[k - 1], parts[k])) stretches.push_back(0);
+    stretches.back() += parts[k].length();
   }
   if (stretches.size() > 1 && stretches.back() < least) {
     stretches[stretches.size() - 2] += stretches.back();
@@ -97,76 +96,78 @@ void append_stretch(std::vector<double>& lengths, double length, const std::vect
   lengths.back() += period[0];
 }
 
-/// The first corner of a closed line.
-std::optional<std::size_t> first_corner(std::span<const PaperPoint> points) {
-  const std::size_t n = points.size();
+/// The part at whose beginning the first corner of a closed line is.
+std::optional<std::size_t> first_corner(std::span<const PathPart> parts) {
+  const std::size_t n = parts.size();
   for (std::size_t k = 0; k < n; ++k)
-    if (is_corner(points[(k + n - 1) % n], points[k], points[(k + 1) % n])) return k;
+    if (is_corner(parts[(k + n - 1) % n], parts[k])) return k;
   return {};
 }
 
 }  // namespace
 
-DashedPath dashed_path(std::span<const PaperPoint> points, bool closed, const Pen& pen) {
-  DashedPath path;
-  path.points.assign(points.begin(), points.end());
-  path.closed = closed;
+DashedPath dashed_path(Path path, const Pen& pen) {
+  DashedPath dashed;
+  std::vector<PathPart>& parts = path.parts;
   const Pattern pattern(pen);
-  if (closed) {
-    const auto corner = first_corner(points);
-    if (corner) std::rotate(path.points.begin(), path.points.begin() + static_cast<std::ptrdiff_t>(*corner), path.points.end());
-    path.points.push_back(path.points.front());
+  if (path.closed) {
+    const auto corner = first_corner(parts);
+    if (corner) std::rotate(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(*corner), parts.end());
     if (!corner) {
       double length = 0;
-      for (std::size_t k = 0; k + 1 < path.points.size(); ++k) length += distance(path.points[k], path.points[k + 1]);
-      path.lengths = pattern.around(length);
-      return path;
+      for (const PathPart& part : parts) length += part.length();
+      dashed.lengths = pattern.around(length);
     }
   }
-  const std::vector<double> stretches = stretches_of(path.points, pattern.least_stretch());
-  if (stretches.size() == 1) {
-    path.lengths = pattern.along(stretches[0]);
-    return path;
+  if (dashed.lengths.empty()) {
+    const std::vector<double> stretches = stretches_of(parts, pattern.least_stretch());
+    if (stretches.size() == 1)
+      dashed.lengths = pattern.along(stretches[0]);
+    else
+      for (const double stretch : stretches) append_stretch(dashed.lengths, stretch, pattern.along(stretch));
   }
-  for (const double stretch : stretches) append_stretch(path.lengths, stretch, pattern.along(stretch));
-  return path;
+  dashed.path = std::move(path);
+  return dashed;
 }
 
 bool has_corners_only(std::span<const PaperPoint> points, bool closed) {
   const std::size_t n = points.size();
+  const auto direction = [&](std::size_t from, std::size_t to) {
+    const PaperPoint &a = points[from % n], &b = points[to % n];
+    return Point2{static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)};
+  };
   for (std::size_t k = closed ? 0 : 1; k + (closed ? 0 : 1) < n; ++k)
-    if (!is_corner(points[(k + n - 1) % n], points[k], points[(k + 1) % n])) return false;
+    if (!is_corner(direction(k + n - 1, k), direction(k, k + 1))) return false;
   return true;
 }
 
-std::vector<std::vector<PaperPoint>> dashes_of(const DashedPath& path) {
+std::vector<Path> dashes_of(const DashedPath& dashed) {
   constexpr double slack = 1e-6;  // mm: what is left at the end is a sum that was rounded
-  std::vector<std::vector<PaperPoint>> dashes;
+  std::vector<Path> dashes(1);
   bool is_down = true;
   std::size_t at = 0;
-  double left = path.lengths[0];  // of the dash or the gap at hand
-  if (!path.points.empty()) dashes.push_back({path.points.front()});
-  for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
-    const PaperPoint &a = path.points[k], &b = path.points[k + 1];
-    const double dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y), length = distance(a, b);
+  double left = dashed.lengths[0];  // of the dash or the gap at hand
+  for (const PathPart& part : dashed.path.parts) {
+    const double length = part.length();
     double done = 0;
     while (length - done > left + slack) {
-      done += left;
-      const PaperPoint p = {a.x + std::llround(dx * done / length), a.y + std::llround(dy * done / length)};
+      const double until = done + left;
       if (is_down)
-        dashes.back().push_back(p);
+        dashes.back().parts.push_back(part.between(done, until));
       else
-        dashes.push_back({p});
+        dashes.emplace_back();
+      done = until;
       is_down = !is_down;
-      at = (at + 1) % path.lengths.size();
-      left = path.lengths[at];
+      at = (at + 1) % dashed.lengths.size();
+      left = dashed.lengths[at];
     }
     left -= length - done;
-    if (is_down) dashes.back().push_back(b);
+    if (is_down) dashes.back().parts.push_back(part.between(done, length));
   }
   // A closed line that begins at a corner has one dash over it.
-  if (path.closed && is_down && dashes.size() > 1) {
-    dashes.back().insert(dashes.back().end(), dashes.front().begin() + 1, dashes.front().end());
+  if (dashed.path.closed && is_down && dashes.size() > 1) {
+    const std::vector<PathPart>& first = dashes.front().parts;
+    dashes.back().parts.insert(dashes.back().parts.end(), first.begin(), first.end());
     dashes.erase(dashes.begin());
   }
   return dashes;

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "hsr/drawing/pens.h"
+#include "hsr/io/write/path.h"
 
 namespace hsr::internal {
 
-/// A polyline with the lengths of its dashes and gaps along it.
+/// A path with the lengths of its dashes and gaps along it.
 ///
 /// Between its ends and corners, where it turns by more than 35 degrees, a line has stretches; each begins and ends with a dash (ISO
 /// 128), so that a corner has dashes on both sides. With the pen's dash d, gap g, and period p = d + g a stretch of length l has
@@ -20,19 +21,18 @@ namespace hsr::internal {
 /// A stretch that has less than (2) asks for is not told apart from the one that follows. A closed line without corners has a whole
 /// number of periods, at least two.
 struct DashedPath {
-  std::vector<PaperPoint> points;  ///< as given, but closed lines with corners begin at one; closed: the first again at the end
-  bool closed = false;
+  Path path;  ///< as given, but closed ones with corners begin at one
   /// mm, dash and gap in turn, from the first point on. An even number: again and again; an odd one: as long as the line.
   std::vector<double> lengths;
 };
 
 /// @param pen dashed
-DashedPath dashed_path(std::span<const PaperPoint> points, bool closed, const Pen& pen);
+DashedPath dashed_path(Path path, const Pen& pen);
 
 /// Whether each point between two others is a corner, as above.
 bool has_corners_only(std::span<const PaperPoint> points, bool closed);
 
-/// Each dash as a line, for formats that have no dashes of their own.
-std::vector<std::vector<PaperPoint>> dashes_of(const DashedPath& path);
+/// Each dash as a path, for formats that have no dashes of their own.
+std::vector<Path> dashes_of(const DashedPath& dashed);
 
 }  // namespace hsr::internal

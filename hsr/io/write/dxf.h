@@ -19,7 +19,8 @@ struct DxfOptions {
 ///
 ///   (1) a layer for each visibility and class that occurs, VISIBLE_OUTLINE; dashed ones in the line type ACAD_ISO02W100, or one of
 ///       their own for other dashes; colours are the nearest of the 255 numbered ones
-///   (2) release 12 (AC1009): LINE and POLYLINE. Release 2000 (AC1015): LINE and LWPOLYLINE, and layers have line weights
+///   (2) release 12 (AC1009): LINE and POLYLINE. Release 2000 (AC1015): LINE and LWPOLYLINE, and layers have line weights. Arcs are
+///       CIRCLE, ARC and bulges of polylines where they are of circles; else ELLIPSE, or in release 12 short lines of a polyline
 ///   (3) extended data of the application HSR: "edges", then two numbers for each edge; "faces", then a number for each face; of
 ///       long lines the first 1000 numbers of each, and "and N more"; "object", then the object's name, where objects are told apart
 ///

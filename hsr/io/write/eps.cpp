@@ -16,7 +16,7 @@ namespace {
 /// PDF's operators in PostScript. One colour serves filling and drawing: each path sets its own.
 const char* const prologue = R"(%%BeginProlog
 /hsr 16 dict def hsr begin
-/m {moveto} bind def /l {lineto} bind def /h {closepath} bind def /n {newpath} bind def
+/m {moveto} bind def /l {lineto} bind def /c {curveto} bind def /h {closepath} bind def /n {newpath} bind def
 /S {stroke} bind def /f {fill} bind def
 /w {setlinewidth} bind def /J {setlinecap} bind def /j {setlinejoin} bind def /d {setdash} bind def
 /rg {setrgbcolor} bind def /RG {setrgbcolor} bind def

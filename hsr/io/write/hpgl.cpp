@@ -9,6 +9,8 @@ namespace hsr::internal {
 
 namespace {
 
+constexpr double plotter_unit = 0.025;  // mm
+
 void append_stroke(std::string& out, std::span<const PaperPoint> points, double height) {
   // 25 thousandths of a millimetre to a plotter unit.
   const auto append_point = [&](const PaperPoint& p) {
@@ -34,12 +36,13 @@ std::string hpgl(const Drawing& drawing) {
   for (const Layer& layer : layers_of(drawing)) {
     out += "SP" + std::to_string(++pen) + ";\n";
     for (const Polyline& p : layer.polylines) {
+      const Path path = path_of(drawing, p);
       if (layer.pen.is_dashed()) {
-        for (const auto& dash : dashes_of(dashed_path(drawing.points_of(p), p.closed, layer.pen)))
-          append_stroke(out, dash, drawing.height);
+        for (const Path& dash : dashes_of(dashed_path(path, layer.pen)))
+          append_stroke(out, flattened(dash, plotter_unit / 2), drawing.height);
         continue;
       }
-      std::vector<PaperPoint> points(drawing.points_of(p).begin(), drawing.points_of(p).end());
+      std::vector<PaperPoint> points = flattened(path, plotter_unit / 2);
       if (p.closed) points.push_back(points.front());
       append_stroke(out, points, drawing.height);
     }

@@ -40,6 +40,7 @@ template <class BeginSheet, class OnFill, class EndSheet, class OnLine>
 void for_each_painted(const Fills& fills, const BeginSheet& begin_sheet, const OnFill& on_fill, const EndSheet& end_sheet,
                       const OnLine& on_line) {
   auto line = fills.lines.begin();
+  for (; line != fills.lines.end() && line->fills_before == 0; ++line) on_line(*line);
   for (std::size_t i = 0; i < fills.fills.size();) {
     const std::span<const Fill> sheet = sheet_at(fills, i);
     if (sheet.size() == 1) {
@@ -50,7 +51,7 @@ void for_each_painted(const Fills& fills, const BeginSheet& begin_sheet, const O
       end_sheet();
     }
     i += sheet.size();
-    for (; line != fills.lines.end() && line->after < i; ++line) on_line(*line);
+    for (; line != fills.lines.end() && line->fills_before <= i; ++line) on_line(*line);
   }
 }
 

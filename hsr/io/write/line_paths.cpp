@@ -18,6 +18,26 @@ void append_path(std::string& out, std::span<const PaperPoint> points) {
   }
 }
 
+void append_path(std::string& out, const Path& path, double tolerance) {
+  const auto point = [&](const PaperPoint& p, const char* operation) {
+    append_coordinate(out, p.x);
+    out += ' ';
+    append_coordinate(out, p.y);
+    out += operation;
+  };
+  for_each_part(
+      path, [&](const PaperPoint& p) { point(p, " m\n"); }, [&](const PaperPoint& p) { point(p, " l\n"); },
+      [&](const PathPart& arc) {
+        for (const Bezier& curve : beziers(arc, tolerance)) {
+          for (const double x : {curve.first.x, curve.first.y, curve.second.x, curve.second.y}) {
+            append_rounded_length(out, x);
+            out += ' ';
+          }
+          point(curve.to, " c\n");
+        }
+      });
+}
+
 void append_pen(std::string& out, const Pen& pen) {
   for (std::size_t k = 0; k < 3; ++k) {
     append_length(out, std::round(pen.colour[k] / 255.0 * 1e5) / 1e5);
@@ -29,12 +49,13 @@ void append_pen(std::string& out, const Pen& pen) {
 }
 
 void append_line(std::string& out, const Drawing& drawing, const Polyline& line, const Pen& pen) {
+  const Path path = path_of(drawing, line);
   if (pen.is_dashed()) {
-    for (const auto& dash : dashes_of(dashed_path(drawing.points_of(line), line.closed, pen))) append_path(out, dash);
+    for (const Path& dash : dashes_of(dashed_path(path, pen))) append_path(out, dash, drawing.arc_tolerance);
     out += "S\n";
     return;
   }
-  append_path(out, drawing.points_of(line));
+  append_path(out, path, drawing.arc_tolerance);
   out += line.closed ? "h S\n" : "S\n";
 }
 

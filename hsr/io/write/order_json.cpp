@@ -50,21 +50,49 @@ void append_piece(std::string& out, const Mesh& mesh, const View& view, const Pa
   out += "]}";
 }
 
+void append_wire(std::string& out, const Mesh& mesh, const OrderedWire& wire, Numbers numbers) {
+  out += "{\"wire\": [";
+  append_integer(out, mesh.edges[wire.edge].a.value);
+  out += ", ";
+  append_integer(out, mesh.edges[wire.edge].b.value);
+  out += "], \"points\": [";
+  const char* comma = "";
+  for (const auto& p : exact_ends(mesh, wire)) {
+    out += comma;
+    comma = ", ";
+    for (std::size_t k = 0; k < 3; ++k) {
+      out += k == 0 ? "[" : ", ";
+      append_coordinate(out, p[k], numbers);
+    }
+    out += ']';
+  }
+  out += "]}";
+}
+
 }  // namespace
 
 std::string order_json(const Mesh& mesh, const View& view, const PaintersOrder& order, Numbers numbers, Coplanar coplanar) {
   constexpr std::size_t chunk = 1024;
-  std::vector<std::string> parts((order.pieces.size() + chunk - 1) / chunk);
+  // Each piece after the wires that come before it, and what comes after the last.
+  std::vector<std::string> parts(order.pieces.size() / chunk + 1);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
-    for (std::size_t i = p * chunk; i < std::min(order.pieces.size(), (p + 1) * chunk); ++i) {
-      if (i > 0) parts[p] += ",\n";
+    auto wire = std::ranges::lower_bound(order.wires, p * chunk, {}, &OrderedWire::before);
+    for (std::size_t i = p * chunk; i <= std::min(order.pieces.size(), (p + 1) * chunk - 1); ++i) {
+      for (; wire != order.wires.end() && wire->before == i; ++wire) {
+        parts[p] += ",\n";
+        append_wire(parts[p], mesh, *wire, numbers);
+      }
+      if (i == order.pieces.size()) break;
+      parts[p] += ",\n";
       append_piece(parts[p], mesh, view, order, order.pieces[i], numbers);
     }
   });
   std::string out = "{\"format\": \"hsr-order/1\", \"view\": " + view_json(view, numbers);
   if (coplanar == Coplanar::last) out += ", \"coplanar\": \"last\"";
   out += ", \"pieces\": [\n";
+  const std::size_t begin = out.size();
   for (const std::string& part : parts) out += part;
+  if (out.size() > begin) out.erase(begin, 2);  // the comma before the first
   out += "\n]}\n";
   return out;
 }

@@ -7,7 +7,7 @@
 
 namespace hsr::internal {
 
-/// Paths in the operators of PDF (m, l, h, S, f*, w, J, j, d, rg, ...), appended to a string: the contents of a PDF page, and of an
+/// Paths in the operators of PDF (m, l, c, h, S, f*, w, J, j, d, rg, ...), appended to a string: the contents of a PDF page, and of an
 /// EPS file, whose prologue gives PostScript the same words.
 
 /// Coordinates become millimetres of the page, y down, and joins round, from here on.

@@ -81,22 +81,30 @@ void paint_fills(cairo_t* c, const Fills& fills, const Pens& pens) {
       });
 }
 
+void add_path(cairo_t* c, const Path& path, double tolerance) {
+  const auto line = [&](const PaperPoint& p) {
+    cairo_line_to(c, static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000);
+  };
+  cairo_new_sub_path(c);
+  for_each_part(path, line, line, [&](const PathPart& arc) {
+    for (const Bezier& curve : beziers(arc, tolerance))
+      cairo_curve_to(c, curve.first.x, curve.first.y, curve.second.x, curve.second.y, static_cast<double>(curve.to.x) / 1000,
+                     static_cast<double>(curve.to.y) / 1000);
+  });
+  if (path.closed) cairo_close_path(c);
+}
+
 void draw_layer(cairo_t* c, const Drawing& drawing, const Layer& layer) {
   const Pen& pen = layer.pen;
   cairo_set_source_rgb(c, pen.colour[0] / 255.0, pen.colour[1] / 255.0, pen.colour[2] / 255.0);
   cairo_set_line_width(c, pen.width);
   cairo_set_line_cap(c, pen.is_dashed() ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
-  const auto add = [&](std::span<const PaperPoint> points) {
-    cairo_new_sub_path(c);
-    for (const PaperPoint& p : points) cairo_line_to(c, static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000);
-  };
   for (const Polyline& p : layer.polylines) {
-    if (pen.is_dashed()) {
-      for (const auto& dash : dashes_of(dashed_path(drawing.points_of(p), p.closed, pen))) add(dash);
-    } else {
-      add(drawing.points_of(p));
-      if (p.closed) cairo_close_path(c);
-    }
+    const Path path = path_of(drawing, p);
+    if (pen.is_dashed())
+      for (const Path& dash : dashes_of(dashed_path(path, pen))) add_path(c, dash, drawing.arc_tolerance);
+    else
+      add_path(c, path, drawing.arc_tolerance);
     cairo_stroke(c);
   }
 }

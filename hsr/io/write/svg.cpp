@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <span>
 #include <string>
@@ -143,16 +144,47 @@ void append_dashes(std::string& out, std::span<const double> lengths) {
   }
 }
 
+/// An arc, in parts of less than half an ellipse: what is told of an arc, its ends and its radii, says best where those run.
+void append_arc(std::string& out, const PathPart& arc) {
+  for (const PathPart& part : at_most(arc, 2 * std::numbers::pi / 3)) {
+    out += 'A';
+    append_rounded_length(out, part.arc.long_radius());
+    out += ' ';
+    append_rounded_length(out, part.arc.short_radius());
+    out += ' ';
+    append_rounded_length(out, std::atan2(part.arc.long_axis.y, part.arc.long_axis.x) * 180 / std::numbers::pi);
+    out += part.arc.sweep() > 0 ? " 0 1 " : " 0 0 ";
+    append_coordinate(out, part.to.x);
+    out += ' ';
+    append_coordinate(out, part.to.y);
+  }
+}
+
+/// "Mx y x yA...Lx yZ"
+void append_path_data(std::string& out, const Path& path) {
+  char before = 'M';
+  const auto point = [&](const PaperPoint& p) {
+    out += before;
+    before = ' ';
+    append_coordinate(out, p.x);
+    out += ' ';
+    append_coordinate(out, p.y);
+  };
+  for_each_part(path, point, point, [&](const PathPart& arc) {
+    append_arc(out, arc);
+    before = 'L';
+  });
+  if (path.closed) out += 'Z';
+}
+
 void append_path(std::string& out, const Drawing& drawing, const Polyline& p, const Pen& pen) {
   out += "<path d=\"";
   if (pen.is_dashed()) {
-    const DashedPath dashed = dashed_path(drawing.points_of(p), p.closed, pen);
-    append_points(out, {dashed.points.data(), dashed.points.size() - (p.closed ? 1 : 0)});
-    if (p.closed) out += 'Z';
+    const DashedPath dashed = dashed_path(path_of(drawing, p), pen);
+    append_path_data(out, dashed.path);
     append_dashes(out, dashed.lengths);
   } else {
-    append_points(out, drawing.points_of(p));
-    if (p.closed) out += 'Z';
+    append_path_data(out, path_of(drawing, p));
   }
   const char* comma = "\" data-edge=\"";  // where faces pierce each other there is no edge
   for (const auto& [i, j] : drawing.edges_of(p)) {

@@ -23,7 +23,7 @@ void append_coordinate(std::string& out, std::int64_t thousandths) {
 }
 
 void append_length(std::string& out, double mm) {
-  char text[32];
+  char text[400];  // the largest double has 309 digits, the least one 324 places before its first
   const auto [end, error] = std::to_chars(text, text + sizeof text, mm, std::chars_format::fixed);
   out.append(text, end);
 }

@@ -78,20 +78,48 @@ void append_path(std::string& out, std::span<const PaperPoint> points, bool clos
   if (closed) out += "\n--cycle";
 }
 
+void append_path(std::string& out, const Path& path, double tolerance) {
+  const char* between = "";
+  const auto point = [&](const PaperPoint& p) {
+    out += between;
+    between = "\n--";
+    out += '(';
+    append_coordinate(out, p.x);
+    out += ',';
+    append_coordinate(out, p.y);
+    out += ')';
+  };
+  const auto control = [&](const char* word, const Point2& p) {
+    out += word;
+    append_rounded_length(out, p.x);
+    out += ',';
+    append_rounded_length(out, p.y);
+  };
+  for_each_part(path, point, point, [&](const PathPart& arc) {
+    for (const Bezier& curve : beziers(arc, tolerance)) {
+      control("\n..controls (", curve.first);
+      control(") and (", curve.second);
+      between = ")..";
+      point(curve.to);
+    }
+  });
+  if (path.closed) out += "\n--cycle";
+}
+
 void append_line(std::string& out, const Drawing& drawing, const Polyline& p, const Pen& pen) {
   out += "\\draw";
   if (!pen.is_dashed()) {
     out += ' ';
-    append_path(out, drawing.points_of(p), p.closed);
+    append_path(out, path_of(drawing, p), drawing.arc_tolerance);
   } else {
-    const DashedPath dashed = dashed_path(drawing.points_of(p), p.closed, pen);
+    const DashedPath dashed = dashed_path(path_of(drawing, p), pen);
     out += '[';
     if (dashed.lengths.size() == 1)
       out += "solid";
     else
       append_dashes(out, dashed.lengths);
     out += "] ";
-    append_path(out, {dashed.points.data(), dashed.points.size() - (p.closed ? 1 : 0)}, p.closed);
+    append_path(out, dashed.path, drawing.arc_tolerance);
   }
   out += ";\n";
 }

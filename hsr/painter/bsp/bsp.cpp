@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "geometry/parallel.h"
 #include "hsr/painter/bsp/bsp_nodes.h"
+#include "hsr/painter/wires.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/symbols/cut_plane.h"
@@ -227,7 +228,10 @@ PaintersOrder BspTree::order(const View& view) const { return order(SceneView(*n
 PaintersOrder BspTree::order(const SceneView& scene) const {
   PaintersOrder order;
   const BspNodes& tree = *nodes_;
-  if (tree.nodes.empty()) return order;
+  if (tree.nodes.empty()) {
+    order.wires = ordered_wires(scene, order);
+    return order;
+  }
   const ProjectedMesh& projected = scene.parts().projected();
   PieceWriter writer(projected, order);
   std::vector<PieceCorner> ring;
@@ -241,6 +245,7 @@ PaintersOrder BspTree::order(const SceneView& scene) const {
     }
   });
   order.decisions = writer.decisions();
+  order.wires = ordered_wires(scene, order);
   return order;
 }
 

@@ -13,6 +13,7 @@
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/painter/sort/near_box.h"
 #include "hsr/painter/sort/overlap_graph.h"
+#include "hsr/painter/wires.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/symbols/constructions.h"
 
@@ -484,8 +485,10 @@ std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& vie
 
 DepthSort depth_sort(const SceneView& scene, const DepthSortOptions& options) {
   throw_if_stopped(options.stop);
-  if (scene.mesh().triangles.empty()) return {};
-  return Sorter(scene, options).sort();
+  DepthSort sorted;
+  if (!scene.mesh().triangles.empty()) sorted = Sorter(scene, options).sort();
+  sorted.order.wires = ordered_wires(scene, sorted.order);
+  return sorted;
 }
 
 }  // namespace hsr

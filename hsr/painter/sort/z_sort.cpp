@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "hsr/painter/sort/image_pieces.h"
+#include "hsr/painter/wires.h"
 #include "hsr/scene/view_parts.h"
 
 namespace hsr::internal {
 
 PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
   PaintersOrder order;
+  order.wires = whole_wires(scene);
   if (scene.mesh().triangles.empty()) return order;
   const ProjectedMesh& projected = scene.parts().projected();
   const FacePieces pieces = face_pieces(projected);
@@ -44,6 +46,15 @@ PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
     return x.depth != y.depth ? x.depth > y.depth : projected.ties().is_above(y.piece, x.piece);
   });
   for (const Place& p : places) append(projected, pieces, p.piece, order);
+  for (OrderedWire& wire : order.wires) {
+    const Edge& edge = scene.mesh().edges[wire.edge];
+    const double a = depth(projected.point(edge.a)), b = depth(projected.point(edge.b));
+    const double own = key == DepthKey::centroid ? (a + b) / 2 : std::max(a, b);
+    wire.before = static_cast<std::uint32_t>(
+        std::partition_point(places.begin(), places.end(), [&](const Place& p) { return p.depth >= own; }) - places.begin());
+  }
+  std::stable_sort(order.wires.begin(), order.wires.end(),
+                   [](const OrderedWire& x, const OrderedWire& y) { return x.before < y.before; });
   return order;
 }
 

@@ -106,12 +106,13 @@ PaintedParts::PaintedParts(const std::vector<PaintedPolygon>& polygons, const Vi
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     add(sides, i);
     parts_.end_row();
-    if (!parts_[i].empty()) ++polygons_with_area_;
+    if (!parts_[i].empty()) ++(parts_[i].front().is_wire() ? wires_ : polygons_with_area_);
   }
   points_.place(rows_);
 }
 
 void PaintedParts::add(PaintedSides& sides, std::uint32_t polygon) {
+  if (points_.corners_of(polygon).size() == 2) return add_wire(sides, polygon);
   std::vector<std::uint32_t> ring = as_ring(points_.corners_of(polygon));
   if (ring.size() < 3) return;
   const Before before = before_near(sides, rows_, ring);
@@ -136,6 +137,22 @@ void PaintedParts::add(PaintedSides& sides, std::uint32_t polygon) {
   } else {
     add_convex(sides, polygon, std::move(ring));
   }
+}
+
+void PaintedParts::add_wire(PaintedSides& sides, std::uint32_t polygon) {
+  std::vector<std::uint32_t> ends(points_.corners_of(polygon).begin(), points_.corners_of(polygon).end());
+  const Before before = before_near(sides, rows_, ends);
+  if (before == Before::all) return;
+  if (before == Before::some) {
+    const RationalVector p = points_.exact(ends[0]), q = points_.exact(ends[1]);
+    const Rational s = rows_.beyond_near(p), t = rows_.beyond_near(q), u = s / (s - t);
+    ends[s.sign() == Sign::negative ? 0 : 1] =
+        points_.number_of({p[0] + u * (q[0] - p[0]), p[1] + u * (q[1] - p[1]), p[2] + u * (q[2] - p[2])});
+  }
+  if (rows_.place(points_.exact(ends[0])) == rows_.place(points_.exact(ends[1]))) return;  // seen as a point
+  const auto first = static_cast<std::uint32_t>(corners_.size());
+  corners_.insert(corners_.end(), ends.begin(), ends.end());
+  parts_.push_back({polygon, first, first + 2, {}});
 }
 
 void PaintedParts::add_triangles(PaintedSides& sides, std::uint32_t polygon) {

@@ -13,11 +13,14 @@
 
 namespace hsr::internal {
 
-/// A planar convex part of a painted polygon, beyond the near plane, with an area in the image.
+/// A planar convex part of a painted polygon, beyond the near plane, with an area in the image; or what of a wire is beyond the near
+/// plane, with a length there.
 struct PaintedPart {
   std::uint32_t polygon = 0;
   std::uint32_t first = 0, end = 0;    ///< of its corners, around it so that `turn` is nowhere negative
-  std::array<std::uint32_t, 3> plane;  ///< three of its corners, of positive turn
+  std::array<std::uint32_t, 3> plane;  ///< three of its corners, of positive turn; of a wire, none
+
+  bool is_wire() const { return end - first == 2; }
 };
 
 /// Painted polygons as convex parts: a polygon that is planar and convex is one, any other is cut into triangles by the rule
@@ -41,9 +44,11 @@ class PaintedParts {
 
   std::uint64_t triangulated() const { return triangulated_; }
   std::uint64_t polygons_with_area() const { return polygons_with_area_; }
+  std::uint64_t wires() const { return wires_; }
 
  private:
   void add(PaintedSides& sides, std::uint32_t polygon);
+  void add_wire(PaintedSides& sides, std::uint32_t polygon);
   void add_triangles(PaintedSides& sides, std::uint32_t polygon);
   void add_cut(PaintedSides& sides, std::uint32_t polygon, std::span<const std::uint32_t> ring);
   void add_convex(PaintedSides& sides, std::uint32_t polygon, std::vector<std::uint32_t> ring);
@@ -52,7 +57,7 @@ class PaintedParts {
   ImageRows rows_;
   Ragged<PaintedPart> parts_;  // by polygon
   std::vector<std::uint32_t> corners_;
-  std::uint64_t triangulated_ = 0, polygons_with_area_ = 0;
+  std::uint64_t triangulated_ = 0, polygons_with_area_ = 0, wires_ = 0;
 };
 
 /// Who is nearer in the common part of two images.
@@ -63,6 +68,7 @@ struct Nearer {
 /// Nothing: the interiors of the images have no point in common. Decided by orientations of corners only: a corner of the
 /// common part is a corner of one of them, or two sides that cross, and there the orientation of their four ends tells which is
 /// nearer. Exact: yes.
+/// @pre neither is a wire
 std::optional<Nearer> nearer(const PaintedParts& all, PaintedSides& sides, const PaintedPart& a, const PaintedPart& b);
 
 /// On which side of a part's plane a point lies: positive, on that of the eye.

@@ -8,6 +8,7 @@
 
 #include "hsr/painter/verify/order_witness.h"
 #include "hsr/painter/verify/painted_parts.h"
+#include "hsr/painter/verify/wire_relation.h"
 #include "hsr/scene/box_tree.h"
 
 namespace hsr {
@@ -96,6 +97,13 @@ std::vector<ImagePlace> WitnessFinder::common(const Flat& a, const Flat& b) {
 }
 
 Witness WitnessFinder::witness(std::uint32_t farther, std::uint32_t nearer, bool is_coplanar) const {
+  for (const bool is_in_front : {false, true}) {
+    const auto &wire = parts_.parts()[is_in_front ? nearer : farther], &other = parts_.parts()[is_in_front ? farther : nearer];
+    if (!wire.is_wire()) continue;
+    Witness w = WireRelation(parts_, view_, wire, other).witness(is_in_front);
+    if (is_in_front) std::swap(w.of_earlier, w.of_later);
+    return w;
+  }
   const Flat far = flat(farther), near = flat(nearer);
   const std::vector<ImagePlace> part = common(far, near);
   ImagePlace middle;
@@ -124,6 +132,7 @@ class Verifier {
   Verdict verdict() {
     verdict_.polygons = parts_.polygons_with_area();
     verdict_.triangulated = parts_.triangulated();
+    verdict_.wires = parts_.wires();
     find_part_pairs();
     unite_pairs();
     count_and_describe();
@@ -135,6 +144,7 @@ class Verifier {
  private:
   std::uint32_t polygon_of(std::uint32_t part) const { return parts_.parts()[part].polygon; }
   std::optional<PartPair> relation(PaintedSides& sides, std::uint32_t i, std::uint32_t k) const;
+  std::optional<PartPair> wire_relation(std::uint32_t i, std::uint32_t k) const;
   void find_part_pairs();
   void unite_pairs();
   Witness witness(std::uint32_t pair, bool is_right) const;
@@ -152,8 +162,22 @@ class Verifier {
   Verdict verdict_;
 };
 
+std::optional<PartPair> Verifier::wire_relation(std::uint32_t i, std::uint32_t k) const {
+  const PaintedPart &earlier = parts_.parts()[i], &later = parts_.parts()[k];
+  if (earlier.is_wire() && later.is_wire()) return {};
+  const WireRelation found(parts_, view_, earlier.is_wire() ? earlier : later, earlier.is_wire() ? later : earlier);
+  if (!found.overlaps()) return {};
+  return PartPair{i,
+                  k,
+                  later.is_wire() ? found.is_in_front() : found.is_behind(),
+                  later.is_wire() ? found.is_behind() : found.is_in_front(),
+                  false,
+                  false};
+}
+
 std::optional<PartPair> Verifier::relation(PaintedSides& sides, std::uint32_t i, std::uint32_t k) const {
   if (polygon_of(i) > polygon_of(k)) std::swap(i, k);
+  if (parts_.parts()[i].is_wire() || parts_.parts()[k].is_wire()) return wire_relation(i, k);
   const auto found = nearer(parts_, sides, parts_.parts()[i], parts_.parts()[k]);
   if (!found) return {};
   PartPair pair{i, k, found->second, found->first, !found->first && !found->second, false};
@@ -277,6 +301,7 @@ std::optional<std::uint64_t> Verifier::cuts(const std::vector<std::uint32_t>& co
   tbb::parallel_for(std::size_t{0}, mine.size(), [&](std::size_t at) {
     PaintedSides sides(parts_.points(), parts_.rows(), view_);
     for (const std::uint32_t plane : mine) {
+      if (parts_.parts()[plane].is_wire()) continue;
       bool before = false, behind = false;
       for (const std::uint32_t c : parts_.corners_of(parts_.parts()[mine[at]])) {
         const Sign s = before_plane(sides, parts_.parts()[plane], c);
@@ -294,14 +319,24 @@ std::optional<std::uint64_t> Verifier::cuts(const std::vector<std::uint32_t>& co
 }  // namespace
 
 std::vector<PaintedPolygon> painted_polygons(const SceneView& scene, const PaintersOrder& order) {
-  std::vector<PaintedPolygon> polygons(order.pieces.size());
+  // Piece k, and the wires that come before it.
+  std::vector<std::vector<PaintedPolygon>> polygons(order.pieces.size() + 1);
   tbb::parallel_for(std::size_t{0}, polygons.size(), [&](std::size_t k) {
+    auto wire = std::ranges::lower_bound(order.wires, k, {}, &OrderedWire::before);
+    for (; wire != order.wires.end() && wire->before == k; ++wire) {
+      const auto ends = exact_ends(scene.mesh(), *wire);
+      polygons[k].push_back({{}, {ends.begin(), ends.end()}});
+    }
+    if (k == order.pieces.size()) return;
     const OrderedPiece& piece = order.pieces[k];
-    polygons[k].face = scene.mesh().face_of[first_triangle(piece.facet)].value;
+    PaintedPolygon& polygon = polygons[k].emplace_back();
+    polygon.face = scene.mesh().face_of[first_triangle(piece.facet)].value;
     for (const PieceCorner& corner : order.corners_of(piece))
-      polygons[k].corners.push_back(exact_point(scene.mesh(), scene.view(), piece.facet, corner));
+      polygon.corners.push_back(exact_point(scene.mesh(), scene.view(), piece.facet, corner));
   });
-  return polygons;
+  std::vector<PaintedPolygon> all;
+  for (auto& some : polygons) all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
+  return all;
 }
 
 Verdict verify(const std::vector<PaintedPolygon>& far_to_near, const View& view, const VerifyOptions& options) {

@@ -14,7 +14,7 @@
 
 namespace hsr {
 
-/// A polygon of a painting order by anyone: corners in space, exactly.
+/// A polygon of a painting order by anyone: corners in space, exactly. With two corners, a part of a wire.
 struct PaintedPolygon {
   std::optional<std::uint32_t> face;  ///< of coplanar ones that overlap the one on top comes last (TieRule)
   std::vector<std::array<Rational, 3>> corners;
@@ -44,6 +44,7 @@ struct Violation {
 
 struct Verdict {
   std::uint64_t polygons = 0;       ///< that have an area in the image, beyond the near plane
+  std::uint64_t wires = 0;          ///< parts of wires that have a length there
   std::uint64_t triangulated = 0;   ///< polygons that are not planar or not convex, and are judged by their triangles
   std::uint64_t overlapping = 0;    ///< pairs whose images overlap
   std::uint64_t wrong = 0;          ///< of them, painted the wrong way round or piercing each other
@@ -66,7 +67,7 @@ struct Verdict {
   bool is_correct() const { return wrong == 0 && covered_twice == 0; }
 };
 
-/// The pieces of an order, to be verified as anyone's. Exact: yes.
+/// The pieces and wires of an order, to be verified as anyone's. Exact: yes.
 /// @throws PreconditionError if the order is not of this scene
 std::vector<PaintedPolygon> painted_polygons(const SceneView& scene, const PaintersOrder& order);
 
@@ -77,6 +78,9 @@ struct VerifyOptions {
 
 /// Whether painting the polygons in this order shows, along every line of sight through the interiors of two images, the nearer
 /// last.
+///
+/// A wire has to come after the polygons that it is in front of, or lies on, and before those that it is behind, where its image runs
+/// inside theirs; two wires have no order that is wrong.
 ///
 /// By every pair whose images overlap, exactly; it shares no code with what sorts. Touching is no overlap. A polygon that is
 /// not planar, or not convex, is judged by its triangles (docs/conventions.md, "Faces as used").

@@ -128,8 +128,9 @@ class ExactPicture {
     for (const Polyline& p : drawing_.polylines) {
       if (!p.hidden) continue;
       const internal::DashedPath path =
-          internal::dashed_path(drawing_.points_of(p), p.closed, drawing_.pens.of(true, p.edge_class));
-      const auto& points = path.points;
+          internal::dashed_path(internal::path_of(drawing_.points_of(p), p.closed), drawing_.pens.of(true, p.edge_class));
+      std::vector<PaperPoint> points = {path.path.parts.front().from};
+      for (const internal::PathPart& part : path.path.parts) points.push_back(part.to);
       double run = 0, begin = 0,
              end = path.lengths[0];  // of the segments before, and where the dash or gap k is along the line
       std::size_t k = 0;

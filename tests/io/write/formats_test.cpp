@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -87,6 +88,11 @@ TEST_CASE("DXF coordinates are those of the view's frame, to a millionth of the 
   // Of any size.
   CHECK(contains(dxf(example_in_frame_units(0x1p-40)), "10\n-0.00000000000909495\n"));
   CHECK(contains(dxf(example_in_frame_units(0x1p60)), "10\n-11529220000000000000.0\n"));
+  const std::string huge = dxf(example_in_frame_units(0x1p200)), tiny = dxf(example_in_frame_units(0x1p-1000));
+  CHECK(
+      contains(huge, "10\n-16069379999999999326938274962309974812006020084880558612545536.0\n"));  // the double of 1.606938e61
+  for (const std::string& any : {huge, tiny})
+    CHECK(std::all_of(any.begin(), any.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
   CHECK(contains(dxf({}, {DxfVersion::r2000}), "AC1015"));
 }
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -48,6 +49,13 @@ class Workplace {
 
 inline bool has_program(const std::string& name) {
   return std::system(("command -v " + name + " > /dev/null 2>&1").c_str()) == 0;
+}
+
+/// Says so where it is not.
+inline bool is_there(const std::string& program) {
+  if (has_program(program)) return true;
+  WARN(program << " is missing: what it would have shown is not tested");
+  return false;
 }
 
 /// Empty where the file is no PNG.
