@@ -63,6 +63,7 @@ class SectionPlacer {
   }
   std::vector<PaperPoint> in_frame(const std::vector<PaperPoint>& ring) const {
     std::vector<std::array<Wide, 2>> wide;
+    wide.reserve(ring.size());
     for (const PaperPoint& p : ring) wide.push_back({static_cast<Wide>(p.x) / 1000, static_cast<Wide>(p.y) / 1000});
     return clipped(std::move(wide), *placement_.frame);
   }

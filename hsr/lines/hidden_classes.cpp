@@ -95,7 +95,7 @@ std::vector<Piece> LinesInPieces::pieces_of(std::size_t i, ClearShadows* shadows
   std::vector<Piece> pieces;
   std::uint32_t occluder = line.first_occluder;
   for (std::uint32_t k = 0; k < line.intervals(); ++k) {
-    std::vector<Occluder> by = occluders_of(line, k, occluder);
+    const std::vector<Occluder> by = occluders_of(line, k, occluder);
     if (!line.hidden(k)) {
       pieces.push_back({false, line.edge_class, cuts[k], cuts[k + 1]});
       continue;
@@ -106,9 +106,11 @@ std::vector<Piece> LinesInPieces::pieces_of(std::size_t i, ClearShadows* shadows
     for (std::size_t j = 0; j + 1 < parts.cuts.size(); ++j, is_clear = !is_clear) {
       pieces.push_back({true, is_clear ? hidden : line.edge_class, parts.cuts[j], parts.cuts[j + 1]});
       if (!options_.why) continue;
-      const bool is_whole = parts.cuts.size() == 2;
-      pieces.back().occluders =
-          is_whole ? std::move(by) : occluders_of({line.edge, hidden, false, {}, parts.cuts[j], parts.cuts[j + 1]});
+      // Of a whole interval they are known.
+      if (parts.cuts.size() == 2)
+        pieces.back().occluders = by;
+      else
+        pieces.back().occluders = occluders_of({line.edge, hidden, false, {}, parts.cuts[j], parts.cuts[j + 1]});
     }
   }
   return pieces;

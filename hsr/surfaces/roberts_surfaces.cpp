@@ -70,7 +70,7 @@ VisibleFragments roberts_surfaces(const SceneView& scene, const FragmentOptions&
   const Mesh& mesh = scene.mesh();
   const ProjectedMesh& projected = scene.parts().projected(options.stop);
   const Occluders& occluders = scene.parts().occluders(Excluded::edge_on, options.stop);
-  const VisibleFragments all = fragments_in_blocks(
+  VisibleFragments all = fragments_in_blocks(
       mesh, options, [&] { return Subtraction(projected, occluders); },
       [](Subtraction& subtraction, FacetId facet, FragmentParts& parts) {
         std::vector<MapSide> sides;

@@ -99,6 +99,7 @@ class SectionMaker {
       straighten(ring);
       if (caps_.is_mirrored()) std::reverse(ring.begin(), ring.end());
       std::vector<std::array<Rational, 3>> points;
+      points.reserve(ring.size());
       for (const RingCorner& c : ring) points.push_back(arrangement_.point(c.side, c.at));
       section_.rings.push_row(points);
     }
