@@ -148,6 +148,7 @@ std::string empty_drawing(const DrawArguments& a, bool in_frame, const VisibleLi
     return "no edge of this model is of the classes " + a.lines.edges + " in this view: --edges all draws every edge";
   const bool nothing_ahead =
       std::all_of(lines.lines.begin(), lines.lines.end(), [](const Line& l) { return l.intervals() == 0; });
+  if (nothing_ahead && !a.view.section.empty()) return "the section leaves nothing, or what it leaves is seen as points";
   if (nothing_ahead && !a.view.eye.empty())
     return "nothing of the model is beyond the near plane, or seen as more than a point: see --target and --near";
   if (nothing_ahead) return "every edge is seen as a point";

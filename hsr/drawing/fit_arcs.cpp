@@ -96,8 +96,14 @@ class RunFinder {
     return true;
   }
 
+  /// A circle, and whether what is on it bows out of the chord by more than the tolerance: it may be a straight line yet.
+  struct Fit {
+    SpaceCircle circle;
+    bool is_bowed;
+  };
+
   /// The circle that the first vertices of a chain are on, and the edges between them, if there is one.
-  std::optional<SpaceCircle> circle_of(const std::vector<VertexId>& chain, std::size_t lines, bool is_ring) {
+  std::optional<Fit> circle_of(const std::vector<VertexId>& chain, std::size_t lines, bool is_ring) {
     places_.clear();
     for (std::size_t k = 0; k <= lines; ++k) places_.push_back(place(chain[k]));
     auto circle = circle_through({places_.data(), places_.size() - (is_ring ? 1 : 0)});
@@ -118,15 +124,14 @@ class RunFinder {
     constexpr double all_around = 2 * std::numbers::pi;
     if (is_ring ? !(std::fabs(turned - all_around) < 0.1) : !(turned < all_around)) return {};
     const double rise = circle->radius * (1 - std::cos(std::min(turned / 2, std::numbers::pi)));
-    if (!(rise * most > tolerance_)) return {};
-    return circle;
+    return Fit{*circle, rise * most > tolerance_};
   }
 
   std::optional<Run> whole_ring() {
     for (const Span& first : spans_[0]) {
       std::vector<VertexId> chain = {first[0], first[1]};
       if (count_ < least_lines || !lengthen(chain, 0, count_) || chain.back() != chain.front()) continue;
-      if (const auto circle = circle_of(chain, count_, true)) return Run{0, count_, *circle, true};
+      if (const auto fit = circle_of(chain, count_, true); fit && fit->is_bowed) return Run{0, count_, fit->circle, true};
     }
     return {};
   }
@@ -139,12 +144,12 @@ class RunFinder {
       std::size_t step = least_lines, lines = 0;
       while (step > 0) {
         const std::size_t wanted = std::min(lines + step, end - begin);
-        std::optional<SpaceCircle> circle;
-        if (wanted >= least_lines && wanted > lines && lengthen(chain, begin, wanted)) circle = circle_of(chain, wanted, false);
-        if (circle) {
+        std::optional<Fit> fit;
+        if (wanted >= least_lines && wanted > lines && lengthen(chain, begin, wanted)) fit = circle_of(chain, wanted, false);
+        if (fit) {
           lines = wanted;
           step *= 2;
-          if (lines > best.end - best.begin) best = {begin, begin + lines, *circle, false};
+          if (fit->is_bowed && lines > best.end - best.begin) best = {begin, begin + lines, fit->circle, false};
         } else {
           step = lines == 0 ? 0 : step / 2;
         }

@@ -32,7 +32,8 @@ VisibleLines all_edges(const Mesh& mesh, const ProjectedMesh& projected) {
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const EdgeId e(i);
     const Sign a = projected.beyond_near(mesh.edges[e].a), b = projected.beyond_near(mesh.edges[e].b);
-    if (a != Sign::positive && b != Sign::positive) continue;
+    const bool is_in_plane = a == Sign::zero && b == Sign::zero;  // of a section: what lies in it stays
+    if (a != Sign::positive && b != Sign::positive && !is_in_plane) continue;
     Line line;
     line.edge = e;
     line.first_cut = static_cast<std::uint32_t>(all.cuts.size());

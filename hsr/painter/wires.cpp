@@ -49,7 +49,9 @@ std::optional<WireStretch> beyond_near(const Mesh& mesh, const View& view, const
   WireStretch all = {0.0, 1.0};
   if (!view.cuts()) return all;
   const auto beyond = [&, near = view.near_plane()](VertexId v) { return near_value(near, rational(mesh.points[v])); };
-  if (!keep_positive(all, beyond(wire.a), beyond(wire.b))) return {};
+  const Rational at_a = beyond(wire.a), at_b = beyond(wire.b);
+  if (at_a.sign() == Sign::zero && at_b.sign() == Sign::zero) return all;  // what lies in the plane stays
+  if (!keep_positive(all, at_a, at_b)) return {};
   return all;
 }
 

@@ -259,6 +259,7 @@ void SectionCaps::leave_out_open() {
   for (CapSide& s : own.open) s.object = lowest[connected.find(s.from)];
   const ClosedOutlines together = OutlineSorter(own.open).sorted();
   sides_.insert(sides_.end(), together.closed.begin(), together.closed.end());
+  open_sides_ = together.open;
   open_outlines_ = together.open_outlines;
 }
 

@@ -51,6 +51,8 @@ class SectionCaps {
   const std::vector<CapSide>& sides() const { return sides_; }
   /// Whether u, v turn the other way round than the viewer sees them.
   bool is_mirrored() const { return plane_.normal[dropped_] > 0; }
+  /// Sides that bound nothing, as their outlines do not close.
+  const std::vector<CapSide>& open_sides() const { return open_sides_; }
   /// How many connected outlines of the cut do not close.
   std::size_t open_outlines() const { return open_outlines_; }
 
@@ -108,7 +110,7 @@ class SectionCaps {
   Plane plane_;
   int dropped_;  // the axis that the coordinates do without
   std::vector<CapCorner> corners_;
-  std::vector<CapSide> sides_;
+  std::vector<CapSide> sides_, open_sides_;
   std::vector<RationalVector> points_;  // by corner
   std::vector<ExactPlace> exact_places_;
   std::vector<Place> places_;

@@ -13,6 +13,14 @@ using Place = SectionCaps::ExactPlace;
 
 Place difference(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1]}; }
 
+/// Ascending from 0 to 1, each once.
+void tidy(std::vector<Rational>& cuts) {
+  const Rational zero = 0.0, one = 1.0;
+  std::erase_if(cuts, [&](const Rational& x) { return x < zero || x > one; });
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+}
+
 }  // namespace
 
 Rational cross(const Place& a, const Place& b) { return a[0] * b[1] - a[1] * b[0]; }
@@ -24,9 +32,9 @@ CapArrangement::CapArrangement(const SectionCaps& caps) : caps_(caps) {
     for (CapPart& part : parts) parts_.push_back(std::move(part));
 }
 
-/// Where the side `other` cuts the side k or ends on it, as shares of the way along k.
-void CapArrangement::add_cuts(std::uint32_t k, std::uint32_t other, std::vector<Rational>& cuts) const {
-  const CapSide &own = caps_.sides()[k], &crossing = caps_.sides()[other];
+/// Where the side `other` cuts a side or ends on it, as shares of the way along that.
+void CapArrangement::add_cuts(const CapSide& own, std::uint32_t other, std::vector<Rational>& cuts) const {
+  const CapSide& crossing = caps_.sides()[other];
   const Place &a = caps_.exact_place(own.from), &p = caps_.exact_place(crossing.from), &q = caps_.exact_place(crossing.to);
   const Place along = difference(caps_.exact_place(own.to), a), to_p = difference(p, a), to_q = difference(q, a);
   const Rational at_p = cross(along, to_p), at_q = cross(along, to_q);
@@ -66,17 +74,14 @@ std::vector<CapPart> CapArrangement::parts_of(std::uint32_t k) const {
   caps_.visit_sides(caps_.place(side.from), caps_.place(side.to), [&](std::uint32_t other) {
     if (other == k || certainly_apart(k, other)) return;
     is_alone = false;
-    add_cuts(k, other, cuts);
+    add_cuts(side, other, cuts);
   });
   if (is_alone)
     if (auto hands = caps_.certain_hands(k)) {
       if (hands->left != hands->right) parts.push_back({k, a, b, std::move(hands->left), std::move(hands->right)});
       return parts;
     }
-  const Rational zero = 0.0, one = 1.0;
-  std::erase_if(cuts, [&](const Rational& x) { return x < zero || x > one; });
-  std::sort(cuts.begin(), cuts.end());
-  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  tidy(cuts);
   const Place along = difference(b, a), across = {-along[1], along[0]};
   const auto at = [&](const Rational& share) { return Place{a[0] + share * along[0], a[1] + share * along[1]}; };
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -87,6 +92,20 @@ std::vector<CapPart> CapArrangement::parts_of(std::uint32_t k) const {
     if (least && *least < k) continue;  // it stands there already
     part.right = caps_.objects_beside(middle, {-across[0], -across[1]}, least);
     if (part.left != part.right) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+std::vector<std::array<Rational, 2>> CapArrangement::uncovered(const CapSide& open) const {
+  std::vector<Rational> cuts = {0.0, 1.0};
+  caps_.visit_sides(caps_.place(open.from), caps_.place(open.to), [&](std::uint32_t other) { add_cuts(open, other, cuts); });
+  tidy(cuts);
+  const Place &a = caps_.exact_place(open.from), along = difference(caps_.exact_place(open.to), a);
+  std::vector<std::array<Rational, 2>> parts;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    const Rational middle = (cuts[k] + cuts[k + 1]) * Rational(0.5);
+    if (!caps_.covers(SectionCaps::ExactPlace{a[0] + middle * along[0], a[1] + middle * along[1]}))
+      parts.push_back({cuts[k], cuts[k + 1]});
   }
   return parts;
 }

@@ -50,11 +50,13 @@ class CapArrangement {
                            const std::function<bool(const DirectedPart&, const DirectedPart&)>& agree) const;
   /// A side that the place is on and that is not parallel to the part; none: there is no such side.
   std::optional<std::uint32_t> side_across(const SectionCaps::ExactPlace& at, const DirectedPart& part) const;
+  /// The parts of an open side that no cap covers: shares of the way along it, in pairs.
+  std::vector<std::array<Rational, 2>> uncovered(const CapSide& open) const;
   /// The point in space of a place on a side.
   RationalVector point(std::uint32_t side, const SectionCaps::ExactPlace& at) const;
 
  private:
-  void add_cuts(std::uint32_t k, std::uint32_t other, std::vector<Rational>& cuts) const;
+  void add_cuts(const CapSide& own, std::uint32_t other, std::vector<Rational>& cuts) const;
   bool certainly_apart(std::uint32_t k, std::uint32_t other) const;
   std::vector<CapPart> parts_of(std::uint32_t k) const;
 

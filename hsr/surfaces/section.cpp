@@ -83,6 +83,7 @@ class SectionMaker {
     }
     for (const auto& [object, face] : lowest_face_) add_cap(object, face);
     add_lines();
+    add_open_lines();
     return std::move(section_);
   }
 
@@ -110,9 +111,14 @@ class SectionMaker {
   std::uint32_t material_of(std::uint32_t object) const {
     return labels_.material.empty() ? 0 : labels_.material[lowest_face_.at(object).value];
   }
+  /// The lowest on each side; of a side whose objects are all on the other side, too, against the lowest of those that are not.
   static std::array<std::uint32_t, 2> objects_of(const DirectedPart& part) {
-    return {part.left().empty() ? SectionLine::none : part.left().front(),
-            part.right().empty() ? SectionLine::none : part.right().front()};
+    const auto lowest = [](const std::vector<std::uint32_t>& own, const std::vector<std::uint32_t>& other) {
+      for (const std::uint32_t object : own)
+        if (!std::binary_search(other.begin(), other.end(), object)) return object;
+      return own.empty() ? SectionLine::none : own.front();
+    };
+    return {lowest(part.left(), part.right()), lowest(part.right(), part.left())};
   }
   EdgeClass class_of(const std::array<std::uint32_t, 2>& objects) const {
     if (objects[0] == SectionLine::none || objects[1] == SectionLine::none) return EdgeClass::section;
@@ -128,6 +134,19 @@ class SectionMaker {
            class_of(objects),
            objects,
            mesh_.face_of[caps_.sides()[run.first.part->side].triangle]});
+    }
+  }
+
+  /// Where an open surface is cut it has a border now, which nothing but a cap hides.
+  void add_open_lines() {
+    for (const CapSide& open : caps_.open_sides()) {
+      const RationalVector from = caps_.point(open.from), along = minus(caps_.point(open.to), from);
+      const auto at = [&](const Rational& share) {
+        return RationalVector{from[0] + share * along[0], from[1] + share * along[1], from[2] + share * along[2]};
+      };
+      for (const auto& [begin, end] : arrangement_.uncovered(open))
+        section_.lines.push_back(
+            {{at(begin), at(end)}, EdgeClass::boundary, {SectionLine::none, SectionLine::none}, mesh_.face_of[open.triangle]});
     }
   }
 

@@ -21,10 +21,12 @@ struct SectionCap {
 /// A straight part of the border of caps.
 struct SectionLine {
   std::array<std::array<Rational, 3>, 2> ends;
-  /// Where one side is outside, `section`; where objects of two materials touch, `material`; of one material, `joint`.
+  /// Where one side is outside, `section`; where objects of two materials touch or overlap, `material`; of one material, `joint`; of an
+  /// outline that does not close, `boundary`.
   EdgeClass edge_class = EdgeClass::section;
-  std::array<std::uint32_t, 2> objects;  ///< inside which its sides are, left and right, of several the lowest; none: outside
-  FaceId face;                           ///< one that is cut there
+  std::array<std::uint32_t, 2>
+      objects;  ///< inside which its sides are, left and right, of several the lowest that is not on both; none: outside
+  FaceId face;  ///< one that is cut there
 
   static constexpr std::uint32_t none = 0xffffffffU;
 };

@@ -78,6 +78,37 @@ TEST_CASE("materials that differ are parted in a section", "[cli][section][X6]")
   CHECK(layers_of(contents(svg)).contains("visible material"));
 }
 
+TEST_CASE("a body inside another is outlined in it where the materials differ", "[cli][section][X6]") {
+  const Directory d;
+  std::string text = box("block", 1, {0, 0, 0}, {10, 10, 10}) + box("pin", 9, {4, 4, 4}, {6, 6, 14});
+  text.insert(text.find("o block"), "usemtl wood\n");
+  text.insert(text.find("o pin"), "usemtl steel\n");
+  const std::string model = write(d / "pin.obj", text), svg = d / "pin.svg";
+  REQUIRE(run("draw " + model + " --view front --section y=5 -o " + svg).status == 0);
+  CHECK(layers_of(contents(svg)).contains("visible material"));
+}
+
+TEST_CASE("an order has what lies in the plane of a section", "[cli][section][X2]") {
+  const Directory d;
+  const std::string model = write(
+      d / "in_plane.obj", std::string(cube) + "v 3 0.5 0\nv 5 0.5 0\nv 5 0.5 1\nf 9 10 11\nv -4 0.5 0\nv -3 0.5 1\nl 12 13\n");
+  const std::string order = d / "o.json", page = d / "o.svg";
+  const Outcome outcome = run("order " + model + " --view front --section y=0.5 -o " + order + " -o " + page);
+  INFO(outcome.text);
+  REQUIRE(outcome.status == 0);
+  CHECK(run("verify " + order).status == 0);
+  // As large as the drawing of the lines: nine units on 277 mm.
+  CHECK(outcome.text.find("30.78 mm per unit") != std::string::npos);
+  CHECK(contents(page).find("visible wire") != std::string::npos);
+}
+
+TEST_CASE("a section that leaves nothing says so", "[cli][section]") {
+  const Directory d;
+  const std::string model = write(d / "cube.obj", cube);
+  CHECK(run("draw " + model + " --section x=-5 -o " + (d / "a.svg")).text.find("the section leaves nothing") !=
+        std::string::npos);
+}
+
 TEST_CASE("a section in the plane of a floor cuts what stands on it and not the floor", "[cli][section][X2]") {
   const Directory d;
   const std::string model = write(d / "walls.obj", walls());
@@ -98,7 +129,7 @@ TEST_CASE("an open surface is cut to no cap, and a note says so", "[cli][section
   const Outcome outcome = run("draw " + model + " --view top --section z=0.5 -o " + svg);
   CHECK(outcome.status == 0);
   CHECK(outcome.text.find("1 outline of the cut does not close") != std::string::npos);
-  CHECK_FALSE(layers_of(contents(svg)).contains("visible hatching"));
+  CHECK(layers_of(contents(svg)) == std::set<std::string>{"visible boundary"});  // the cut is drawn all the same
   // A lid that is missing elsewhere leaves the outline closed.
   CHECK(run("draw " + model + " --view right --section x=0.5 -o " + svg).text.find("does not close") == std::string::npos);
   CHECK(layers_of(contents(svg)).contains("visible hatching"));

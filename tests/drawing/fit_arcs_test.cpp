@@ -245,6 +245,18 @@ TEST_CASE("What only looks like a circle is none: helices, hexagons, coarse poly
             .arcs.empty());
 }
 
+TEST_CASE("A fine polygon is an arc at every tolerance that it bows by, however little its first edges do",
+          "[drawing][arcs][D22]") {
+  // Half a circle: four edges of it rise by less than 0.2 mm from their chord.
+  for (const double tolerance : {0.02, 0.1, 0.2, 0.5, 2.0}) {
+    const Drawing d = wires(100, circle_of(200, 60), tolerance);
+    INFO(tolerance);
+    REQUIRE(d.arcs.size() == 1);
+    CHECK(lines_in_arcs(d) == 100);
+    check_arcs(d, tolerance);
+  }
+}
+
 TEST_CASE("A plate with round corners has an arc at each, wherever its outline begins", "[drawing][arcs][D22]") {
   constexpr int quarter = 12;
   for (int shift = 0; shift < 4 * (quarter + 1); ++shift) {

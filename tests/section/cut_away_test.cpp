@@ -43,7 +43,7 @@ void check_families(std::initializer_list<const char*> families, std::uint64_t c
       scene.view = *view;
       try {
         const Mesh mesh = scene.mesh();
-        if (!section(SceneView(mesh, scene.view)).lines.empty()) continue;
+        if (!section(SceneView(mesh, scene.view)).caps.empty()) continue;
       } catch (const InputError&) {
         continue;  // a perspective whose near plane cuts
       }
