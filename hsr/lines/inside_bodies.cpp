@@ -1,10 +1,12 @@
 #include "hsr/lines/inside_bodies.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/predicates.h"
 #include "geometry/vector3.h"
+#include "geometry/view_plane.h"
 #include "hsr/scene/near_contact.h"
 #include "hsr/scene/space_tree.h"
 
@@ -45,6 +47,40 @@ std::optional<bool> crosses(Predicates& exact, const Part& part, const Point3& q
   return place == Sign::zero ? std::nullopt : std::optional(place == Sign::positive);
 }
 
+/// Tells in doubles which triangles a straight way passes by: their boxes are certainly beside it. A box around a slanting way holds
+/// many.
+class Way {
+ public:
+  Way(const Point3& from, const Point3& to, int axis) : from_(from), axis_(axis) {
+    const double length = coordinate(to, axis) - coordinate(from, axis);
+    for (int k = 0; k < 2; ++k) {
+      const int other = (axis + 1 + k) % 3;
+      slope_[static_cast<std::size_t>(k)] = (coordinate(to, other) - coordinate(from, other)) / length;
+    }
+    // Far more than what is rounded below.
+    margin_ = 0x1p-40 * (norm_max(from) + norm_max(to));
+  }
+  bool passes_by(const Point3& a, const Point3& b, const Point3& c) const {
+    const auto range = [&](int axis) { return std::minmax({coordinate(a, axis), coordinate(b, axis), coordinate(c, axis)}); };
+    const auto [near, far] = range(axis_);
+    for (int k = 0; k < 2; ++k) {
+      const int other = (axis_ + 1 + k) % 3;
+      const double slope = slope_[static_cast<std::size_t>(k)];
+      const double p = coordinate(from_, other) + slope * (near - coordinate(from_, axis_)),
+                   q = coordinate(from_, other) + slope * (far - coordinate(from_, axis_));
+      const auto [low, high] = range(other);
+      if (low > std::max(p, q) + margin_ || high < std::min(p, q) - margin_) return true;
+    }
+    return false;
+  }
+
+ private:
+  const Point3& from_;
+  int axis_;
+  std::array<double, 2> slope_;
+  double margin_;
+};
+
 }  // namespace
 
 InsideBodies::InsideBodies(const ViewParts& parts, double tolerance) : parts_(parts), tolerance_(tolerance) {
@@ -75,10 +111,12 @@ std::vector<TriangleId> InsideBodies::passed_through(const Edge& edge) const {
   const Mesh& mesh = parts_.mesh();
   const Point3 &from = mesh.points[edge.a], &to = mesh.points[edge.b];
   Predicates exact(bits_);
+  const Way way(from, to, largest_axis(minus(to, from)));
   std::vector<TriangleId> all;
   parts_.space_tree().visit_near(from, to, 0, [&](TriangleId t) {
     const auto& c = mesh.triangles[t];
     const Point3 &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
+    if (way.passes_by(p, q, r)) return;
     const Plane plane = Plane::of_face(p, q, r);
     if (exact.side(plane, from) * exact.side(plane, to) != Sign::negative) return;
     if (place_in_triangle(exact, from, to, p, q, r) != Sign::negative) all.push_back(t);
@@ -97,12 +135,12 @@ std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point
     coordinate(outside, axis) += reach;
     coordinate(outside, (axis + 1) % 3) += slant * std::fabs(reach);
     coordinate(outside, (axis + 2) % 3) += 0.64 * slant * std::fabs(reach);
-    if (const auto found = crossed(from, to, outside)) return found;
+    if (const auto found = crossed(from, to, outside, axis)) return found;
   }
   return std::nullopt;
 }
 
-std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point3& to, const Point3& outside) const {
+std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point3& to, const Point3& outside, int axis) const {
   const Mesh& mesh = parts_.mesh();
   const Part part(from, to);
   const Point3& start = part.middle;
@@ -111,15 +149,17 @@ std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point
   for (const Point3& p : {from, to, start}) bits.add(p);
   bits.add(outside);
   Predicates exact(bits);
+  const Way way(start, outside, axis);
   std::size_t count = 0;
   bool is_clear = true;
   parts_.space_tree().visit_near(start, outside, 0, [&](TriangleId t) {
     if (!is_clear) return;
+    const auto& c = mesh.triangles[t];
+    if (way.passes_by(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]])) return;
     if (tolerance_ > 0) {
       const auto contact = near_contact(mesh, t, from, to, tolerance_);
       if (contact && contact->from <= 0.5 && 0.5 <= contact->to) return;
     }
-    const auto& c = mesh.triangles[t];
     const auto found = crosses(exact, part, outside, mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
     is_clear = found.has_value();
     if (found == true) ++count;

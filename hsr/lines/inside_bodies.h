@@ -32,7 +32,7 @@ class InsideBodies {
 
  private:
   std::optional<std::size_t> crossed(const Point3& from, const Point3& to, int axis, bool forward) const;
-  std::optional<std::size_t> crossed(const Point3& from, const Point3& to, const Point3& outside) const;
+  std::optional<std::size_t> crossed(const Point3& from, const Point3& to, const Point3& outside, int axis) const;
 
   const ViewParts& parts_;
   double tolerance_;
