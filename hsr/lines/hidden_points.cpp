@@ -28,20 +28,12 @@ class PointOcclusion {
   PointOcclusion(const ProjectedMesh& projected, const Occluders& occluders, const SectionCaps* caps)
       : projected_(projected), occluders_(occluders), caps_(caps), exact_(projected.predicates()) {}
 
-  /// @param p as given, not before the section
-  bool is_behind_cap(const Point3& p) const {
-    if (caps_ == nullptr) return false;
-    const auto known = caps_->covers(caps_->seen_at({{{p.x, 0}, {p.y, 0}, {p.z, 0}}}));
-    return known ? *known : caps_->covers(caps_->seen_at(rational(p)));
-  }
-
-  bool is_beyond_near(const Point3& p) {
-    return !projected_.has_near() || exact_.side(projected_.near_plane(), p) == Sign::positive;
-  }
-
-  /// @param p scaled
-  bool is_hidden(const Point3& p) {
-    if (!is_beyond_near(p)) return false;
+  bool is_hidden(const Point3& given) {
+    const Point3 p = projected_.scaled(given);
+    const Sign beyond = projected_.has_near() ? exact_.side(projected_.near_plane(), p) : Sign::positive;
+    // What lies in the near plane has no face before it, but a cap, which is nearer than all that lies in its plane.
+    if (beyond != Sign::negative && is_behind_cap(given)) return true;
+    if (beyond != Sign::positive) return false;
     bool found = false;
     occluders_.tree.visit(projected_.box(p), [&](std::uint32_t i) {
       found = hides(occluders_.triangles[i], p);
@@ -51,6 +43,12 @@ class PointOcclusion {
   }
 
  private:
+  bool is_behind_cap(const Point3& given) const {
+    if (caps_ == nullptr) return false;
+    const auto known = caps_->covers(caps_->seen_at({{{given.x, 0}, {given.y, 0}, {given.z, 0}}}));
+    return known ? *known : caps_->covers(caps_->seen_at(rational(given)));
+  }
+
   /// See TriangleOcclusion: p is strictly beyond the plane of the triangle, in the closed cone of the eye and the triangle, and
   /// where the near plane cuts the triangle, the line of sight meets it beyond that.
   bool hides(TriangleId t, const Point3& p) {
@@ -135,9 +133,8 @@ std::vector<bool> hidden_points(const SceneView& scene, std::span<const Point3> 
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
     PointOcclusion occlusion(projected, occluders, caps);
     for (std::size_t k = range.begin(); k != range.end(); ++k) {
-      const Point3 p = {points[k].x + 0.0, points[k].y + 0.0, points[k].z + 0.0};  // -0 + 0 = 0
-      const Point3 scaled = projected.scaled(p);
-      hidden[k] = occlusion.is_hidden(scaled) || (occlusion.is_beyond_near(scaled) && occlusion.is_behind_cap(p)) ? 1 : 0;
+      const Point3& p = points[k];
+      hidden[k] = occlusion.is_hidden({p.x + 0.0, p.y + 0.0, p.z + 0.0}) ? 1 : 0;  // -0 + 0 = 0
     }
   });
   return {hidden.begin(), hidden.end()};

@@ -106,6 +106,16 @@ void TestScene::add_face(const std::vector<Point3>& corners) {
   add_face(indices);
 }
 
+void TestScene::add_box(const Point3& low, const Point3& high) {
+  const auto n = static_cast<std::uint32_t>(points.size());
+  for (int k = 0; k < 8; ++k)
+    points.push_back({(k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y, (k & 4) != 0 ? high.z : low.z});
+  using Side = std::array<std::uint32_t, 4>;
+  for (const Side& f :
+       {Side{0, 2, 3, 1}, Side{4, 5, 7, 6}, Side{0, 1, 5, 4}, Side{2, 6, 7, 3}, Side{0, 4, 6, 2}, Side{1, 3, 7, 5}})
+    add_face({n + f[0], n + f[1], n + f[2], n + f[3]});
+}
+
 View from_direction(const Point3& toward_viewer) { return parallel_view(toward_viewer, some_up(toward_viewer)); }
 
 View from_eye(const Point3& eye, const Point3& target, double k) {

@@ -21,6 +21,8 @@ struct TestScene {
   void add_face(const std::vector<std::uint32_t>& corners);
   /// A face with points of its own.
   void add_face(const std::vector<Point3>& corners);
+  /// A box from its least to its greatest corner, faces outward.
+  void add_box(const Point3& low, const Point3& high);
   Mesh mesh() const { return make_mesh(points, polygons); }
 };
 

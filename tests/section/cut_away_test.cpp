@@ -1,8 +1,10 @@
 // What a section takes away, against the oracles: planes that cut at places that no double holds, and scenes that no cap covers.
+#include <array>
 #include <catch2/catch.hpp>
 #include <random>
 
 #include "geometry/error.h"
+#include "hsr/lines/hidden_points.h"
 #include "hsr/surfaces/section.h"
 #include "hsr/surfaces/visible_fragments.h"
 #include "tests/lines/checked_lines.h"
@@ -69,6 +71,16 @@ TEST_CASE("fragments of what a section leaves agree with the oracle", "[section]
     for (const std::string& text : oracle.differences(visible_fragments(SceneView(mesh, scene.view)))) all += text + "\n";
     return all;
   });
+}
+
+TEST_CASE("points behind a cap are hidden, and those in its plane, too", "[section][X2][X5]") {
+  scenes::TestScene scene;
+  scene.add_box({0, 0, 0}, {2, 2, 2});
+  const Mesh mesh = scene.mesh();
+  const SceneView cut(mesh, with_section(scenes::from_direction({0, 0, 1}), {0, 0, 1}, {0, 0, 1}));
+  // Inside and below; in the plane, inside, on the border and beside; before the plane.
+  CHECK(hidden_points(cut, std::array<Point3, 6>{{{1, 1, 0.5}, {1, 1, -3}, {1, 1, 1}, {2, 1, 1}, {3, 1, 1}, {1, 1, 1.5}}}) ==
+        std::vector<bool>{true, true, true, true, false, false});
 }
 
 }  // namespace
