@@ -103,21 +103,7 @@ View parse_section(const std::string& text, const View& view) {
   return with_section(view, along(*where), along(1));
 }
 
-ChosenView choose_uncut_view(const ViewOptions& o, const Mesh& mesh, const Model& model);
-
-}  // namespace
-
-ChosenView choose_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
-  ChosenView chosen = choose_uncut_view(o, mesh, model);
-  if (!o.section.empty()) {
-    chosen.view = parse_section(o.section, chosen.view);
-    chosen.title += ", section " + o.section;
-  }
-  return chosen;
-}
-
-namespace {
-
+/// But for the section.
 ChosenView choose_uncut_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
   if (static_cast<int>(!o.name.empty()) + static_cast<int>(!o.eye.empty()) + static_cast<int>(!o.direction.empty()) > 1)
     throw InputError("view: found more than one of --view, --eye and --direction, expected one");
@@ -161,6 +147,15 @@ ChosenView choose_uncut_view(const ViewOptions& o, const Mesh& mesh, const Model
 }
 
 }  // namespace
+
+ChosenView choose_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
+  ChosenView chosen = choose_uncut_view(o, mesh, model);
+  if (!o.section.empty()) {
+    chosen.view = parse_section(o.section, chosen.view);
+    chosen.title += ", section " + o.section;
+  }
+  return chosen;
+}
 
 JsonValue json_of(const View& view) {
   const auto list = [](const Point3& p) { return JsonValue::array({p.x, p.y, p.z}); };

@@ -14,7 +14,7 @@ struct Hatch {
   double phase = 0;     ///< in spacings
 };
 
-/// The hatching for a cap: of the style that its number names, at a spacing that suits its size (ISO 128-50), from 1 mm to 4 mm. What is
+/// The hatching for a cap: of the style that its number names, at a spacing that suits its size (ISO 128-50), from 0.7 mm to 4 mm. What is
 /// thinner than 0.7 mm is filled: its lines are as wide as they are apart.
 /// @param pen width of the lines, mm
 /// @param unit all of this in other units: how many are a millimetre

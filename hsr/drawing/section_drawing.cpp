@@ -146,7 +146,7 @@ void add_section_lines(Drawing& drawing, const Placement& placement, const Drawi
     const double unit = options.in_frame_units ? drawing.scale / options.hatch_scale : 1;
     for (std::size_t k = 0; k < section.caps.size(); ++k) {
       const auto rings = placed.rings_of(section.caps[k]);
-      Hatch hatch = hatch_for(rings, styles[k], pen, unit);
+      const Hatch hatch = hatch_for(rings, styles[k], pen, unit);
       for (const auto& [from, to] : hatch_lines(rings, hatch))
         add(from, to, EdgeClass::hatching, object_of(options, section.caps[k].face));
     }

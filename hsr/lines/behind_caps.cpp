@@ -9,10 +9,8 @@
 #include <vector>
 
 #include "geometry/bounded_point.h"
-#include "geometry/constructed_point.h"
 #include "geometry/vector3.h"
 #include "hsr/lines/hidden_intervals.h"
-#include "hsr/symbols/cut_plane.h"
 
 namespace hsr::internal {
 
@@ -62,8 +60,6 @@ class CapShadows {
     touching_.clear();
     const auto from = seen_end(0), to = seen_end(1);
     caps_.visit_sides(from, to, [&](std::uint32_t side) { touching_.push_back(side); });
-    std::sort(touching_.begin(), touching_.end());
-    touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
     return !touching_.empty() || caps_.covers(from).value_or(true);
   }
   /// The first or the last end, in the plane.

@@ -36,8 +36,8 @@ struct View {
   Point3 up;
   double near = 0;  ///< k: the near plane is (p - eye).(target - eye) = k |target - eye|^2. Parallel views have none: 0.
   Frame frame;
-  std::optional<SectionPlane> section =
-      {};  ///< it takes the place of the near plane, which then cuts nothing: see with_section()
+  /// It takes the place of the near plane, which then cuts nothing: see with_section().
+  std::optional<SectionPlane> section = {};
 
   bool is_perspective() const { return !viewpoint.is_direction; }
   /// Whether something may be cut away: by the near plane of a perspective, or by a section.

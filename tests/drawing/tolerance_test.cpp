@@ -22,25 +22,15 @@ using internal::InputNoise;
 using internal::noise_of;
 using scenes::TestScene;
 
-void add_box(TestScene& scene, const Point3& a, const Point3& b) {
-  const auto n = static_cast<std::uint32_t>(scene.points.size());
-  for (int k = 0; k < 8; ++k)
-    scene.points.push_back({(k & 1) != 0 ? b.x : a.x, (k & 2) != 0 ? b.y : a.y, (k & 4) != 0 ? b.z : a.z});
-  using Side = std::array<std::uint32_t, 4>;
-  for (const Side& f :
-       {Side{0, 2, 3, 1}, Side{4, 5, 7, 6}, Side{0, 1, 5, 4}, Side{2, 6, 7, 3}, Side{0, 4, 6, 2}, Side{1, 3, 7, 5}})
-    scene.add_face({n + f[0], n + f[1], n + f[2], n + f[3]});
-}
-
 /// A slab, two walls on it that meet, a column that touches the underside, a beam through a wall, and a step beside the slab.
 TestScene building() {
   TestScene scene;
-  add_box(scene, {0, 0, 0}, {10, 6, 0.3});
-  add_box(scene, {0, 0, 0.3}, {10, 0.4, 3});
-  add_box(scene, {0, 0.4, 0.3}, {0.4, 6, 2.5});
-  add_box(scene, {2, 2, -3}, {2.5, 2.5, 0});
-  add_box(scene, {4, -1, 2}, {4.3, 3, 2.3});
-  add_box(scene, {10, 1, 0}, {11, 4, 0.3});
+  scene.add_box({0, 0, 0}, {10, 6, 0.3});
+  scene.add_box({0, 0, 0.3}, {10, 0.4, 3});
+  scene.add_box({0, 0.4, 0.3}, {0.4, 6, 2.5});
+  scene.add_box({2, 2, -3}, {2.5, 2.5, 0});
+  scene.add_box({4, -1, 2}, {4.3, 3, 2.3});
+  scene.add_box({10, 1, 0}, {11, 4, 0.3});
   scene.view = parallel_view({1, -1, 1}, {0, 0, 1});
   return scene;
 }
@@ -144,11 +134,11 @@ Point3 turned_askew(const Point3& p, double degrees) {
 TEST_CASE("what fills a wall from side to side makes no line, turned by any angle, with a tolerance",
           "[drawing][tolerance][T1][T5]") {
   TestScene straight;
-  add_box(straight, {0, 0, 0}, {10, 0.3, 3});
-  add_box(straight, {1, 0, 1}, {2, 0.3, 2.1});
-  add_box(straight, {4, 0, 0}, {4.4, 0.3, 3});
-  add_box(straight, {6, -0.25, 1}, {7, 0, 1.1});
-  add_box(straight, {7, 0, 1}, {8, 0.5, 2});  // ends where the one beside it passes through the wall
+  straight.add_box({0, 0, 0}, {10, 0.3, 3});
+  straight.add_box({1, 0, 1}, {2, 0.3, 2.1});
+  straight.add_box({4, 0, 0}, {4.4, 0.3, 3});
+  straight.add_box({6, -0.25, 1}, {7, 0, 1.1});
+  straight.add_box({7, 0, 1}, {8, 0.5, 2});  // ends where the one beside it passes through the wall
   std::mt19937_64 random(1930);
   int noisy = 0;
   for (const Point3& direction : {Point3{1, -1, 1}, Point3{2.3, -3.1, -1.17}}) {
@@ -173,12 +163,12 @@ TestScene flush_boxes(std::mt19937_64& random, bool has_wall) {
   const auto below = [&](int n) { return static_cast<double>(random() % static_cast<std::uint64_t>(n)); };
   const auto one_of = [&](std::initializer_list<double> all) { return all.begin()[random() % all.size()]; };
   TestScene scene;
-  if (has_wall) add_box(scene, {0, 0, 0}, {10, 0.3, 3});
+  if (has_wall) scene.add_box({0, 0, 0}, {10, 0.3, 3});
   for (int k = 0; k < 3; ++k) {
     const double x = below(has_wall ? 9 : 4), z = below(3);
     const double y0 = has_wall ? one_of({0, 0, -0.2, 0.1}) : below(4),
                  y1 = has_wall ? one_of({0.3, 0.3, 0.5, 0.2}) : y0 + 1 + below(3);
-    add_box(scene, {x, y0, z}, {x + 1 + below(2), y1, z + one_of({0.5, 1, 1, 2})});
+    scene.add_box({x, y0, z}, {x + 1 + below(2), y1, z + one_of({0.5, 1, 1, 2})});
   }
   return scene;
 }
@@ -220,8 +210,8 @@ TEST_CASE("an edge that begins beside where a wall is pierced makes the same lin
       {{{{6, 0.1, 2}, {7, 0.2, 3}, {6, 0.1, 0}, {8, 0.2, 0.5}, {8, 0, 1}, {10, 0.3, 2}}}, {1, 2.2, -1.3}, 46.22756237728227}};
   for (const Turned& t : all) {
     TestScene straight;
-    add_box(straight, {0, 0, 0}, {10, 0.3, 3});
-    for (std::size_t k = 0; k < 6; k += 2) add_box(straight, t.boxes[k], t.boxes[k + 1]);
+    straight.add_box({0, 0, 0}, {10, 0.3, 3});
+    for (std::size_t k = 0; k < 6; k += 2) straight.add_box(t.boxes[k], t.boxes[k + 1]);
     straight.view = parallel_view(t.direction, {0, 0, 1});
     const auto expected = drawn(straight, 0);
     for (const auto& turn : {turned, turned_askew}) {
@@ -286,7 +276,7 @@ TEST_CASE("a clean model of short numbers has no noise, however small its steps"
     TestScene steps;  // a floor of slabs, each a little higher
     for (int k = 0; k < 6; ++k) {
       const auto at = [&](double x) { return printed(x * unit, "%.2f"); };
-      add_box(steps, {at(20'000 * k), at(0), at(0)}, {at(20'000 * (k + 1)), at(30'007), at(12'345 + k)});
+      steps.add_box({at(20'000 * k), at(0), at(0)}, {at(20'000 * (k + 1)), at(30'007), at(12'345 + k)});
     }
     const InputNoise noise = noise_of(steps.mesh());
     INFO("unit " << unit << ": " << noise.near_planes << " " << noise.tolerance);

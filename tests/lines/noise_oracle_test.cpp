@@ -24,23 +24,13 @@ using oracle::Q;
 using oracle::Vec;
 using scenes::TestScene;
 
-void add_box(TestScene& scene, const Point3& a, const Point3& b) {
-  const auto n = static_cast<std::uint32_t>(scene.points.size());
-  for (int k = 0; k < 8; ++k)
-    scene.points.push_back({(k & 1) != 0 ? b.x : a.x, (k & 2) != 0 ? b.y : a.y, (k & 4) != 0 ? b.z : a.z});
-  using Side = std::array<std::uint32_t, 4>;
-  for (const Side& f :
-       {Side{0, 2, 3, 1}, Side{4, 5, 7, 6}, Side{0, 1, 5, 4}, Side{2, 6, 7, 3}, Side{0, 4, 6, 2}, Side{1, 3, 7, 5}})
-    scene.add_face({n + f[0], n + f[1], n + f[2], n + f[3]});
-}
-
 /// A wall, what fills it from side to side, a post in it that is as high, and a sill on it.
 TestScene filled_wall() {
   TestScene scene;
-  add_box(scene, {0, 0, 0}, {10, 0.25, 3});
-  add_box(scene, {1, 0, 1}, {2, 0.25, 2.125});
-  add_box(scene, {4, 0, 0}, {4.5, 0.25, 3});
-  add_box(scene, {6, -0.25, 1}, {7, 0, 1.125});
+  scene.add_box({0, 0, 0}, {10, 0.25, 3});
+  scene.add_box({1, 0, 1}, {2, 0.25, 2.125});
+  scene.add_box({4, 0, 0}, {4.5, 0.25, 3});
+  scene.add_box({6, -0.25, 1}, {7, 0, 1.125});
   return scene;
 }
 

@@ -215,7 +215,7 @@ TEST_CASE("the bound of a triangle's sides at a segment is above the error, and 
 TEST_CASE("the bound of a plane's value at a bounded point is above the error, and not far above", "[geometry][filters]") {
   // All numbers below 2^100; far below 1 underflow takes everything, and the bound says so.
   const auto all = layouts({0, 1, 60, 98, -60, -200, -350});
-  for (const int kind : {0, 1, 2, 3, 4, 5})
+  for (const int kind : {0, 1, 2, 3, 4, 5, 6, 7, 8})
     for (const double relative : {0.0, 0x1p-40, 1.0})
       check_bound(21, all, relative > 0 ? 0.5 : 0.1, 60, [&](Numbers& x) {
         const Point3 a = x.point3(), b = x.point3(), c = x.point3(), p = x.point3(), eye = x.point3();
@@ -225,7 +225,10 @@ TEST_CASE("the bound of a plane's value at a bounded point is above the error, a
                             : kind == 2 ? Plane::of_sight({eye, true}, a, b)
                             : kind == 3 ? Plane::along_axis(a, b, 1)
                             : kind == 4 ? Plane::near(eye, a, k)
-                                        : Plane::near_line(eye, a, k, Plane::of_face(a, b, c));
+                            : kind == 5 ? Plane::near_line(eye, a, k, Plane::of_face(a, b, c))
+                            : kind == 6
+                                ? Plane::section({eye, true}, a, b)
+                                : Plane::section({eye, kind == 7}, x.point3(), x.point3()).line_with(Plane::of_face(a, b, c));
         const double error = relative * std::fabs(a.x - b.x);
         const Exact3 at = moved(p, error, x);
         // value() is affine: that at p, and the gradient times how far the point has moved.

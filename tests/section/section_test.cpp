@@ -161,11 +161,17 @@ Rational area_of_rings(const View& view, const Section& section, const SectionCa
   return twice * Rational(0.5);
 }
 
-TEST_CASE("a section inks what the scene with the cut made inks", "[section][random][X1][X5]") {
+template <class Check>
+void on_cut_boxes(const Check& check) {
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     const CutBoxes boxes = cut_boxes(seed);
     INFO("seed " << seed << "\n" << boxes.text);
-    const Scene scene(make_mesh(boxes.points, boxes.polygons), boxes.labels);
+    check(boxes, Scene(make_mesh(boxes.points, boxes.polygons), boxes.labels));
+  }
+}
+
+TEST_CASE("a section inks what the scene with the cut made inks", "[section][random][X1][X5]") {
+  on_cut_boxes([](const CutBoxes& boxes, const Scene& scene) {
     const SceneView cut(scene, boxes.view);
     const Mesh made = make_mesh(boxes.cut_points, boxes.cut_polygons);
     Ink expected(boxes.view), found(boxes.view);
@@ -177,14 +183,11 @@ TEST_CASE("a section inks what the scene with the cut made inks", "[section][ran
       add_expected(expected, boxes, line.ends[0], line.ends[1]);
     }
     CHECK(Ink::differences(found, expected) == "");
-  }
+  });
 }
 
 TEST_CASE("a section shows what the scene with the cut made shows of each face", "[section][random]") {
-  for (std::uint64_t seed = 0; seed < 600; ++seed) {
-    const CutBoxes boxes = cut_boxes(seed);
-    INFO("seed " << seed << "\n" << boxes.text);
-    const Scene scene(make_mesh(boxes.points, boxes.polygons), boxes.labels);
+  on_cut_boxes([](const CutBoxes& boxes, const Scene& scene) {
     const SceneView cut(scene, boxes.view);
     const Mesh made = make_mesh(boxes.cut_points, boxes.cut_polygons);
     const SceneView with_faces(made, boxes.uncut_view);
@@ -203,14 +206,11 @@ TEST_CASE("a section shows what the scene with the cut made shows of each face",
       sum = sum + cut_areas[k];
     }
     CHECK(found == expected);
-  }
+  });
 }
 
 TEST_CASE("caps are as large as the cut faces", "[section][random][X3]") {
-  for (std::uint64_t seed = 0; seed < 600; ++seed) {
-    const CutBoxes boxes = cut_boxes(seed);
-    INFO("seed " << seed << "\n" << boxes.text);
-    const Scene scene(make_mesh(boxes.points, boxes.polygons), boxes.labels);
+  on_cut_boxes([](const CutBoxes& boxes, const Scene& scene) {
     const Section found = section(SceneView(scene, boxes.view));
     CHECK(found.open_outlines == 0);
     std::map<std::uint32_t, Rational> of_object, expected;
@@ -229,7 +229,7 @@ TEST_CASE("caps are as large as the cut faces", "[section][random][X3]") {
       expected[boxes.box_of_cap[k]] = twice * Rational(0.5);
     }
     CHECK(of_object == expected);
-  }
+  });
 }
 
 }  // namespace

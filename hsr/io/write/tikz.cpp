@@ -64,16 +64,20 @@ void append_style(std::string& out, const Layer& layer) {
   out += "}\n";
 }
 
+void append_point(std::string& out, const PaperPoint& p) {
+  out += '(';
+  append_coordinate(out, p.x);
+  out += ',';
+  append_coordinate(out, p.y);
+  out += ')';
+}
+
 void append_path(std::string& out, std::span<const PaperPoint> points, bool closed) {
   const char* between = "";
   for (const PaperPoint& p : points) {
     out += between;
     between = "\n--";
-    out += '(';
-    append_coordinate(out, p.x);
-    out += ',';
-    append_coordinate(out, p.y);
-    out += ')';
+    append_point(out, p);
   }
   if (closed) out += "\n--cycle";
 }
@@ -83,11 +87,7 @@ void append_path(std::string& out, const Path& path, double tolerance) {
   const auto point = [&](const PaperPoint& p) {
     out += between;
     between = "\n--";
-    out += '(';
-    append_coordinate(out, p.x);
-    out += ',';
-    append_coordinate(out, p.y);
-    out += ')';
+    append_point(out, p);
   };
   const auto control = [&](const char* word, const Point2& p) {
     out += word;
