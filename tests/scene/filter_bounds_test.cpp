@@ -217,7 +217,7 @@ TEST_CASE("the bound of a plane's value at a bounded point is above the error, a
   const auto all = layouts({0, 1, 60, 98, -60, -200, -350});
   for (const int kind : {0, 1, 2, 3, 4, 5, 6, 7, 8})
     for (const double relative : {0.0, 0x1p-40, 1.0})
-      check_bound(21, all, relative > 0 ? 0.5 : 0.1, 60, [&](Numbers& x) {
+      check_bound(27, all, relative > 0 ? 0.5 : 0.1, 60, [&](Numbers& x) {
         const Point3 a = x.point3(), b = x.point3(), c = x.point3(), p = x.point3(), eye = x.point3();
         const double k = x.next();
         const Plane plane = kind == 0   ? Plane::of_face(a, b, c)
