@@ -1,7 +1,7 @@
 #include "hsr/io/write/layers.h"
 
 #include "hsr/io/write/json.h"
-#include "hsr/io/write/utf8.h"
+#include "hsr/utf8.h"
 
 namespace hsr::internal {
 
