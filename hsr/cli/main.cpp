@@ -35,7 +35,7 @@ int fail(const std::string& message) {
 /// The library names what it refuses as the options are named, without the dashes.
 std::string with_dashes(const std::string& message) {
   for (const std::string option : {"page", "pen", "scale", "unit", "margin", "size", "fov", "near", "up", "direction", "eye",
-                                   "target", "view", "family", "oblique", "only", "hide", "ghost"})
+                                   "target", "view", "views", "family", "oblique", "only", "hide", "ghost", "detail", "section"})
     if (message.rfind(option + ":", 0) == 0) return "--" + message;
   return message;
 }
@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
       "Exit status: 0 done; 1 a check failed; 2 bad usage or bad input.\n'hsr draw --help', or that of another verb, has its "
       "options, what it writes, and examples.");
   hsr::cli::add_draw(command, unfinished);
+  hsr::cli::add_sheet(command, unfinished);
   hsr::cli::add_info(command, unfinished);
   hsr::cli::add_order(command, unfinished);
   hsr::cli::add_verify(command, unfinished);
