@@ -15,6 +15,7 @@
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/model_defaults.h"
 #include "hsr/cli/output_summary.h"
+#include "hsr/cli/page_arguments.h"
 #include "hsr/cli/page_writing.h"
 #include "hsr/cli/scene_arguments.h"
 #include "hsr/cli/sheet_json.h"
@@ -117,7 +118,7 @@ SheetOptions parse(const SheetArguments& a) {
     const auto more = parse_pens(text);
     o.pens.insert(o.pens.end(), more.begin(), more.end());
   }
-  if (!a.fit_arcs.empty()) o.fit_arcs = numbers_of("--fit-arcs", a.fit_arcs, a.fit_arcs, "millimetres, more than 0", ',')[0];
+  if (!a.fit_arcs.empty()) o.fit_arcs = tolerance_of_arcs(a.fit_arcs);
   return o;
 }
 

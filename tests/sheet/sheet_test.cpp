@@ -218,6 +218,18 @@ TEST_CASE("A detail shows what is inside its circle, larger", "[sheet]") {
         std::max(farthest, std::hypot(static_cast<double>(p.x) / 1000 - middle.x, static_cast<double>(p.y) / 1000 - middle.y));
   CHECK(farthest <= 30.001);
   CHECK(farthest >= 17.4);
+
+  // A corner of the plate: both of its edges end at the circle.
+  options.details = {{"front", {0, 0, 80}, 6, 5}};
+  const Sheet corner = draw_sheet(Scene::of(mesh), options);
+  const Point2 at = on_paper(view_named(corner, "detail A"), {0, 0, 80});
+  std::size_t on_circle = 0;
+  for (const PaperPoint& p : points_of(corner, "detail A visible")) {
+    const double distance = std::hypot(static_cast<double>(p.x) / 1000 - at.x, static_cast<double>(p.y) / 1000 - at.y);
+    CHECK(distance <= 30.001);
+    if (distance > 29.999) ++on_circle;
+  }
+  CHECK(on_circle == 2);
   CHECK_THROWS_AS(draw_sheet(Scene::of(mesh), {.details = {{"back", {}, 1, 2}}}), InputError);
   CHECK_THROWS_AS(draw_sheet(Scene::of(mesh), {.details = {{"front", {}, 0, 2}}}), InputError);
 }
