@@ -36,7 +36,7 @@ f 2 3 10 9
 
 }  // namespace
 
-TEST_CASE("a sheet is written in every format, and its places as JSON", "[cli][sheet]") {
+TEST_CASE("a sheet is written in every format, and its places as JSON", "[cli][sheet][L8]") {
   const Directory d;
   const std::string model = write(d / "step.obj", step);
   std::string outputs;
@@ -56,7 +56,7 @@ TEST_CASE("a sheet is written in every format, and its places as JSON", "[cli][s
   const std::string svg = contents(d / "x.svg");
   CHECK(svg.find("width=\"420mm\"") != std::string::npos);
   CHECK(svg.find("<title>step</title>") != std::string::npos);
-  CHECK(svg.find("inkscape:label=\"side hidden sharp\"") != std::string::npos);
+  CHECK(svg.find("inkscape:label=\"side hidden outline\"") != std::string::npos);
   CHECK(svg.find("id=\"A-A-visible-section\"") != std::string::npos);
   // In units of the model: the front view is 40 wide.
   const std::string dxf = contents(d / "x.dxf");

@@ -9,7 +9,7 @@
 using namespace hsr;
 using namespace hsr::internal;
 
-TEST_CASE("A cylinder has two circles and one axis, of eight sides or of many", "[sheet][circles]") {
+TEST_CASE("A cylinder has two circles and one axis, of eight sides or of many", "[sheet][circles][L5]") {
   for (const int sides : {8, 9, 12, 31, 64, 400}) {
     CAPTURE(sides);
     const auto circles = model_circles(cylinder(sides, 5, 12), 30);
@@ -28,7 +28,7 @@ TEST_CASE("A cylinder has two circles and one axis, of eight sides or of many", 
   CHECK(model_circles(cylinder(4, 5, 12), 30).empty());
 }
 
-TEST_CASE("The holes of a plate are found on both of its sides", "[sheet][circles]") {
+TEST_CASE("The holes of a plate are found on both of its sides", "[sheet][circles][L5]") {
   const auto circles = model_circles(plate_with_holes(24), 30);
   REQUIRE(circles.size() == 2 * plate_holes.size());
   for (const Hole& hole : plate_holes)
@@ -64,7 +64,7 @@ Mesh prism(int corners, const At& at) {
 
 }  // namespace
 
-TEST_CASE("The round ends of a slot are circles, an ellipse and a rounded corner are none", "[sheet][circles]") {
+TEST_CASE("The round ends of a slot are circles, an ellipse and a rounded corner are none", "[sheet][circles][L5]") {
   const double step = std::numbers::pi / 16;
   const auto slot = model_circles(prism(34,
                                         [&](int k) {
@@ -94,7 +94,7 @@ TEST_CASE("The round ends of a slot are circles, an ellipse and a rounded corner
             .empty());
 }
 
-TEST_CASE("A circle of coordinates that are rounded to floats is found", "[sheet][circles]") {
+TEST_CASE("A circle of coordinates that are rounded to floats is found", "[sheet][circles][L5]") {
   const auto circles = model_circles(
       prism(90,
             [](int k) {

@@ -70,7 +70,7 @@ TEST_CASE("Views stand apart, within the area and free of the title block, in li
   CHECK(laid > 290);
 }
 
-TEST_CASE("The scale is the largest of ISO 5455 at which the views fit", "[sheet][layout]") {
+TEST_CASE("The scale is the largest of ISO 5455 at which the views fit", "[sheet][layout][L3]") {
   const double scales[] = {50, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01};
   for (const double size : {3.0, 17.0, 60.0, 80.0, 99.0, 250.0, 1234.0, 4000.0}) {
     CAPTURE(size);

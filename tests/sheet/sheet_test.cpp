@@ -70,7 +70,7 @@ std::set<std::int64_t> coordinates(const std::vector<PaperPoint>& points, std::i
 
 }  // namespace
 
-TEST_CASE("What a view shows is where the sheet says that it is", "[sheet]") {
+TEST_CASE("What a view shows is where the sheet says that it is", "[sheet][L1]") {
   const Mesh mesh = box();
   for (const auto angle : {ProjectionAngle::first, ProjectionAngle::third}) {
     SheetOptions options;
@@ -109,7 +109,7 @@ TEST_CASE("What a view shows is where the sheet says that it is", "[sheet]") {
   }
 }
 
-TEST_CASE("Views line up to the last digit, and stand where the angle of projection says", "[sheet]") {
+TEST_CASE("Views line up to the last digit, and stand where the angle of projection says", "[sheet][L1][L2]") {
   const Mesh mesh = plate_with_holes(24);
   for (const auto angle : {ProjectionAngle::first, ProjectionAngle::third}) {
     SheetOptions options;
@@ -128,7 +128,7 @@ TEST_CASE("Views line up to the last digit, and stand where the angle of project
   }
 }
 
-TEST_CASE("The overall dimensions say how large the model is, in millimetres", "[sheet]") {
+TEST_CASE("The overall dimensions say how large the model is, in millimetres", "[sheet][L6]") {
   const Mesh mesh = box();
   SheetOptions options;
   for (const double unit : {1.0, 10.0, 25.4}) {
@@ -152,7 +152,7 @@ TEST_CASE("The overall dimensions say how large the model is, in millimetres", "
   CHECK_FALSE(layers_of(without).contains("dimensions"));
 }
 
-TEST_CASE("A section has its own view, and a cutting line in the view that sees it edge-on", "[sheet][section]") {
+TEST_CASE("A section has its own view, and a cutting line in the view that sees it edge-on", "[sheet][section][L4]") {
   const Mesh mesh = plate_with_holes(24);
   SheetOptions options;
   options.format = sheet_format("A2");
@@ -234,7 +234,7 @@ TEST_CASE("A detail shows what is inside its circle, larger", "[sheet]") {
   CHECK_THROWS_AS(draw_sheet(Scene::of(mesh), {.details = {{"front", {}, 0, 2}}}), InputError);
 }
 
-TEST_CASE("Centre lines cross at the middle of holes, and run along their axes", "[sheet]") {
+TEST_CASE("Centre lines cross at the middle of holes, and run along their axes", "[sheet][L5]") {
   const Mesh mesh = plate_with_holes(24);
   const Sheet sheet = draw_sheet(Scene::of(mesh), {});
   const auto& front = view_named(sheet, "front");
@@ -272,7 +272,7 @@ TEST_CASE("Centre lines cross at the middle of holes, and run along their axes",
   }
 }
 
-TEST_CASE("What has no room, or is no view, is refused in one line", "[sheet]") {
+TEST_CASE("What has no room, or is no view, is refused in one line", "[sheet][L3]") {
   const Mesh mesh = plate_with_holes(24);
   CHECK_THROWS_WITH(draw_sheet(Scene::of(mesh), {.scale = 20}),
                     "scale: the views have no room on A3 at 20:1, expected 1:1 or less, or a larger sheet");

@@ -43,7 +43,7 @@ TEST_CASE("Every letter of ASCII can be written, within its width and height", "
   }
 }
 
-TEST_CASE("Capitals and digits are as high as the font, small letters 0.7 of it", "[sheet][font]") {
+TEST_CASE("Capitals and digits are as high as the font, small letters 0.7 of it", "[sheet][font][L7]") {
   for (const char c : std::string("ABCDEFGHIJKLMNOPRSTUVWXYZ0123456789bdfhklt")) {
     CAPTURE(c);
     const Box box = box_of(written(std::string(1, c)));
@@ -73,7 +73,7 @@ TEST_CASE("Letters with marks have the letter and the mark, over it or under it"
   CHECK(written("ï").size() == 3);
 }
 
-TEST_CASE("A box stands for a letter that the font does not have, and for bytes that are none", "[sheet][font]") {
+TEST_CASE("A box stands for a letter that the font does not have, and for bytes that are none", "[sheet][font][L7]") {
   CHECK(StrokeFont::knows("Ø25 ±0,1 – 30° ⌀ µm"));
   for (const std::string text : {"漢", "\xFF", "\xC3"}) {
     CHECK_FALSE(StrokeFont::knows(text));
