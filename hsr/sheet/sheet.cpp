@@ -145,7 +145,7 @@ class SheetMaker {
     o.leave_out_near = true;
     SceneOptions scene;
     scene.coplanar = options_.coplanar;
-    scene.hidden_lines = o.hidden != HiddenLines::none;
+    scene.hidden_lines = true;  // all that pierces is then found once for all views, which takes less than once for each
     const SceneView prepared(scene_, v.view, scene);
     const VisibleLines lines = visible_lines(prepared, options_.lines);
     if (v.view.section) {
