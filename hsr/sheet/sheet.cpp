@@ -194,7 +194,8 @@ class SheetMaker {
     if (!cut) return;
     if (cut->open_outlines > 0)
       sheet_.notes.push_back("section " + v.label + ": " + std::to_string(cut->open_outlines) +
-                             " outlines do not close, so nothing is hatched there: the surface is open");
+                             (cut->open_outlines == 1 ? " outline does" : " outlines do") +
+                             " not close, so nothing is hatched there: the surface is open");
     else if (cut->caps.empty())
       sheet_.notes.push_back("section " + v.label + ": the plane cuts no closed body");
   }
