@@ -185,3 +185,20 @@ TEST_CASE("fragments, the nearest face and orders agree beside the caps", "[cli]
     CHECK(count(svg.substr(first_cap), "fill=\"#") == count(svg, cap));
   }
 }
+
+TEST_CASE("caps say of which face and object they are, in orders, too", "[cli][section][X8][J4]") {
+  const Directory d;
+  const std::string model = write(d / "walls.obj", walls());
+  REQUIRE(run("order " + model + " --view top --section z=1.2 -o " + (d / "o.json") + " -o " + (d / "o.svg")).status == 0);
+  const json order = json::parse(contents(d / "o.json"));
+  REQUIRE(order["section"]["caps"].size() == 2);
+  CHECK(order["section"]["caps"][0]["object"] == 1);
+  CHECK(order["section"]["caps"][0]["rings"][0].size() == 4);
+  REQUIRE(run("draw " + model + " --view top --section z=1.2 --fill -o " + (d / "a.svg")).status == 0);
+  for (const char* file : {"o.svg", "a.svg"}) {
+    const std::string svg = contents(d / file);
+    CHECK(svg.find("data-face=\"\"") == std::string::npos);
+    for (const json& cap : order["section"]["caps"])
+      CHECK(svg.find("data-face=\"" + std::to_string(cap["face"].get<int>()) + "\"") != std::string::npos);
+  }
+}
