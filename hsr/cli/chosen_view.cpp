@@ -85,22 +85,42 @@ Point3 parse_point(const std::string& option, const std::string& text) {
 
 namespace {
 
-/// "x=12.5", or "1,1,0@5,0,0": a normal and a point of the plane.
-View parse_section(const std::string& text, const View& view) {
-  const auto refuse = [&] {
-    throw InputError("--section: found \"" + text +
-                     "\", expected a plane such as x=12.5, or its normal and a point NX,NY,NZ@X,Y,Z");
-  };
+/// "x=12.5"; "x=..12.5" or "x=12.5..", what is left; or "1,1,0@5,0,0", a normal and a point of the plane.
+SectionPlane parse_section(const std::string& text, const View& view) {
+  const auto refuse = [&](const std::string& expected) { throw InputError("--section: found \"" + text + "\", " + expected); };
+  const auto refuse_text = [&] { refuse("expected a plane such as x=12.5, or its normal and a point NX,NY,NZ@X,Y,Z"); };
   const std::size_t at = text.find('@');
-  if (at != std::string::npos)
-    return with_section(view, parse_point("--section", text.substr(at + 1)), parse_point("--section", text.substr(0, at)));
-  if (text.size() < 3 || text[1] != '=' || std::string_view("xyz").find(text[0]) == std::string_view::npos) refuse();
-  const auto where = parse_number(text.substr(2));
-  if (!where) refuse();
+  if (at != std::string::npos) {
+    const SectionPlane plane{parse_point("--section", text.substr(at + 1)), parse_point("--section", text.substr(0, at))};
+    if (plane.normal == Point3{}) refuse("expected a normal that is not 0,0,0");
+    return plane;
+  }
+  if (text.size() < 3 || text[1] != '=' || std::string_view("xyz").find(text[0]) == std::string_view::npos) refuse_text();
+  const bool is_upper_end = text.compare(2, 2, "..") == 0;
+  const bool is_lower_end = !is_upper_end && text.size() > 4 && text.compare(text.size() - 2, 2, "..") == 0;
+  const std::string number = is_upper_end ? text.substr(4) : text.substr(2, text.size() - (is_lower_end ? 4 : 2));
+  const auto where = parse_number(number);
+  if (!where) refuse_text();
   const auto along = [&](double length) {
     return Point3{text[0] == 'x' ? length : 0, text[0] == 'y' ? length : 0, text[0] == 'z' ? length : 0};
   };
-  return with_section(view, along(*where), along(1));
+  const SectionPlane plane{along(*where), along(is_upper_end ? -1 : 1)};
+  const Sign side = viewer_side(view, plane);
+  const std::string axis = text.substr(0, 2);
+  if (side == Sign::zero && !is_upper_end && !is_lower_end)
+    refuse("which is seen edge-on, expected the side that is left, too: " + axis + ".." + number + " or " + axis + number +
+           "..");
+  if (side == Sign::positive && (is_upper_end || is_lower_end))
+    refuse("of which the viewer is on the side that is to be left, expected " + axis + number);
+  return plane;
+}
+
+View cut_view(const ViewOptions& o, View view) {
+  std::vector<SectionPlane> planes;
+  for (const std::string& text : o.sections) planes.push_back(parse_section(text, view));
+  if (!planes.empty()) view = with_sections(view, planes);
+  if (o.depth && planes.empty()) throw InputError("--depth: found no --section, expected one from which to measure");
+  return o.depth ? with_depth(view, *o.depth) : view;
 }
 
 /// But for the section.
@@ -150,10 +170,9 @@ ChosenView choose_uncut_view(const ViewOptions& o, const Mesh& mesh, const Model
 
 ChosenView choose_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
   ChosenView chosen = choose_uncut_view(o, mesh, model);
-  if (!o.section.empty()) {
-    chosen.view = parse_section(o.section, chosen.view);
-    chosen.title += ", section " + o.section;
-  }
+  chosen.view = cut_view(o, chosen.view);
+  for (const std::string& section : o.sections) chosen.title += ", section " + section;
+  if (o.depth) chosen.title += fmt::format(", depth {}", *o.depth);
   return chosen;
 }
 
@@ -167,7 +186,16 @@ JsonValue json_of(const View& view) {
       {"up", list(view.up)},
       {"frame", {{"origin", list(view.frame.origin)}, {"right", list(view.frame.right)}, {"up", list(view.frame.up)}}},
       {"near", view.is_perspective() ? JsonValue(view.near) : JsonValue()}};
-  if (view.section) json.set("section", {{"point", list(view.section->point)}, {"normal", list(view.section->normal)}});
+  const auto plane_json = [&](const SectionPlane& plane) {
+    return JsonValue{{"point", list(plane.point)}, {"normal", list(plane.normal)}};
+  };
+  if (view.section) json.set("section", plane_json(*view.section));
+  if (!view.planes.empty()) {
+    JsonValue planes = JsonValue::array({});
+    for (const SectionPlane& plane : view.planes) planes.push_back(plane_json(plane));
+    json.set("sections", std::move(planes));
+  }
+  if (view.far) json.set("far", plane_json(*view.far));
   return json;
 }
 

@@ -148,7 +148,7 @@ std::string empty_drawing(const DrawArguments& a, bool in_frame, const VisibleLi
     return "no edge of this model is of the classes " + a.lines.edges + " in this view: --edges all draws every edge";
   const bool nothing_ahead =
       std::all_of(lines.lines.begin(), lines.lines.end(), [](const Line& l) { return l.intervals() == 0; });
-  if (nothing_ahead && !a.view.section.empty()) return "the section leaves nothing, or what it leaves is seen as points";
+  if (nothing_ahead && !a.view.sections.empty()) return "the section leaves nothing, or what it leaves is seen as points";
   if (nothing_ahead && !a.view.eye.empty())
     return "nothing of the model is beyond the near plane, or seen as more than a point: see --target and --near";
   if (nothing_ahead) return "every edge is seen as a point";
@@ -196,7 +196,7 @@ DrawRequest parse(const DrawArguments& a) {
   request.drawing.leave_out_near = true;
   if (a.outline_only && request.wants(Format::json))
     throw InputError("--outline-only: json has lines and no outline, expected svg, pdf, eps, dxf, tex, hpgl or png");
-  if (!a.view.section.empty() && request.wants(Format::csv))
+  if (!a.view.sections.empty() && request.wants(Format::csv))
     throw InputError("--section: the z-buffers of a csv know no caps, expected a view without a section");
   if (a.outline_only) ask_for_outline_only(request.lines, request.drawing);
   request.scene.hidden_lines = a.why || request.drawing.hidden != HiddenLines::none || request.wants(Format::json);

@@ -51,10 +51,13 @@ ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arit
     direction.add(view.viewpoint.at);
   }
   BitRange normal;
-  if (view.section) {
-    points.add(view.section->point);
-    normal.add(view.section->normal);
-  }
+  const auto add = [&](const SectionPlane& plane) {
+    points.add(plane.point);
+    normal.add(plane.normal);
+  };
+  if (view.section) add(*view.section);
+  if (view.far) add(*view.far);
+  for (const SectionPlane& plane : view.planes) add(plane);
   points.add(others);
   const int power = scale_of(points), direction_power = scale_of(direction), normal_power = scale_of(normal);
   power_ = power;
@@ -70,7 +73,12 @@ ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arit
   eye_ = {internal::scaled(view.viewpoint.at, view.is_perspective() ? power : direction_power), view.viewpoint.is_direction};
   target_ = view.is_perspective() ? scaled(view.target) : Point3{};
   near_ = view.near;
-  if (view.section) section_ = {scaled(view.section->point), internal::scaled(view.section->normal, normal_power)};
+  const auto scaled_plane = [&](const SectionPlane& plane) {
+    return SectionPlane{scaled(plane.point), internal::scaled(plane.normal, normal_power)};
+  };
+  if (view.section) section_ = scaled_plane(*view.section);
+  if (view.far) far_ = scaled_plane(*view.far);
+  for (const SectionPlane& plane : view.planes) planes_.push_back(scaled_plane(plane));
   // Outside the window of the filter's proof its bound is made infinite, and the predicates decide.
   filter_arithmetic_ = arithmetic == Arithmetic::staged && !predicates().filter_is_proven() ? Arithmetic::interval : arithmetic;
 

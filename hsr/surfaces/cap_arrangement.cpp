@@ -23,8 +23,6 @@ void tidy(std::vector<Rational>& cuts) {
 
 }  // namespace
 
-Rational cross(const Place& a, const Place& b) { return a[0] * b[1] - a[1] * b[0]; }
-
 CapArrangement::CapArrangement(const SectionCaps& caps) : caps_(caps) {
   std::vector<std::vector<CapPart>> of_side(caps.sides().size());
   parallel_for_each(of_side.size(), [&](std::size_t k) { of_side[k] = parts_of(static_cast<std::uint32_t>(k)); });

@@ -159,6 +159,12 @@ TEST_CASE("planes that are none, or have no viewer's side, are refused", "[cli][
   check_refused(run("draw " + model + " --section 1,0@0,0,0" + svg), {"--section", "1,0"});
   check_refused(run("draw " + model + " --section 0,0,0@0,0,0" + svg), {"normal"});
   check_refused(run("draw " + model + " --view top --section x=0.5" + svg), {"edge-on"});
+  check_refused(run("draw " + model + " --view top --section z=0.5.." + svg), {"z=0.5..", "viewer", "expected z=0.5"});
+  check_refused(run("draw " + model + " --view top --depth 1" + svg), {"--depth", "--section"});
+  check_refused(run("draw " + model + " --view top --section z=0.5 --depth 0" + svg), {"depth", "above 0"});
+  check_refused(run("draw " + model + " --view top --section z=0.5.5.." + svg), {"--section", "x=12.5"});
+  check_refused(run("order " + model + " --section x=0.5 --section y=0.5" + svg), {"section", "orders", "one plane"});
+  check_refused(run("order " + model + " --section x=0.5 --depth 1" + svg), {"section", "orders", "one plane"});
   check_refused(run("draw " + model + " --eye 3,0.5,0.5 --target 0,0.5,0.5 --near 2.5 --section x=0.25" + svg), {"near plane"});
   check_refused(run("draw " + model + " --section x=0.5 --why -o " + (d / "a.json")), {"section", "why"});
   check_refused(run("draw " + model + " --section x=0.5 --outline-only" + svg), {"section", "outline"});
@@ -201,4 +207,31 @@ TEST_CASE("caps say of which face and object they are, in orders, too", "[cli][s
     for (const json& cap : order["section"]["caps"])
       CHECK(svg.find("data-face=\"" + std::to_string(cap["face"].get<int>()) + "\"") != std::string::npos);
   }
+}
+
+TEST_CASE("several planes, a half section and a depth are drawn, and are in JSON", "[cli][section][X9][X10][X11][J3][J5]") {
+  const Directory d;
+  const std::string model = write(d / "walls.obj", walls()), svg = d / "a.svg", lines = d / "a.json";
+  const auto draw = [&](const std::string& options) {
+    const Outcome outcome = run("draw " + model + " " + options + " --fill --check --size 200x150 -o " + svg + " -o " + lines);
+    INFO(options << "\n" << outcome.text);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.text.find("cuts no closed body") == std::string::npos);
+    return json::parse(contents(lines));
+  };
+  const json quarter = draw("--section x=3 --section y=0.15");
+  CHECK(quarter["view"]["sections"].size() == 2);
+  CHECK_FALSE(quarter["view"].contains("section"));
+  CHECK(quarter["section"]["caps"][0].contains("plane"));
+  CHECK(layers_of(contents(svg)).contains("visible hatching"));
+  CHECK_FALSE(layers_of(contents(svg)).contains("visible joint"));
+  draw("--section x=3 --section y=0.15 --edges section,joint");
+  CHECK(layers_of(contents(svg)).contains("visible joint"));
+  const json half = draw("--view front --section y=0.15 --section x=3..");
+  CHECK(half["view"]["sections"][1] == json{{"point", {3, 0, 0}}, {"normal", {1, 0, 0}}});
+  const json side = draw("--view front --section x=..3");
+  CHECK(layers_of(contents(svg)).contains("visible section"));
+  CHECK_FALSE(layers_of(contents(svg)).contains("visible hatching"));
+  const json deep = draw("--view top --section z=1.2 --depth 1.3");
+  CHECK(deep["view"]["far"] == json{{"point", {0, 0, 1.2 - 1.3}}, {"normal", {0, 0, -1}}});
 }

@@ -207,6 +207,19 @@ void append_names(std::string& out, const SceneObjects* objects) {
 
 }  // namespace
 
+namespace {
+
+void append_plane(std::string& out, const char* before, const SectionPlane& plane, Numbers numbers) {
+  out += before;
+  out += "{\"point\": ";
+  append_point(out, plane.point, numbers);
+  out += ", \"normal\": ";
+  append_point(out, plane.normal, numbers);
+  out += '}';
+}
+
+}  // namespace
+
 const char* name_of(EdgeClass edge_class) { return edge_class_names[static_cast<std::size_t>(edge_class)]; }
 
 std::string view_json(const View& view, Numbers numbers) {
@@ -232,13 +245,11 @@ std::string view_json(const View& view, Numbers numbers) {
     append_number(out, view.near, numbers);
   else
     out += "null";
-  if (view.section) {
-    out += ", \"section\": {\"point\": ";
-    append_point(out, view.section->point, numbers);
-    out += ", \"normal\": ";
-    append_point(out, view.section->normal, numbers);
-    out += '}';
-  }
+  if (view.section) append_plane(out, ", \"section\": ", *view.section, numbers);
+  for (std::size_t k = 0; k < view.planes.size(); ++k)
+    append_plane(out, k == 0 ? ", \"sections\": [" : ", ", view.planes[k], numbers);
+  if (!view.planes.empty()) out += ']';
+  if (view.far) append_plane(out, ", \"far\": ", *view.far, numbers);
   out += '}';
   return out;
 }
@@ -265,7 +276,7 @@ std::string lines_json(const Mesh& mesh, const View& view, const VisibleLines& l
   }
   out += "\n]";
   if (options.fragments != nullptr) append_fragments(out, mesh, view, *options.fragments, options);
-  if (options.section != nullptr) append_section(out, *options.section, options.numbers);
+  if (options.section != nullptr) append_section(out, *options.section, options.numbers, !view.planes.empty());
   out += "}\n";
   return out;
 }

@@ -8,6 +8,7 @@
 namespace hsr::internal {
 
 /// Appends `, "section": {…}`: the caps, and how many outlines of the cut do not close (docs/conventions.md, J3).
-void append_section(std::string& out, const Section& section, Numbers numbers);
+/// @param has_planes the view has several: each cap says which is its own
+void append_section(std::string& out, const Section& section, Numbers numbers, bool has_planes = false);
 
 }  // namespace hsr::internal

@@ -12,6 +12,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/symbols/cut_plane.h"
+#include "hsr/view/one_section.h"
 
 namespace hsr {
 
@@ -226,6 +227,7 @@ const DecisionCounts& BspTree::decisions() const { return nodes_->decisions; }
 PaintersOrder BspTree::order(const View& view) const { return order(SceneView(*nodes_->mesh, view)); }
 
 PaintersOrder BspTree::order(const SceneView& scene) const {
+  expect_one_section(scene.view(), "painter's orders know");
   PaintersOrder order;
   const BspNodes& tree = *nodes_;
   if (tree.nodes.empty()) {

@@ -16,6 +16,7 @@
 #include "hsr/painter/wires.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/symbols/constructions.h"
+#include "hsr/view/one_section.h"
 
 namespace hsr {
 
@@ -485,6 +486,7 @@ std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& vie
 
 DepthSort depth_sort(const SceneView& scene, const DepthSortOptions& options) {
   throw_if_stopped(options.stop);
+  expect_one_section(scene.view(), "painter's orders know");
   DepthSort sorted;
   if (!scene.mesh().triangles.empty()) sorted = Sorter(scene, options).sort();
   sorted.order.wires = ordered_wires(scene, sorted.order);

@@ -6,10 +6,12 @@
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/painter/wires.h"
 #include "hsr/scene/view_parts.h"
+#include "hsr/view/one_section.h"
 
 namespace hsr::internal {
 
 PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
+  expect_one_section(scene.view(), "painter's orders know");
   PaintersOrder order;
   order.wires = whole_wires(scene);
   if (scene.mesh().triangles.empty()) return order;
