@@ -83,28 +83,41 @@ Point3 parse_point(const std::string& option, const std::string& text) {
   return {*x, *y, *z};
 }
 
-namespace {
-
-/// "x=12.5"; "x=..12.5" or "x=12.5..", what is left; or "1,1,0@5,0,0", a normal and a point of the plane.
-SectionPlane parse_section(const std::string& text, const View& view) {
-  const auto refuse = [&](const std::string& expected) { throw InputError("--section: found \"" + text + "\", " + expected); };
-  const auto refuse_text = [&] { refuse("expected a plane such as x=12.5, or its normal and a point NX,NY,NZ@X,Y,Z"); };
+SectionPlane parse_plane(const std::string& text) {
+  const auto refuse = [&] {
+    throw InputError("--section: found \"" + text +
+                     "\", expected a plane such as x=12.5, or its normal and a point NX,NY,NZ@X,Y,Z");
+  };
   const std::size_t at = text.find('@');
-  if (at != std::string::npos) {
-    const SectionPlane plane{parse_point("--section", text.substr(at + 1)), parse_point("--section", text.substr(0, at))};
-    if (plane.normal == Point3{}) refuse("expected a normal that is not 0,0,0");
-    return plane;
-  }
-  if (text.size() < 3 || text[1] != '=' || std::string_view("xyz").find(text[0]) == std::string_view::npos) refuse_text();
-  const bool is_upper_end = text.compare(2, 2, "..") == 0;
-  const bool is_lower_end = !is_upper_end && text.size() > 4 && text.compare(text.size() - 2, 2, "..") == 0;
-  const std::string number = is_upper_end ? text.substr(4) : text.substr(2, text.size() - (is_lower_end ? 4 : 2));
-  const auto where = parse_number(number);
-  if (!where) refuse_text();
+  if (at != std::string::npos)
+    return {parse_point("--section", text.substr(at + 1)), parse_point("--section", text.substr(0, at))};
+  if (text.size() < 3 || text[1] != '=' || std::string_view("xyz").find(text[0]) == std::string_view::npos) refuse();
+  const auto where = parse_number(text.substr(2));
+  if (!where) refuse();
   const auto along = [&](double length) {
     return Point3{text[0] == 'x' ? length : 0, text[0] == 'y' ? length : 0, text[0] == 'z' ? length : 0};
   };
-  const SectionPlane plane{along(*where), along(is_upper_end ? -1 : 1)};
+  return {along(*where), along(1)};
+}
+
+namespace {
+
+/// "x=..12.5" or "x=12.5..", what is left, beside what parse_plane() takes.
+SectionPlane parse_section(const std::string& text, const View& view) {
+  const auto refuse = [&](const std::string& expected) { throw InputError("--section: found \"" + text + "\", " + expected); };
+  const bool is_upper_end = text.size() > 4 && text.compare(2, 2, "..") == 0;
+  const bool is_lower_end = !is_upper_end && text.size() > 4 && text.compare(text.size() - 2, 2, "..") == 0;
+  const std::string number =
+      is_upper_end ? text.substr(4) : text.substr(std::min<std::size_t>(2, text.size()), text.size() - (is_lower_end ? 4 : 2));
+  const bool is_axis = text.find('@') == std::string::npos;
+  if (is_axis && text.size() > 2 && !parse_number(number))
+    refuse("expected a plane such as x=12.5, or its normal and a point NX,NY,NZ@X,Y,Z");
+  SectionPlane plane = parse_plane(is_axis && (is_upper_end || is_lower_end) ? text.substr(0, 2) + number : text);
+  if (!is_axis) {
+    if (plane.normal == Point3{}) refuse("expected a normal that is not 0,0,0");
+    return plane;
+  }
+  if (is_upper_end) plane.normal = {-plane.normal.x + 0.0, -plane.normal.y + 0.0, -plane.normal.z + 0.0};
   const Sign side = viewer_side(view, plane);
   const std::string axis = text.substr(0, 2);
   if (side == Sign::zero && !is_upper_end && !is_lower_end)

@@ -16,6 +16,7 @@ void add_compare(CommandLine& command, UnfinishedFiles& unfinished);
 void add_draw(CommandLine& command, UnfinishedFiles& unfinished);
 void add_info(CommandLine& command, UnfinishedFiles& unfinished);
 void add_order(CommandLine& command, UnfinishedFiles& unfinished);
+void add_sheet(CommandLine& command, UnfinishedFiles& unfinished);
 void add_stability(CommandLine& command, UnfinishedFiles& unfinished);
 void add_verify(CommandLine& command, UnfinishedFiles& unfinished);
 
