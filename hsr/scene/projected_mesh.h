@@ -118,6 +118,7 @@ class ProjectedMesh {
 
  private:
   void find_near_sides(const std::vector<char>& is_used);
+  void expect_only_removed(const Plane& near) const;
   void choose_rows(const View& view);
   void compute_images(const std::vector<char>& is_used);
   double compute_image(VertexId v);
