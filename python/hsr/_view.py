@@ -36,7 +36,7 @@ class View:
 
         sections: planes, "x=12.5", or (point, normal), numbers taken exactly. Of a plane that is seen edge-on say what is left,
         "x=..12.5" or "x=12.5..", or let the normal point there. depth: leave out what is farther than this behind the first plane.
-        The drawing, lines, fragments and hidden points follow; painter's orders know one plane, and no depth.
+        The drawing, lines, fragments, orders and hidden points follow.
 
         >>> View.named("top").with_section("z=1.2")
         View.named(name="top").with_section("z=1.2")

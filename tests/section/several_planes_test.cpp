@@ -9,6 +9,8 @@
 #include "hsr/check/sample_checks.h"
 #include "hsr/lines/hidden_points.h"
 #include "hsr/lines/visible_lines.h"
+#include "hsr/painter/bsp/bsp.h"
+#include "hsr/painter/sort/depth_sort.h"
 #include "hsr/raster/capped_samples.h"
 #include "hsr/raster/caster.h"
 #include "hsr/surfaces/section.h"
@@ -212,6 +214,14 @@ TEST_CASE("samples, fragments and caps show what several planes leave", "[sectio
       }
     CHECK(wrong == 0);
     CHECK(check_fragments(scene, visible_fragments(scene), samples).is_right());
+  });
+}
+
+TEST_CASE("orders paint what several planes leave", "[section][planes][random][X8][X9][X10][X11]") {
+  on_cut_views(300, [](const CutBoxes&, const SceneView& scene) {
+    const SampleGrid samples = sample_grid(scene.view(), paper_rectangle(scene.mesh(), scene.view()), 23, 19);
+    CHECK(check_order(scene, depth_sort(scene).order, samples).wrong == 0);
+    CHECK(check_order(scene, BspTree(scene.mesh()).order(scene), samples).wrong == 0);
   });
 }
 

@@ -8,11 +8,11 @@
 #include "geometry/error.h"
 #include "geometry/parallel.h"
 #include "hsr/painter/bsp/bsp_nodes.h"
+#include "hsr/painter/order_in_cells.h"
 #include "hsr/painter/wires.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/symbols/cut_plane.h"
-#include "hsr/view/one_section.h"
 
 namespace hsr {
 
@@ -227,7 +227,7 @@ const DecisionCounts& BspTree::decisions() const { return nodes_->decisions; }
 PaintersOrder BspTree::order(const View& view) const { return order(SceneView(*nodes_->mesh, view)); }
 
 PaintersOrder BspTree::order(const SceneView& scene) const {
-  expect_one_section(scene.view(), "painter's orders know");
+  if (scene.view().has_cells()) return order_in_cells(scene, [&](const ViewParts::Cell& cell) { return order(cell.scene); });
   PaintersOrder order;
   const BspNodes& tree = *nodes_;
   if (tree.nodes.empty()) {

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hsr/painter/order_in_cells.h"
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/painter/wires.h"
 #include "hsr/scene/view_parts.h"
-#include "hsr/view/one_section.h"
 
 namespace hsr::internal {
 
 PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
-  expect_one_section(scene.view(), "painter's orders know");
+  if (scene.view().has_cells())
+    return order_in_cells(scene, [&](const ViewParts::Cell& cell) { return z_sort(cell.scene, key); });
   PaintersOrder order;
   order.wires = whole_wires(scene);
   if (scene.mesh().triangles.empty()) return order;
