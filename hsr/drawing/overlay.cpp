@@ -22,16 +22,18 @@ int precedence(EdgeClass edge_class) {
       return 3;
     case EdgeClass::material:
       return 4;
-    case EdgeClass::wire:
+    case EdgeClass::overhead:
       return 5;
-    case EdgeClass::joint:
+    case EdgeClass::wire:
       return 6;
+    case EdgeClass::joint:
+      return 7;
     case EdgeClass::smooth:
     case EdgeClass::section:
     case EdgeClass::hatching:
       break;  // the last two are no lines of the scene
   }
-  return 7;
+  return 8;
 }
 
 }  // namespace

@@ -18,17 +18,6 @@ namespace hsr::internal {
 
 namespace {
 
-/// The lines of one cell, and by what they are cut off.
-struct CellLines {
-  VisibleLines lines;
-  std::uint8_t plane;
-  struct Side {
-    Cut cut;
-    Sign kept;
-  };
-  std::vector<Side> sides;
-};
-
 /// What runs along one edge, or where two facets meet: the order of lines in a result.
 struct LineOfCell {
   std::tuple<int, std::uint32_t, std::uint32_t> along;
@@ -38,7 +27,7 @@ struct LineOfCell {
 /// Lays the lines of all cells along one edge, or one meeting of facets, over one another. One object for each block of them.
 class LineUniter {
  public:
-  LineUniter(const ProjectedMesh& projected, const std::vector<CellLines>& cells, const LineOptions& options)
+  LineUniter(const ProjectedMesh& projected, const std::vector<LinesOfCell>& cells, const LineOptions& options)
       : projected_(projected), cells_(cells), intervals_(projected, options) {}
 
   void add(std::span<const LineOfCell> group) {
@@ -125,7 +114,7 @@ class LineUniter {
       is_reversed = true;
     }
     Run run{one, places.front(), places.back(), {}};
-    for (const CellLines::Side& side : cells_[one.cell].sides)
+    for (const CutSide& side : cells_[one.cell].sides)
       if (!occlusion.keep(side.cut, side.kept, run.from, run.to)) return;
     for (std::uint32_t k = 0; k < line.intervals(); ++k) {
       if (!line.hidden(is_reversed ? line.intervals() - 1 - k : k)) continue;
@@ -161,7 +150,7 @@ class LineUniter {
   }
 
   const ProjectedMesh& projected_;
-  const std::vector<CellLines>& cells_;
+  const std::vector<LinesOfCell>& cells_;
   HiddenIntervals intervals_;
   Intersection meet_;
   std::vector<Run> runs_;
@@ -169,22 +158,7 @@ class LineUniter {
   std::vector<char> is_ghost_;  // by line
 };
 
-std::vector<CellLines> lines_of_cells(const SceneView& scene, const LineOptions& options) {
-  std::vector<CellLines> cells;
-  for (const ViewParts::Cell& cell : scene.parts().cells()) {
-    CellLines found{visible_lines(cell.scene, options), cell.cell.plane, {}};
-    for (const CellSide& side : cell.cell.sides) {
-      const bool is_fold = side.u != side.v;
-      const Cut cut = is_fold ? Cut{Cut::Kind::fold, 0, side.u, side.v} : Cut{Cut::Kind::near}.by_plane(side.u);
-      found.sides.push_back({cut, side.kept});
-    }
-    if (scene.view().far) found.sides.push_back({Cut{Cut::Kind::near}.by_plane(View::far_number), Sign::negative});
-    cells.push_back(std::move(found));
-  }
-  return cells;
-}
-
-std::vector<LineOfCell> sorted_lines(const std::vector<CellLines>& cells) {
+std::vector<LineOfCell> sorted_lines(const std::vector<LinesOfCell>& cells) {
   std::vector<LineOfCell> all;
   for (std::uint32_t c = 0; c < cells.size(); ++c)
     for (std::uint32_t i = 0; i < cells[c].lines.lines.size(); ++i) {
@@ -216,8 +190,25 @@ void append(VisibleLines& all, VisibleLines&& more) {
 
 }  // namespace
 
+std::vector<CutSide> sides_of(const SectionCell& cell) {
+  std::vector<CutSide> sides;
+  for (const CellSide& side : cell.sides) {
+    const bool is_fold = side.u != side.v;
+    sides.push_back({is_fold ? Cut{Cut::Kind::fold, 0, side.u, side.v} : Cut{Cut::Kind::near}.by_plane(side.u), side.kept});
+  }
+  return sides;
+}
+
 VisibleLines lines_in_cells(const SceneView& scene, const LineOptions& options) {
-  const std::vector<CellLines> cells = lines_of_cells(scene, options);
+  std::vector<LinesOfCell> cells;
+  for (const ViewParts::Cell& cell : scene.parts().cells()) {
+    cells.push_back({visible_lines(cell.scene, options), cell.cell.plane, sides_of(cell.cell)});
+    if (scene.view().far) cells.back().sides.push_back({Cut{Cut::Kind::near}.by_plane(View::far_number), Sign::negative});
+  }
+  return united_lines(scene, cells, options);
+}
+
+VisibleLines united_lines(const SceneView& scene, const std::vector<LinesOfCell>& cells, const LineOptions& options) {
   const std::vector<LineOfCell> sorted = sorted_lines(cells);
   std::vector<std::size_t> groups;  // where each begins
   for (std::size_t i = 0; i < sorted.size(); ++i)
@@ -237,7 +228,7 @@ VisibleLines lines_in_cells(const SceneView& scene, const LineOptions& options) 
   });
   VisibleLines all;
   all.plan = cells.front().lines.plan;
-  for (const CellLines& cell : cells) {
+  for (const LinesOfCell& cell : cells) {
     all.pairs += cell.lines.pairs;
     all.decisions += cell.lines.decisions;
   }

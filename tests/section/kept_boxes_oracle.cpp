@@ -156,6 +156,56 @@ bool KeptBoxesOracle::is_hidden(const RationalVector& p) const {
   return false;
 }
 
+/// Whether a face has a point of the way toward the viewer, from one share, which counts, to another, which does not.
+bool KeptBoxesOracle::is_in_face(const RationalVector& p, const Rational& from, const Rational& to) const {
+  const RationalVector d = toward(p);
+  for (const Box& box : boxes_)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const RationalVector* const bound : {&box.low, &box.high}) {
+        Rational low = from, high = to;
+        bool is_missed = false;
+        const auto clip = [&](const Rational& at, const Rational& slope) {  // at + s slope >= 0
+          if (slope == zero)
+            is_missed = is_missed || at < zero;
+          else if (slope > zero)
+            low = std::max(low, -at / slope);
+          else
+            high = std::min(high, -at / slope);
+        };
+        for (std::size_t k = 0; k < 3; ++k) {
+          clip(p[k] - (k == axis ? (*bound)[k] : box.low[k]), d[k]);
+          clip((k == axis ? (*bound)[k] : box.high[k]) - p[k], -d[k]);
+        }
+        if (!is_missed && !(high < low) && low < to) return true;
+      }
+  return false;
+}
+
+/// The plane is moved to what is left by less than anything: a box that reaches into that has a cap there, from this side.
+bool KeptBoxesOracle::is_seen_from_cut(const RationalVector& p) const {
+  for (const Value& v : edge_on_)
+    if (!(v.at(p) < zero)) return false;
+  std::optional<Rational> exit;
+  for (const Value& v : facing_) {
+    const Rational s = -v.at(p) / at_eye(v);
+    exit = exit ? std::max(*exit, s) : s;
+  }
+  if (!exit || !(*exit < zero)) return false;
+  const RationalVector x = on_sight(p, *exit);
+  for (const Value& plane : facing_) {
+    if (plane.at(x) != zero) continue;
+    Value other = plane;
+    other.offset = -other.offset;
+    for (Rational& g : other.gradient) g = -g;
+    for (const Box& box : boxes_) {
+      bool is_in = true;
+      for (std::size_t k = 0; k < 3; ++k) is_in = is_in && !(x[k] < box.low[k]) && !(box.high[k] < x[k]);
+      if (is_in && has_cap(box, other)) return false;
+    }
+  }
+  return !is_in_face(p, *exit, zero);
+}
+
 std::vector<Rational> KeptBoxesOracle::changes(const RationalVector& a, const RationalVector& b) const {
   std::vector<Value> values = facing_;
   values.insert(values.end(), edge_on_.begin(), edge_on_.end());

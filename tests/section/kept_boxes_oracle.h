@@ -19,6 +19,8 @@ class KeptBoxesOracle {
   bool is_kept(const internal::RationalVector& p) const;
   /// Whether a face or a cap hides it. @pre it is kept
   bool is_hidden(const internal::RationalVector& p) const;
+  /// Whether who looks the other way from where what is left begins sees the point, which is taken away. @pre a parallel view
+  bool is_seen_from_cut(const internal::RationalVector& p) const;
   /// Between two of these, ascending from 0 to 1, the points of the way from a to b are all alike.
   std::vector<Rational> changes(const internal::RationalVector& a, const internal::RationalVector& b) const;
 
@@ -49,6 +51,7 @@ class KeptBoxesOracle {
   internal::RationalVector toward(const internal::RationalVector& p) const;
   internal::RationalVector on_sight(const internal::RationalVector& p, const Rational& s) const;
   Rational at_eye(const Value& v) const;
+  bool is_in_face(const internal::RationalVector& p, const Rational& from, const Rational& to) const;
   std::vector<Part> kept_parts(const internal::RationalVector& p) const;
   bool is_capped(const internal::RationalVector& p) const;
   bool has_cap(const Box& box, const Value& plane) const;
