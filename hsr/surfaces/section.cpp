@@ -62,6 +62,7 @@ class SectionMaker {
       const auto [at, is_new] = lowest_face_.emplace(s.object, face);
       if (!is_new) at->second = std::min(at->second, face);
     }
+    find_bounds();
     for (const auto& [object, face] : lowest_face_) add_cap(object, face);
     add_lines();
     add_open_lines();
@@ -69,13 +70,18 @@ class SectionMaker {
   }
 
  private:
-  void add_cap(std::uint32_t object, FaceId face) {
-    const auto has = [&](const std::vector<std::uint32_t>& objects) {
-      return std::binary_search(objects.begin(), objects.end(), object);
-    };
-    std::vector<DirectedPart> bounds;
+  /// The parts that have an object on one side only, object by object, with the object on their left.
+  void find_bounds() {
     for (const CapPart& part : arrangement_.parts())
-      if (has(part.left) != has(part.right)) bounds.push_back({&part, has(part.right)});
+      for (const bool is_right : {false, true})
+        for (const std::uint32_t object : is_right ? part.right : part.left) {
+          const std::vector<std::uint32_t>& other = is_right ? part.left : part.right;
+          if (!std::binary_search(other.begin(), other.end(), object)) bounds_[object].push_back({&part, is_right});
+        }
+  }
+
+  void add_cap(std::uint32_t object, FaceId face) {
+    const std::vector<DirectedPart>& bounds = bounds_[object];
     SectionCap cap{object, face, 0, static_cast<std::uint32_t>(section_.rings.size()), 0};
     for (auto& ring : rings_of(bounds)) {
       straighten(ring);
@@ -136,6 +142,7 @@ class SectionMaker {
   const SectionCaps& caps_;
   CapArrangement arrangement_;
   std::map<std::uint32_t, FaceId> lowest_face_;  // by object
+  std::map<std::uint32_t, std::vector<DirectedPart>> bounds_;
   Section section_;
 };
 
