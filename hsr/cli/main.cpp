@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
       "options, what it writes, and examples.");
   hsr::cli::add_draw(command, unfinished);
   hsr::cli::add_sheet(command, unfinished);
+  hsr::cli::add_batch(command, unfinished);
   hsr::cli::add_info(command, unfinished);
   hsr::cli::add_order(command, unfinished);
   hsr::cli::add_verify(command, unfinished);

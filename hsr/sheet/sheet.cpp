@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <mutex>
+#include <numeric>
 
 #include "geometry/error.h"
 #include "hsr/sheet/annotations.h"
@@ -119,6 +121,7 @@ class SheetMaker {
   void draw_views() {
     std::vector<Drawing> drawings(views_.size());
     cuts_.resize(views_.size());
+    done_.resize(views_.size());
     tbb::parallel_for(std::size_t{0}, views_.size(), [&](std::size_t k) { drawings[k] = drawing_of(k); });
     Drawing& all = sheet_.drawing;
     all.width = options_.format.width;
@@ -147,7 +150,9 @@ class SheetMaker {
     scene.coplanar = options_.coplanar;
     scene.hidden_lines = true;  // all that pierces is then found once for all views, which takes less than once for each
     const SceneView prepared(scene_, v.view, scene);
-    const VisibleLines lines = visible_lines(prepared, options_.lines);
+    LineOptions line_options = options_.lines;
+    if (options_.lines.progress) line_options.progress = [&, k](double done) { show_progress(k, done); };
+    const VisibleLines lines = visible_lines(prepared, line_options);
     if (v.view.section) {
       cuts_[k] = section(prepared);
       o.section = &*cuts_[k];
@@ -159,6 +164,13 @@ class SheetMaker {
       return round_part(drawing, middle, v.detail->radius * placed.scale);
     }
     return drawing;
+  }
+
+  /// Views are found side by side, and the function is called by one at a time.
+  void show_progress(std::size_t view, double done) {
+    const std::lock_guard lock(progress_mutex_);
+    done_[view] = done;
+    options_.lines.progress(std::accumulate(done_.begin(), done_.end(), 0.0) / static_cast<double>(done_.size()));
   }
 
   void draw_annotations() {
@@ -182,7 +194,8 @@ class SheetMaker {
     if (!cut) return;
     if (cut->open_outlines > 0)
       sheet_.notes.push_back("section " + v.label + ": " + std::to_string(cut->open_outlines) +
-                             " outlines do not close, so nothing is hatched there: the surface is open");
+                             (cut->open_outlines == 1 ? " outline does" : " outlines do") +
+                             " not close, so nothing is hatched there: the surface is open");
     else if (cut->caps.empty())
       sheet_.notes.push_back("section " + v.label + ": the plane cuts no closed body");
   }
@@ -289,6 +302,8 @@ class SheetMaker {
   const SheetOptions& options_;
   std::vector<SheetView> views_;
   std::vector<std::optional<Section>> cuts_;  // by view
+  std::mutex progress_mutex_;
+  std::vector<double> done_;  // by view
   SheetPens pens_;
   Sheet sheet_;
 };

@@ -41,32 +41,9 @@ TEST_CASE("The holes of a plate are found on both of its sides", "[sheet][circle
   for (const ModelAxis& axis : axes) CHECK(axis.last - axis.first == Approx(10));
 }
 
-namespace {
-
-/// A prism over a closed line.
-template <class At>
-Mesh prism(int corners, const At& at) {
-  ModelMaker maker;
-  std::vector<std::uint32_t> floor, roof;
-  for (int k = 0; k < corners; ++k) {
-    const Point2 p = at(k);
-    floor.push_back(maker.add(p.x, p.y, 0));
-    roof.push_back(maker.add(p.x, p.y, 3));
-  }
-  maker.add_face({floor.rbegin(), floor.rend()});
-  maker.add_face(roof);
-  for (int k = 0; k < corners; ++k) {
-    const auto i = static_cast<std::size_t>(k), j = static_cast<std::size_t>((k + 1) % corners);
-    maker.add_face({floor[i], floor[j], roof[j], roof[i]});
-  }
-  return maker.mesh();
-}
-
-}  // namespace
-
 TEST_CASE("The round ends of a slot are circles, an ellipse and a rounded corner are none", "[sheet][circles][L5]") {
   const double step = std::numbers::pi / 16;
-  const auto slot = model_circles(prism(34,
+  const auto slot = model_circles(prism(34, 3,
                                         [&](int k) {
                                           const double t = (k % 17) * step - std::numbers::pi / 2, side = k < 17 ? 1 : -1;
                                           return Point2{side * (10 + 4 * std::cos(t)), side * 4 * std::sin(t)};
@@ -77,7 +54,7 @@ TEST_CASE("The round ends of a slot are circles, an ellipse and a rounded corner
     CHECK(c.radius == Approx(4));
     CHECK(std::fabs(c.centre.x) == Approx(10));
   }
-  CHECK(model_circles(prism(48,
+  CHECK(model_circles(prism(48, 3,
                             [&](int k) {
                               const double t = 2 * std::numbers::pi * k / 48;
                               return Point2{6 * std::cos(t), 5 * std::sin(t)};
@@ -85,7 +62,7 @@ TEST_CASE("The round ends of a slot are circles, an ellipse and a rounded corner
                       30)
             .empty());
   // A quarter at one corner of a square.
-  CHECK(model_circles(prism(12,
+  CHECK(model_circles(prism(12, 3,
                             [&](int k) {
                               if (k < 9) return Point2{5 + 5 * std::cos(k * step), 5 + 5 * std::sin(k * step)};
                               return k == 9 ? Point2{0, 10} : k == 10 ? Point2{0, 0} : Point2{10, 0};
@@ -96,7 +73,7 @@ TEST_CASE("The round ends of a slot are circles, an ellipse and a rounded corner
 
 TEST_CASE("A circle of coordinates that are rounded to floats is found", "[sheet][circles][L5]") {
   const auto circles = model_circles(
-      prism(90,
+      prism(90, 3,
             [](int k) {
               const double t = 2 * std::numbers::pi * k / 90;
               return Point2{static_cast<float>(1234.5 + 7 * std::cos(t)), static_cast<float>(-987 + 7 * std::sin(t))};
