@@ -241,6 +241,7 @@ def draw(
     *,
     view: _View = "iso",
     hidden: Literal["none", "dashed", "solid"] = "none",
+    overhead: Literal["dashed", "off"] = "off",
     edges: str | Sequence[str] | None = None,
     crease: float | tuple[float, float] | None = None,
     tolerance: float | None = None,

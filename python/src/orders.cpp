@@ -52,7 +52,7 @@ std::vector<std::vector<std::string>> exact_corners(const OrderData& data, std::
 std::string json_of(const OrderData& data, bool exact) {
   const SceneView& scene = data.scene;
   std::optional<Section> caps;
-  if (scene.view().section) caps = section(scene);
+  if (scene.view().has_section()) caps = section(scene);
   return order_json(scene.mesh(), scene.view(), data.order, exact ? Numbers::exact : Numbers::rounded, scene.options().coplanar,
                     caps ? &*caps : nullptr);
 }
