@@ -77,6 +77,7 @@ class CellOrders {
   /// What of a convex piece is on the side that is kept; false: nothing that has an area.
   bool keep(const Border& border, FacetId facet, std::vector<PieceCorner>& corners) {
     std::vector<Sign> sides;
+    sides.reserve(corners.size());
     for (const PieceCorner& c : corners) sides.push_back(side(border, facet, c));
     if (std::find(sides.begin(), sides.end(), Sign::positive) == sides.end()) {
       // Beside the border; but what lies in the far plane stays.

@@ -31,7 +31,8 @@ class EdgeOnCaps {
         image_(view_) {}
 
   std::vector<SectionLine> lines() {
-    for (std::uint8_t k = 1; k <= view_.planes.size(); ++k) {
+    for (std::size_t number = 1; number <= view_.planes.size(); ++number) {
+      const auto k = static_cast<std::uint8_t>(number);
       segments_.clear();
       const Plane plane = projected_.cutting_plane(k);
       for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) add_cut(plane, k, TriangleId(t));
@@ -75,8 +76,10 @@ class EdgeOnCaps {
       if (!keep({axis, offset}, from, to)) return false;
     }
     if (view_.far && !keep(before_far(view_), from, to)) return false;
-    for (std::uint8_t other = 1; other <= view_.planes.size(); ++other)
+    for (std::size_t number = 1; number <= view_.planes.size(); ++number) {
+      const auto other = static_cast<std::uint8_t>(number);
       if (other != k && !keep(cutting_plane_of(view_, {other, other, Sign::negative}), from, to)) return false;
+    }
     return from != to;
   }
 
