@@ -47,7 +47,7 @@ ViewedModel CommandContext::read(const ModelArguments& models, const ViewOptions
 
 void CommandContext::find_section(const ViewedModel& model, const SceneView& scene, const EdgeClasses& classes,
                                   DrawingOptions& drawing, std::optional<Section>& found) {
-  if (!model.view().section) return;
+  if (!model.view().has_section()) return;
   progress.stage("section");
   const std::string text =
       report.timed("section", [&] { return cli::find_section(model.model, scene, classes, drawing, found); });

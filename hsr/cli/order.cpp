@@ -138,7 +138,6 @@ class OrderCommand {
     context_.find_section(scene_, *prepared_, request_.lines.classes, request_.drawing, section_);
     find_order();
     note_coincident_faces();
-    note_caps();
     check();
     write();
     if (!is_right_) throw CheckFailed();
@@ -150,7 +149,6 @@ class OrderCommand {
   PaintersOrder by_tree();
   bool is_opaque() const;
   void note_coincident_faces();
-  void note_caps();
   void check();
   void write();
   std::string bytes_of(Format format);
@@ -222,12 +220,6 @@ void OrderCommand::note_coincident_faces() {
   if (!text.empty()) context_.note(text);
 }
 
-void OrderCommand::note_caps() {
-  const auto is_json = [](const Output& o) { return o.format == Format::json; };
-  if (scene_.view().section && std::any_of(request_.outputs.begin(), request_.outputs.end(), is_json))
-    context_.note("the pieces in JSON are of faces: the caps of the section, which are painted last, are not among them");
-}
-
 void OrderCommand::check() {
   if (!a_.check) return;
   context_.progress.stage("check");
@@ -257,7 +249,7 @@ const Drawing& OrderCommand::drawing() {
 std::string OrderCommand::bytes_of(Format format) {
   if (format == Format::json)
     return order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded,
-                      a_.scene.which_coplanar());
+                      a_.scene.which_coplanar(), request_.drawing.section);
   SvgOptions captions = scene_.captions();
   captions.id_prefix = a_.id_prefix;
   return written(drawing(), name_of(format),

@@ -18,6 +18,7 @@
 #include "hsr/lines/hidden_classes.h"
 #include "hsr/lines/image_mask.h"
 #include "hsr/lines/inside_bodies.h"
+#include "hsr/lines/lines_in_cells.h"
 #include "hsr/lines/near_parts.h"
 #include "hsr/lines/roberts.h"
 #include "hsr/scene/line_filter.h"
@@ -347,14 +348,18 @@ VisibleLines Plan::classes_by_visibility(VisibleLines all) const {
 
 }  // namespace
 
-LinePlan internal::plan_lines(const SceneView& scene, const LineOptions& options) { return Plan(scene, options).outcome(); }
+LinePlan internal::plan_lines(const SceneView& scene, const LineOptions& options) {
+  if (scene.view().has_cells()) return plan_lines(scene.parts().cells().front().scene, options);
+  return Plan(scene, options).outcome();
+}
 
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options) {
   require(options.method != LineMethod::appel || !options.why,
           "visible_lines: appel counts layers and does not say which faces they are; roberts does");
-  if (scene.view().section && options.why)
+  if ((scene.view().has_section() || scene.view().has_cells()) && options.why)
     throw InputError("section: its caps hide, too, and are no faces to be named, expected a view without a section, or no why");
   throw_if_stopped(options.stop);
+  if (scene.view().has_cells()) return lines_in_cells(scene, options);
   return Plan(scene, options).run();
 }
 

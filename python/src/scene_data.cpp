@@ -138,9 +138,10 @@ cli::ViewOptions view_options(const py::dict& view) {
   text("direction", o.direction);
   text("up", o.up);
   text("oblique", o.oblique);
-  text("section", o.section);
+  if (view.contains("sections")) o.sections = view["sections"].cast<std::vector<std::string>>();
   text("up_axis", o.up_axis);
   if (view.contains("fov")) o.field_of_view = view["fov"].cast<double>();
+  if (view.contains("depth")) o.depth = view["depth"].cast<double>();
   if (view.contains("near")) o.near = view["near"].cast<double>();
   return o;
 }

@@ -109,6 +109,7 @@ const char* to_text(EdgeClass edge_class) {
       return "joint";
     case EdgeClass::section:
     case EdgeClass::hatching:
+    case EdgeClass::overhead:
       break;  // of drawings
   }
   return "no class";
