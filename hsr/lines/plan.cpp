@@ -104,7 +104,7 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
       intersections_ == nullptr
           ? nullptr
           : &parts_.occluders(parts_.options().hidden_lines ? Excluded::none : Excluded::hidden, options_.stop);
-  const EdgeClassifier classifier(projected_, parts_.labels(), options);
+  const EdgeClassifier classifier(projected_, parts_.labels(), parts_.marks(), options);
   std::optional<NearParts> near;
   if (options.tolerance > 0) {
     near_stretches_.emplace(projected_, parts_.space_tree(), options.tolerance);
@@ -132,7 +132,7 @@ void Plan::add_ghosts() {
   const Mesh* const ghosts = parts_.mesh().ghosts.get();
   if (ghosts == nullptr) return;
   const ProjectedMesh projected(*ghosts, parts_.view(), projected_.arithmetic());
-  const EdgeClassifier classifier(projected, parts_.labels(), options_);
+  const EdgeClassifier classifier(projected, parts_.labels(), parts_.marks(), options_);
   requested_->add_ghosts(projected_, classifier, options_, outside_ ? &*outside_ : nullptr);
 }
 
