@@ -32,6 +32,7 @@ WORDS = {
     "coordinates": "results as numbers",
     "check": "results against results",
     "io": "files in, files out",
+    "step": "surfaces of STEP and IGES",
     "study": "methods compared",
     "cli": "the command",
 }

@@ -82,6 +82,12 @@ std::optional<EdgeClass> EdgeClassifier::more_than_flat(const HalfPlanes& half_p
   return is_sharp ? std::optional(EdgeClass::sharp) : std::nullopt;
 }
 
+/// Where all half-planes are seen edge-on: whether two of them, and no others, are of one surface.
+bool EdgeClassifier::is_inner_edge_on(const HalfPlanes& half_planes) const {
+  const auto& all = half_planes.all();
+  return all.size() == 2 && mark_of(half_planes, {&all[0], &all[1]}) == EdgeMark::inner;
+}
+
 /// The class where two faces go on into each other.
 EdgeClass EdgeClassifier::flat(FaceId left, FaceId right) const {
   const auto differ = [&](const std::vector<std::uint32_t>& label) {
@@ -108,7 +114,7 @@ PartClass EdgeClassifier::class_of(const HalfPlanes& half_planes, bool only_diag
   if ((nearest[0] == nullptr) != (nearest[1] == nullptr) && (only_diagonal || count > 1)) return {EdgeClass::outline};
   if (only_diagonal || count == 0) return {};
   if (count == 1) return {EdgeClass::boundary};
-  if (nearest[0] == nullptr) return {EdgeClass::smooth};
+  if (nearest[0] == nullptr) return is_inner_edge_on(half_planes) ? PartClass{} : PartClass{EdgeClass::smooth};
   for (const HalfPlane& h : half_planes.all()) {
     if (contacts == Contacts::left_out && h.is_contact) continue;
     const bool is_on_top = h.side != Sign::zero && &h == side_of(nearest, h);

@@ -70,6 +70,7 @@ class EdgeClassifier {
   std::optional<EdgeMark> mark_between(std::span<const FaceId> left, std::span<const FaceId> right,
                                        std::span<const MarkOfObject> marks) const;
   std::optional<EdgeMark> mark_of(const HalfPlanes& half_planes, const Around& around) const;
+  bool is_inner_edge_on(const HalfPlanes& half_planes) const;
   EdgeClass flat(FaceId left, FaceId right) const;
 
   const ProjectedMesh& projected_;

@@ -237,7 +237,9 @@ ClassPart ClassAt::verdicts(double crease, const Pointers& all, std::size_t surf
   } else if (one_side) {
     part = as(EdgeClass::outline);
   } else if (!has_side[0]) {
-    part = as(EdgeClass::smooth);
+    const bool is_inner =
+        half_planes_.size() == 2 && mark_between(half_planes_.front(), half_planes_.back()) == EdgeMark::inner;
+    if (!is_inner) part = as(EdgeClass::smooth);
   } else {
     for (auto& side : sides)
       std::sort(side.begin(), side.end(), [&](const HalfPlane* x, const HalfPlane* y) { return is_nearer(*x, *y); });
