@@ -21,7 +21,10 @@ struct FaceLabels {
   std::vector<std::uint32_t> object;
   std::vector<std::uint32_t> material;
   std::vector<std::uint32_t> surface =
-      {};                              ///< such as the face of a B-rep that a triangle is of; `none`: of no such; empty: all
+      {};  ///< such as the face of a B-rep that a triangle is of; `none`: of no such; empty: all
+  /// The shape in space that the surface is a part of, such as the cylinder of a shaft and of the hole that it fills; as `surface`.
+  /// Where faces of one shape pierce each other, only how they were cut into faces differs, and no line is drawn.
+  std::vector<std::uint32_t> shape = {};
   std::vector<MarkedEdge> marks = {};  ///< of edges; what is no edge of the mesh is passed over
 };
 

@@ -326,7 +326,9 @@ void DrawCommand::find_lines() {
     // Fragments are bounded by the lines of all edges: these are found once, and the drawing takes some of them.
     const FaceLabels& labels = prepared_->labels();
     const bool tells_smooth = labels.surface.empty() && labels.marks.empty();
+    const bool tells_intersections = labels.shape.empty();
     const bool finds_all = wants_fragments() && !a_.why && a_.lines.method != "roberts" && fragments_use_lines(*prepared_) &&
+                           tells_intersections &&
                            (tells_smooth || !request_.lines.classes[static_cast<std::size_t>(EdgeClass::smooth)]);
     if (!finds_all) {
       lines_ = visible_lines(*prepared_, request_.lines);

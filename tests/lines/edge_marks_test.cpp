@@ -138,6 +138,31 @@ TEST_CASE("a mark of a point that is not there is refused", "[lines][marks][C24]
   CHECK(class_of(folded(9), marked(EdgeMark::inner, 2, 3)) == "sharp");
 }
 
+TEST_CASE("faces of one shape that pierce each other draw no line", "[lines][marks][I6]") {
+  TestScene scene;
+  scene.view = scenes::from_direction({0, 0.125, 1});
+  scene.add_face(std::vector<Point3>{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+  scene.add_face(std::vector<Point3>{{1, 1, -1}, {3, 1, -1}, {3, 3, 1}, {1, 3, 1}});
+  const Mesh mesh = scene.mesh();
+  const auto intersections = [&](const FaceLabels& labels, bool diagonals) {
+    LineOptions options = all_edges();
+    options.diagonals = diagonals;
+    std::size_t count = 0;
+    const VisibleLines lines = visible_lines(SceneView(Scene::of(mesh, labels), scene.view), options);
+    for (const Line& line : lines.lines) count += line.edge_class == EdgeClass::intersection ? 1 : 0;
+    return count;
+  };
+  FaceLabels one, two, unknown;
+  one.shape = {5, 5};
+  two.shape = {5, 6};
+  unknown.shape = {FaceLabels::none, FaceLabels::none};
+  CHECK(intersections({}, false) == 1);
+  CHECK(intersections(one, false) == 0);
+  CHECK(intersections(one, true) == 1);
+  CHECK(intersections(two, false) == 1);
+  CHECK(intersections(unknown, false) == 1);
+}
+
 /// Labels and marks of every kind, by chance.
 FaceLabels chance(const Mesh& mesh, std::uint64_t seed) {
   std::uint64_t state = seed * 0x9e3779b97f4a7c15U + 1;
@@ -152,6 +177,7 @@ FaceLabels chance(const Mesh& mesh, std::uint64_t seed) {
     labels.object.push_back(next(2));
     labels.material.push_back(next(5) == 0 ? 1 : 0);
     labels.surface.push_back(next(4) == 0 ? FaceLabels::none : next(3));
+    labels.shape.push_back(next(4) == 0 ? FaceLabels::none : next(3));
   }
   for (std::size_t e = 0; e < mesh.edges.size(); ++e)
     for (std::uint32_t object = 0; object < 2; ++object)

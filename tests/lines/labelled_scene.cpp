@@ -31,6 +31,7 @@ Labelled recut(const Labelled& x, const Recut& cut) {
     for (const Ring& r : stays ? std::vector<Ring>{ring} : cut(mesh, FaceId(f), ring, y)) {
       y.add_face(r, x.labels.object[f], x.labels.material[f]);
       if (!x.labels.surface.empty()) y.labels.surface.push_back(x.labels.surface[f]);
+      if (!x.labels.shape.empty()) y.labels.shape.push_back(x.labels.shape[f]);
     }
   }
   return y;

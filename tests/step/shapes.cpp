@@ -156,6 +156,23 @@ void write_iges(const TopoDS_Shape& shape, const std::string& file) {
   check(writer.Write(file.c_str()), file);
 }
 
+void write_pin_in_block(const std::string& file) {
+  say_nothing();
+  const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
+  const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const TopoDS_Shape block = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, 0), 20, 20, 20).Shape(),
+                                             BRepPrimAPI_MakeCylinder(upright(0, 0, 0), 6, 20).Shape());
+  const TDF_Label assembly = shapes->NewShape();
+  gp_Trsf turned;
+  turned.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 0.1);
+  shapes->AddComponent(assembly, shapes->AddShape(block, false), TopLoc_Location());
+  shapes->AddComponent(assembly, shapes->AddShape(BRepPrimAPI_MakeCylinder(6, 25).Shape(), false), TopLoc_Location(turned));
+  shapes->UpdateAssemblies();
+  STEPCAFControl_Writer writer;
+  check(writer.Transfer(document, STEPControl_AsIs), file);
+  check(writer.Write(file.c_str()) == IFSelect_RetDone, file);
+}
+
 void write_assembly(const std::string& file) {
   say_nothing();
   const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");

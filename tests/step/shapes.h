@@ -22,4 +22,7 @@ void write_iges(const TopoDS_Shape& shape, const std::string& file);
 /// A plate and four bolts: one blue definition, four instances, the second in red; the plate is green with a yellow face.
 void write_assembly(const std::string& file);
 
+/// A pin of the radius of a hole in a block, turned about its axis, that sticks out by 5.
+void write_pin_in_block(const std::string& file);
+
 }  // namespace hsr::shapes

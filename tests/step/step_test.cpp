@@ -225,6 +225,27 @@ TEST_CASE("an assembly has an object for each instance, in its place and in its 
   for (const MarkedEdge& mark : model.marks) CHECK(mark.object < model.objects.size());
 }
 
+TEST_CASE("a pin that fills a hole pierces nothing but the plane that it passes", "[step][I6]") {
+  const TemporaryDirectory directory;
+  shapes::write_pin_in_block(directory.file("pin.step"));
+  const BrepModel brep = read_brep(directory.file("pin.step"));
+  // Of two cylinders.
+  const auto pierced = [](const Drawn& drawn, const Model& known) {
+    return std::ranges::count_if(drawn.lines.lines, [&](const Line& line) {
+      if (line.edge_class != EdgeClass::intersection) return false;
+      return std::ranges::all_of(faces_at(drawn.mesh, drawn.lines, line), [&](FaceId f) {
+        return known.surfaces[known.face_surface[f.value]].kind == SurfaceKind::cylinder;
+      });
+    });
+  };
+  const Model model = brep.tessellated(0.02);
+  CHECK(pierced(Drawn(model, iso()), model) == 0);
+  // As two surfaces of which nothing is known, their facets pierce each other.
+  Model unknown = model;
+  unknown.surfaces.clear();
+  CHECK(pierced(Drawn(unknown, iso()), model) > 50);
+}
+
 TEST_CASE("lengths stay in the file's unit", "[step]") {
   const Model model = read_again(shapes::cylinder(), "INCH").tessellated(0.05);
   CHECK(model.unit == 25.4);

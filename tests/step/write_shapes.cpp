@@ -18,4 +18,5 @@ int main(int argc, char** argv) {
   write_step(plate(), directory + "plate_inch.step", "INCH");
   write_iges(plate(), directory + "plate.igs");
   write_assembly(directory + "assembly.step");
+  write_pin_in_block(directory + "pin.step");
 }
