@@ -63,6 +63,14 @@ class Steps {
   std::int64_t count_;
 };
 
+/// Whether any two steps of a line are near each other, so that no other line runs beside it for long enough to count. Of a drawing that
+/// is a dot on paper all lines are such, and each would be compared with each.
+bool is_too_short(const PaperLine& line) {
+  constexpr std::int64_t most = 6;  // both ways, and one more for the rounding of another line's steps beside it
+  static_assert(2 * (most + 1) * (most + 1) <= least_on_paper * least_on_paper);
+  return Steps(line).count() <= most;
+}
+
 /// Steps of a line, first and last.
 struct Range {
   std::int64_t first, last;
@@ -221,7 +229,8 @@ class Squares {
     for (const PaperLine& line : lines) length += Steps(line).count();
     size_ = std::max<std::int64_t>(100, static_cast<std::int64_t>(length / std::max<std::size_t>(1, lines.size())));
     for (std::uint32_t k = 0; k < lines.size(); ++k)
-      each(lines[k], [&](std::int64_t column, std::int64_t row) { entries_.push_back({column, row, k}); });
+      if (!is_too_short(lines[k]))
+        each(lines[k], [&](std::int64_t column, std::int64_t row) { entries_.push_back({column, row, k}); });
     tbb::parallel_sort(entries_.begin(), entries_.end());
   }
 
@@ -295,6 +304,7 @@ DistinctLines without_near(const std::vector<PaperLine>& lines, const Chains& ch
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines.size(), 512), [&](const auto& range) {
     std::vector<std::uint32_t> candidates;
     for (std::size_t k = range.begin(); k != range.end(); ++k) {
+      if (is_too_short(lines[k])) continue;
       const auto may_stand_for_it = [&](std::uint32_t other) {
         return rank[other] < rank[k] && !in_doubles[k].is_certainly_beside(in_doubles[other]);
       };
