@@ -76,6 +76,11 @@ TEST_CASE("every command takes STEP, also from standard input", "[step][cli]") {
   const std::string file = d / "cylinder.step";
   shapes::write_step(shapes::cylinder(), file);
   CHECK(run("info " + file).text.find("cylinder.step: STEP") != std::string::npos);
+  const std::string inches = d / "inches.stp", at_scale = " --scale 1:1 -o " + (d / "u.svg");
+  shapes::write_step(shapes::cylinder(), inches, "INCH");
+  CHECK(run("draw " + inches + at_scale).text.find("note: the file has a unit of in: --unit in is the default") !=
+        std::string::npos);
+  CHECK(run("draw " + file + at_scale).text.find("note") == std::string::npos);
   CHECK(run("order " + file + " --scale 1:10 -o " + (d / "a.json")).status == 0);
   CHECK(run("draw - --from step -o " + (d / "b.svg"), "cat " + file + " | ").status == 0);
   CHECK(run("draw - -o " + (d / "c.svg"), "cat " + file + " | ").status == 0);
