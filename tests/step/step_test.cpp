@@ -69,6 +69,11 @@ TEST_CASE("faces that share an edge share its points: solids are closed", "[step
     CHECK(mesh.triangles.size() > 10);
     CHECK(model.notes.empty());
     for (std::size_t e = 0; e < mesh.edges.size(); ++e) CHECK(mesh.triangles_at(EdgeId(e)).size() == 2);
+    // By the numbers of points, too, not only where they are.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+    for (std::size_t f = 0; f < model.polygons.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) ++sides[std::minmax(model.polygons[f][k], model.polygons[f][(k + 1) % 3])];
+    CHECK(std::ranges::all_of(sides, [](const auto& side) { return side.second == 2; }));
   }
 }
 
