@@ -75,9 +75,9 @@ void say_nothing() { Message::DefaultMessenger()->ChangePrinters().Clear(); }
 void note_failures(BrepDocument& document, const XSControl_Reader& reader) {
   std::set<int> failed;
   const Handle(XSControl_WorkSession) session = reader.WS();
-  for (Interface_CheckIterator checks : {session->ModelCheckList(false), session->TransferReader()->LastCheckList()})
-    for (checks.Start(); checks.More(); checks.Next())
-      if (checks.Value()->HasFailed()) failed.insert(checks.Number());
+  for (const Interface_CheckIterator& found : {session->ModelCheckList(false), session->TransferReader()->LastCheckList()})
+    for (found.Start(); found.More(); found.Next())
+      if (found.Value()->HasFailed()) failed.insert(found.Number());
   if (!failed.empty())
     document.notes.push_back("entities that Open CASCADE does not understand are left out, with what is made of them: " +
                              std::to_string(failed.size()));

@@ -1,6 +1,7 @@
 #include "hsr/step/part_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gp_Dir.hxx>
 #include <gp_Trsf.hxx>
 
@@ -23,6 +24,17 @@ Point3 turned(const Point3& d, const gp_Trsf& at) {
   if (d.x == 0 && d.y == 0 && d.z == 0) return d;
   const gp_Dir q = gp_Dir(d.x, d.y, d.z).Transformed(at);
   return {q.X(), q.Y(), q.Z()};
+}
+
+/// Rounds points to multiples of a power of two, 2^-36 to 2^-37 of the largest coordinate. Open CASCADE computes the same coordinate of
+/// two points, such as those of a wall above one another, with errors in the last places: then a wall is upright again.
+void round_to_grid(std::vector<Point3>& points) {
+  constexpr int kept_bits = 36;
+  double most = 0;
+  for (const Point3& p : points) most = std::max({most, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  if (!(most > 0) || !std::isfinite(most)) return;
+  const double grid = std::ldexp(1.0, std::ilogb(most) - kept_bits);
+  for (Point3& p : points) p = {std::round(p.x / grid) * grid, std::round(p.y / grid) * grid, std::round(p.z / grid) * grid};
 }
 
 }  // namespace
@@ -91,6 +103,7 @@ void PartBuilder::add_colours(const PlacedShape& part, const DefinedShape& defin
 Model PartBuilder::finish() {
   if (model_.polygons.size() == 0 && model_.polygons.segments.empty())
     throw InputError(model_.name + ": found no surface and no curve, expected some of which a mesh can be made");
+  round_to_grid(model_.points);
   if (model_.palette.empty()) model_.face_colour.clear();
   if (faces_without_mesh_ > 0)
     model_.notes.push_back("faces of which Open CASCADE makes no triangles are left out: " +

@@ -94,7 +94,7 @@ std::string PlacedShapes::with_number(const std::string& name) const {
   };
   if (!is_taken(name)) return name;
   for (int k = 2;; ++k)
-    if (const std::string numbered = name + " [" + std::to_string(k) + "]"; !is_taken(numbered)) return numbered;
+    if (std::string numbered = name + " [" + std::to_string(k) + "]"; !is_taken(numbered)) return numbered;
 }
 
 std::size_t PlacedShapes::definition_of(const TDF_Label& label, const TopoDS_Shape& shape) {

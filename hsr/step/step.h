@@ -27,8 +27,8 @@ class BrepModel {
   ///   (3) `face_surface` is the face of the B-rep that each triangle is of; `marks` are its edges: smooth where two faces have one
   ///       tangent plane along it, to half a degree, sharp where they have not; a seam is sharp or nothing
   ///   (4) each instance of a part is an object, named by its path in the assembly; a second one of a name is "name [2]"
-  ///   (5) coordinates are in the unit of the file where that is one of hsr's, else in millimetres, and of a part that is placed
-  ///       rounded to doubles once
+  ///   (5) coordinates are in the unit of the file where that is one of hsr's, else in millimetres, and rounded to multiples of a power
+  ///       of two of at most 2^-36 of the largest one
   ///   (6) the same for any number of threads
   ///
   /// @pre 0 < chord, in units of the model

@@ -68,6 +68,8 @@ TEST_CASE("faces that share an edge share its points: solids are closed", "[step
     INFO(name);
     CHECK(mesh.triangles.size() > 10);
     CHECK(model.notes.empty());
+    for (const Point3& p : model.points)  // of 64, at most
+      for (const double x : {p.x, p.y, p.z}) CHECK(std::ldexp(x, 38) == std::round(std::ldexp(x, 38)));
     for (std::size_t e = 0; e < mesh.edges.size(); ++e) CHECK(mesh.triangles_at(EdgeId(e)).size() == 2);
     // By the numbers of points, too, not only where they are.
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
@@ -199,6 +201,18 @@ TEST_CASE("circles of holes are drawn as arcs of the very radius", "[step][D22]"
     CHECK(arc.ellipse.long_radius() == Approx(4 * drawing.scale).epsilon(1e-6));
   }
   CHECK(whole == 6);
+}
+
+TEST_CASE("walls along an axis are seen as one line from above", "[step][D22]") {
+  // The corners of the plate: a circle at the foot, one at the fillet, and facets between them.
+  const Drawn plate(read_again(shapes::plate()).tessellated(0.004), parallel_view({0, 0, 1}, {0, 1, 0}));
+  DrawingOptions options;
+  options.fit_arcs = 0.02;
+  options.leave_out_near = true;
+  VisibleLines drawn = lines_of_classes(plate.mesh, plate.lines, drawn_classes);
+  const Drawing drawing = draw(plate.mesh, plate.view, drawn, options);
+  CHECK(drawing.polylines.size() == 7);
+  CHECK(drawing.arcs.size() == 10);
 }
 
 TEST_CASE("an assembly has an object for each instance, in its place and in its colours", "[step]") {
