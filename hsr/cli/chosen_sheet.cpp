@@ -28,7 +28,7 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
     double x = 0;
     const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, x);
     if (error != std::errc{} || stop != text.data() + end || !std::isfinite(x))
-      throw InputError(option + ": found \"" + whole + "\", expected " + expected);
+      throw InputError(fmt::format("{}: found \"{}\", expected {}", option, whole, expected));
     numbers.push_back(x);
     begin = end + 1;
   }

@@ -1,5 +1,7 @@
 #include "hsr/cli/sheet_json.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -82,7 +84,8 @@ void read_title_block(const std::string& contents, const std::string& name, Titl
   if (json.is_discarded() || !json.is_object())
     throw InputError(name + ": found no object of JSON, expected fields such as {\"title\": \"Bracket\"}");
   for (const auto& [key, value] : json.items()) {
-    if (!value.is_string()) throw InputError(name + ": found a field \"" + key + "\" that is no text, expected \"...\"");
+    if (!value.is_string())
+      throw InputError(fmt::format("{}: found a field \"{}\" that is no text, expected \"...\"", name, key));
     set(fields, key, value.get<std::string>(), name);
   }
 }

@@ -234,7 +234,8 @@ class SheetMaker {
       return;
     }
     const ViewOnPaper paper(in->view, in->origin, in->scale);
-    const auto [p, toward] = trace_of(paper, section.view);
+    const PaperTrace trace = trace_of(paper, section.view);
+    const Point2 &p = trace.point, &toward = trace.toward;
     const Point2 along = {-toward.y, toward.x};
     // As far as the corners of the box reach along it.
     double first = HUGE_VAL, last = -HUGE_VAL;
