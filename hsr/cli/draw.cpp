@@ -270,7 +270,7 @@ class DrawCommand {
 };
 
 void DrawCommand::read() {
-  scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance, a_.page.unit);
+  scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance, a_.page.unit, request_.drawing);
   objects_ = objects_of(scene_.model, scene_.mesh);
   request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = scene_.chosen.field_of_view;
@@ -328,7 +328,12 @@ void DrawCommand::find_lines() {
   context_.progress.stage("visible lines");
   context_.report.timed("lines", [&] {
     // Fragments are bounded by the lines of all edges: these are found once, and the drawing takes some of them.
-    const bool finds_all = wants_fragments() && !a_.why && a_.lines.method != "roberts" && fragments_use_lines(*prepared_);
+    const FaceLabels& labels = prepared_->labels();
+    const bool tells_smooth = labels.surface.empty() && labels.marks.empty();
+    const bool tells_intersections = labels.shape.empty();
+    const bool finds_all = wants_fragments() && !a_.why && a_.lines.method != "roberts" && fragments_use_lines(*prepared_) &&
+                           tells_intersections &&
+                           (tells_smooth || !request_.lines.classes[static_cast<std::size_t>(EdgeClass::smooth)]);
     if (!finds_all) {
       lines_ = visible_lines(*prepared_, request_.lines);
       add_overhead();

@@ -127,7 +127,7 @@ class OrderCommand {
       : a_(a), request_(parse(a)), context_(a.common, a.models.models, paths_of(request_.outputs), unfinished) {}
 
   void run() {
-    scene_ = context_.read(a_.models, a_.view, 0, a_.page.unit);
+    scene_ = context_.read(a_.models, a_.view, 0, a_.page.unit, a_.page.options());
     context_.report.set("view", cli::json_of(scene_.view()));
     prepared_ = scene_.prepared({.coplanar = a_.scene.which_coplanar()});
     request_.drawing.field_of_view = scene_.chosen.field_of_view;

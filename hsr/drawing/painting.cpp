@@ -58,7 +58,7 @@ VisibleLines all_edges(const SceneView& scene) {
 std::vector<std::optional<EdgeClass>> asked_classes(const ViewParts& parts, const LineOptions& options) {
   const ProjectedMesh& projected = parts.projected();
   std::vector<std::optional<EdgeClass>> asked(parts.mesh().edges.size());
-  const EdgeClassifier classifier(projected, parts.labels(), options);
+  const EdgeClassifier classifier(projected, parts.labels(), parts.marks(), options);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, asked.size(), 512), [&](const Range& range) {
     Predicates exact = projected.predicates();

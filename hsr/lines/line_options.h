@@ -52,8 +52,8 @@ struct LineOptions {
   std::optional<FrameSize> frame = {};
 
   EdgeClasses classes = drawn_classes;  ///< which to compute
-  /// Also every diagonal of a face that is cut into triangles, as a smooth line where it is no outline: no drawing has them, but
-  /// fragments are bounded by them.
+  /// Also every diagonal of a face that is cut into triangles, and every edge within one surface, as a smooth line where it is no
+  /// outline, and where faces of one shape pierce each other: no drawing has them, but fragments are bounded by them.
   bool diagonals = false;
   double crease = 30;  ///< degrees; edges that deviate more from flat are sharp
   /// Degrees, at most `crease`: an edge that deviates more than this is sharp, too, if others of its kind lead from it to a sharp one,

@@ -42,6 +42,7 @@ class ViewParts {
 
   const Mesh& mesh() const { return scene_->mesh(); }
   const FaceLabels& labels() const { return scene_->labels(); }
+  const EdgeMarkTable& marks() const { return scene_->marks(); }
   const SpaceTree& space_tree() const { return scene_->space_tree(); }
   const View& view() const { return view_; }
   const SceneOptions& options() const { return options_; }

@@ -234,6 +234,8 @@ def scene(
     only: str | Sequence[str] | None = None,
     hide: str | Sequence[str] | None = None,
     ghost: str | Sequence[str] | None = None,
+    chord: float | None = None,
+    marks: _Path | None = None,
 ) -> Scene: ...
 def draw(
     scene: _Scene,
