@@ -7,7 +7,7 @@ void SheetArguments::add_to(Options& options) {
   options.add("--page", page, "SHEET", "A0 ... A4, ANSI-A or ANSI-B")
       .with_default_shown()
       .such_as({"A0", "A1", "A2", "A3", "A4", "ANSI-A", "ANSI-B"});
-  options.add("--angle", angle, "ANGLE", "first or third: where views stand [ANSI: third, else first]")
+  options.add("--angle", angle, "KIND", "first or third: where views stand [ANSI: third, else first]")
       .one_of({"first", "third"});
   options
       .add("--scale", scale, "RATIO",
