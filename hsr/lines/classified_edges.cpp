@@ -159,9 +159,9 @@ struct ClassifiedEdges::Finder {
     if (is_whole && !first.depends_on_more()) return take_whole(id, first);
     for (const EdgePart& p : found) {
       const auto seen = wanted(id, p.found.seen);
-      if (!seen && !is_requested(p.found.hidden)) continue;
+      if (!seen && !is_requested(p.found.hidden) && !is_requested(p.found.behind_seen)) continue;
       // What is not wanted of it is left out when it is known what is hidden.
-      block.parts.push_back({id, seen ? *seen : *p.found.seen, false, p.found.hidden});
+      block.parts.push_back({id, seen ? *seen : *p.found.seen, false, p.found.hidden, p.found.behind_seen});
       if (is_whole) continue;
       block.parts.back().from = p.from;
       block.parts.back().to = p.to;
@@ -182,7 +182,7 @@ struct ClassifiedEdges::Finder {
       if (goes_on)
         block.parts.back().to = p.to;
       else
-        block.parts.push_back({id, *p.found.behind, true, {}, p.from, p.to});
+        block.parts.push_back({id, *p.found.behind, true, {}, {}, p.from, p.to});
     }
   }
 };
@@ -258,7 +258,8 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
   parallel_for_each(edges.size(), [&](std::size_t i) { classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]); });
   std::vector<RequestedPart> several;
   for (const FoundInBlock& b : blocks) several.insert(several.end(), b.parts.begin(), b.parts.end());
-  has_hidden_classes = std::any_of(several.begin(), several.end(), [](const RequestedPart& p) { return p.hidden.has_value(); });
+  has_hidden_classes =
+      std::any_of(several.begin(), several.end(), [](const RequestedPart& p) { return p.hidden || p.behind_seen; });
   if (!several.empty()) list_parts(several);
   find_boxes(classifier.projected());
 }
