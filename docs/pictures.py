@@ -6,7 +6,7 @@ the same on white and on black pages.
     docs/pictures.py --hsr ... --part ... --check      fails if a picture is not what the command makes today, or if the README
                                                        shows another command for it
 
-The page is cut to the drawing (--page fit), which the commands in the README leave out. Standard library only.
+The page is cut to the drawing (--page fit), which the commands in the README leave out; that of a sheet is not. Standard library only.
 """
 
 import argparse
@@ -23,12 +23,18 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PICTURES = {
     "part_filled.svg": "hsr draw part.obj -o part_filled.svg --fill --merge coplanar",
     "part.svg": "hsr draw part.obj -o part.svg --hidden dashed",
+    "part_sheet.svg": 'hsr sheet part.obj -o part_sheet.svg --section y=0 --title "title=Gear on a flange" --title material=C45',
     "part_section.svg": "hsr draw part.obj -o part_section.svg --section y=0",
+    "sheet_gear_box.svg": 'hsr sheet gear_box.obj -o sheet_gear_box.svg --section z=50 --section x=50 --hidden none '
+                          '--title "title=Gear box"',
+    "sheet_house.svg": "hsr sheet house.obj -o sheet_house.svg --unit m --page A2 --section z=1.2 --section x=0.9 --hidden none "
+                       "--title title=House",
     "pierced.svg": "hsr draw examples/pierced.obj -o pierced.svg --fill --hidden dashed",
     "woven.svg": "hsr order examples/woven.obj -o woven.svg --direction 1,-2,3",
     "woven_naive.svg": "hsr order examples/woven.obj -o woven_naive.svg --direction 1,-2,3 --method naive",
 }
-IN_README = ["part.svg", "part_section.svg", "pierced.svg", "woven.svg"]
+IN_SHEETS = ["sheet_gear_box.svg", "sheet_house.svg"]
+IN_README = ["part.svg", "part_sheet.svg", "part_section.svg", "pierced.svg", "woven.svg"]
 
 
 def on_white(svg):
@@ -46,12 +52,16 @@ def main():
     a = parser.parse_args()
     readme, problems = (ROOT / "README.md").read_text(), []
     problems += [f"README.md does not show: {PICTURES[name]}" for name in IN_README if PICTURES[name] not in readme]
+    sheets = (ROOT / "docs" / "sheets.md").read_text()
+    problems += [f"docs/sheets.md does not show: {PICTURES[name]}" for name in IN_SHEETS if PICTURES[name] not in sheets]
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([str(a.part.resolve()), f"{folder}/part.obj"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([sys.executable, str(ROOT / "docs" / "sheet_models.py"), folder], check=True)
         for name, command in PICTURES.items():
             words = shlex.split(command)[1:]
             words = [str(ROOT / w) if w.startswith("examples/") else w for w in words]
-            subprocess.run([str(a.hsr.resolve())] + words + ["--page", "fit", "-q"], cwd=folder, check=True)
+            page = [] if words[0] == "sheet" else ["--page", "fit"]
+            subprocess.run([str(a.hsr.resolve())] + words + page + ["-q"], cwd=folder, check=True)
             made = on_white((pathlib.Path(folder) / name).read_text())
             file = ROOT / "docs" / name
             if not a.check:

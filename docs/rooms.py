@@ -29,8 +29,9 @@ WORDS = {
     "painter": "orders from far to near",
     "raster": "methods of image space",
     "drawing": "results on a page",
-    "coordinates": "results as numbers",
     "check": "results against results",
+    "coordinates": "results as numbers",
+    "sheet": "views on one page",
     "io": "files in, files out",
     "study": "methods compared",
     "cli": "the command",
@@ -129,7 +130,7 @@ def svg(graph, level):
             if between and all(abs(place[r][0] - xa) > width / 2 for r in between):  # straight down between them
                 bend = f"{xa:.0f} {yb - gap_y:.0f} {xa:.0f} {yb - gap_y / 2:.0f}"
             elif between and abs(xb - xa) < width:  # around the rooms between the two
-                side = xa + (1 if xa > full / 2 else -1) * (width / 2 + 1.5 * gap_x)
+                side = xa + (1 if xb > xa or xa == xb > full / 2 else -1) * (width / 2 + 1.5 * gap_x)
                 bend = f"{side:.0f} {ya + gap_y:.0f} {side:.0f} {yb - gap_y:.0f}"
             else:
                 bend = f"{xa:.0f} {(ya + yb) / 2:.0f} {xb:.0f} {(ya + yb) / 2:.0f}"

@@ -17,6 +17,7 @@
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/verify/verify.h"
 #include "hsr/scene/scene.h"
+#include "hsr/sheet/sheet.h"
 #include "hsr/surfaces/regions.h"
 #include "hsr/surfaces/section.h"
 #include "hsr/surfaces/visible_fragments.h"

@@ -44,6 +44,9 @@ struct VisiblePart {
 /// The answers of one that returns visible parts: what no part covers is not drawn, hence hidden.
 std::vector<Answer> answers_of(const std::vector<VisiblePart>& parts, const Task& task);
 
+/// Blender's. @throws InputError where Blender is missing or fails
+Result line_art(const Task& task);
+bool has_line_art();  ///< Blender is there
 Result z_buffer_1024(const Task& task);
 Result z_buffer_4096(const Task& task);
 Result occt_poly(const Task& task);

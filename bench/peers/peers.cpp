@@ -34,7 +34,7 @@ struct Peer {
 };
 
 constexpr Peer peers[] = {
-    {"z-buffer-1024", z_buffer_1024}, {"z-buffer-4096", z_buffer_4096},
+    {"z-buffer-1024", z_buffer_1024}, {"z-buffer-4096", z_buffer_4096},           {"line-art", line_art},
 #ifdef HSR_BENCH_OCCT
     {"occt-poly", occt_poly},         {"occt-poly-compound", occt_poly_compound}, {"occt-exact", occt_exact},
 #endif
@@ -290,6 +290,10 @@ int main(int argc, char** argv) {
   if (request.scenes.empty()) request.scenes = {"knot1k", "knot10k", "city100", "city1k", "rand100", "rand1k"};
   if (request.views.empty()) request.views = {"oblique"};
   if (request.peers.empty()) request.peers = names;
+  if (std::ranges::find(request.peers, "line-art") != request.peers.end() && !hsr::bench::has_line_art()) {
+    fmt::print(stderr, "without Line Art: Blender is not on PATH; Debian's package is blender\n");
+    std::erase(request.peers, "line-art");
+  }
 #ifndef HSR_BENCH_OCCT
   fmt::print(stderr, "built without OCCT: install libocct-modeling-algorithms-dev and configure again to have it as a peer\n");
 #endif

@@ -21,6 +21,8 @@ std::string contents_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+}  // namespace
+
 double tolerance_of_arcs(const std::string& text) {
   double mm = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), mm);
@@ -28,8 +30,6 @@ double tolerance_of_arcs(const std::string& text) {
     throw InputError(fmt::format("--fit-arcs: found \"{}\", expected millimetres, more than 0", text));
   return mm;
 }
-
-}  // namespace
 
 DrawingOptions PageArguments::options() const {
   if (!(margin >= 0)) throw InputError(fmt::format("--margin: found {}, expected millimetres, 0 or more", margin));

@@ -83,25 +83,24 @@ Point3 parse_point(const std::string& option, const std::string& text) {
   return {*x, *y, *z};
 }
 
-namespace {
-
-/// "x=12.5", or "1,1,0@5,0,0": a normal and a point of the plane.
-View parse_section(const std::string& text, const View& view) {
+SectionPlane parse_plane(const std::string& text) {
   const auto refuse = [&] {
     throw InputError("--section: found \"" + text +
                      "\", expected a plane such as x=12.5, or its normal and a point NX,NY,NZ@X,Y,Z");
   };
   const std::size_t at = text.find('@');
   if (at != std::string::npos)
-    return with_section(view, parse_point("--section", text.substr(at + 1)), parse_point("--section", text.substr(0, at)));
+    return {parse_point("--section", text.substr(at + 1)), parse_point("--section", text.substr(0, at))};
   if (text.size() < 3 || text[1] != '=' || std::string_view("xyz").find(text[0]) == std::string_view::npos) refuse();
   const auto where = parse_number(text.substr(2));
   if (!where) refuse();
   const auto along = [&](double length) {
     return Point3{text[0] == 'x' ? length : 0, text[0] == 'y' ? length : 0, text[0] == 'z' ? length : 0};
   };
-  return with_section(view, along(*where), along(1));
+  return {along(*where), along(1)};
 }
+
+namespace {
 
 /// But for the section.
 ChosenView choose_uncut_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
@@ -151,7 +150,8 @@ ChosenView choose_uncut_view(const ViewOptions& o, const Mesh& mesh, const Model
 ChosenView choose_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
   ChosenView chosen = choose_uncut_view(o, mesh, model);
   if (!o.section.empty()) {
-    chosen.view = parse_section(o.section, chosen.view);
+    const SectionPlane plane = parse_plane(o.section);
+    chosen.view = with_section(chosen.view, plane.point, plane.normal);
     chosen.title += ", section " + o.section;
   }
   return chosen;

@@ -12,10 +12,12 @@ struct CheckFailed {};
 
 /// Each adds one verb to the command; its callback does the work and may throw InputError.
 /// @param unfinished the files that an interrupt must remove
+void add_batch(CommandLine& command, UnfinishedFiles& unfinished);
 void add_compare(CommandLine& command, UnfinishedFiles& unfinished);
 void add_draw(CommandLine& command, UnfinishedFiles& unfinished);
 void add_info(CommandLine& command, UnfinishedFiles& unfinished);
 void add_order(CommandLine& command, UnfinishedFiles& unfinished);
+void add_sheet(CommandLine& command, UnfinishedFiles& unfinished);
 void add_stability(CommandLine& command, UnfinishedFiles& unfinished);
 void add_verify(CommandLine& command, UnfinishedFiles& unfinished);
 

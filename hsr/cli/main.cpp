@@ -34,8 +34,9 @@ int fail(const std::string& message) {
 
 /// The library names what it refuses as the options are named, without the dashes.
 std::string with_dashes(const std::string& message) {
-  for (const std::string option : {"page", "pen", "scale", "unit", "margin", "size", "fov", "near", "up", "direction", "eye",
-                                   "target", "view", "family", "oblique", "only", "hide", "ghost"})
+  for (const std::string option :
+       {"page",   "pen",  "scale", "unit",   "margin",  "size", "fov",  "near",  "up",     "direction", "eye",
+        "target", "view", "views", "family", "oblique", "only", "hide", "ghost", "detail", "section"})
     if (message.rfind(option + ":", 0) == 0) return "--" + message;
   return message;
 }
@@ -50,7 +51,8 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   std::signal(SIGHUP, on_interrupt);
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files: writing fails, one line says so, and no part of a file is left
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a limit on the size of files: writing fails, one line says so, and no part of a file is left
   std::signal(SIGPIPE, SIG_IGN);  // who reads the standard output may stop: then writing fails, and one line says so
   hsr::cli::CommandLine command(
       "hsr", "hsr: what is visible, exactly. Vector drawings of polygon models with hidden lines removed or dashed.",
@@ -58,6 +60,8 @@ int main(int argc, char** argv) {
       "Exit status: 0 done; 1 a check failed; 2 bad usage or bad input.\n'hsr draw --help', or that of another verb, has its "
       "options, what it writes, and examples.");
   hsr::cli::add_draw(command, unfinished);
+  hsr::cli::add_sheet(command, unfinished);
+  hsr::cli::add_batch(command, unfinished);
   hsr::cli::add_info(command, unfinished);
   hsr::cli::add_order(command, unfinished);
   hsr::cli::add_verify(command, unfinished);

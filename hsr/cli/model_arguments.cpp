@@ -33,8 +33,9 @@ void ModelArguments::add_with_order_to(Options& options) {
 
 void ModelArguments::add_choice_to(Options& options) {
   options.begin_group("Objects");
-  options.add_one_each("--only", objects.only, "NAME",
-                       "No other objects than this one, as the file names it, or a file that names none, wires and all; may be repeated");
+  options.add_one_each(
+      "--only", objects.only, "NAME",
+      "No other objects than this one, as the file names it, or a file that names none, wires and all; may be repeated");
   options.add_one_each("--hide", objects.hide, "NAME", "This object is not there; may be repeated");
 }
 

@@ -15,7 +15,8 @@ void ask_for_outline_only(LineOptions& lines, DrawingOptions& drawing) {
 
 Regions union_of_all(const SceneView& scene, const VisibleFragments& fragments) {
   if (scene.view().section)
-    throw InputError("section: the outline of everything would lack the caps, expected a view without a section, or no outline only");
+    throw InputError(
+        "section: the outline of everything would lack the caps, expected a view without a section, or no outline only");
   const std::vector<Colour> one_colour(scene.mesh().faces.size(), Colour{0, 0, 0, 255});
   return regions_of(scene, fragments, one_colour, Merge::colour);
 }

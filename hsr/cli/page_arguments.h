@@ -32,6 +32,9 @@ struct PageArguments {
   std::string adopt_unit(const Model& model, DrawingOptions& options) const;
 };
 
+/// The millimetres of --fit-arcs. @throws InputError unless they are more than 0
+double tolerance_of_arcs(const std::string& text);
+
 /// The samples of the picture: what the field of view frames, or all of the model.
 SampleGrid samples_for(const View& view, const Mesh& mesh, const DrawingOptions& options, int width, int height);
 

@@ -35,6 +35,9 @@ ChosenView choose_view(const ViewOptions& options, const Mesh& mesh, const Model
 /// As reports have it.
 JsonValue json_of(const View& view);
 
+/// "x=12.5", or "1,1,0@5,0,0": a normal, either way, and a point of the plane. @throws InputError naming --section
+SectionPlane parse_plane(const std::string& text);
+
 /// "1,-2.5,3e4", correctly rounded. @throws InputError naming the option
 Point3 parse_point(const std::string& option, const std::string& text);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "geometry/bit_range.h"
@@ -316,6 +317,13 @@ void collect(Drawing& drawing, Collector collector, const Chains& chains, const 
   }
 }
 
+/// Puts the lines of a section with those of their class that are no border of a cap, so that each class is one layer.
+void gather_by_class(Drawing& drawing) {
+  std::stable_sort(drawing.polylines.begin(), drawing.polylines.end(), [](const Polyline& a, const Polyline& b) {
+    return std::tuple(!a.hidden, a.edge_class, a.object) < std::tuple(!b.hidden, b.edge_class, b.object);
+  });
+}
+
 /// What is done with the polylines once they are there.
 /// @param unit millimetres in what the options are in
 void finish(Drawing& drawing, const DrawingOptions& options, const Projection& projection, EdgesOfLines& edges, double unit) {
@@ -440,6 +448,7 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
   collect(drawing, Collector(drawing, mesh, lines, overlay, options.fit_arcs > 0 ? &edges : nullptr), chains, distinct, of_line,
           options.min_length * 1000 * unit);
   add_section_lines(drawing, place, options);
+  if (options.section != nullptr) gather_by_class(drawing);
   finish(drawing, options, projection, edges, unit);
   return drawing;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/point.h"
 #include "geometry/ragged.h"
 #include "hsr/drawing/ellipse_arc.h"
 #include "hsr/drawing/page.h"
@@ -27,6 +28,9 @@ struct DrawingOptions {
   /// Drawing::scale is the power of ten that makes the drawing 1000 to 10 000 "mm" large, and min_length is in units of the frame.
   bool in_frame_units = false;
   double unit = 1;  ///< millimetres in a model unit
+  /// Where on the page, in mm, the origin of the view's frame is, at `scale`, so that several views line up; the page is not turned, and
+  /// nothing is centred or fitted. Nothing: the drawing is centred.
+  std::optional<Point2> origin_at = {};
   HiddenLines hidden = HiddenLines::none;
   std::vector<PenSetting> pens = {};  ///< other than ISO 128's for that page: see line_group()
   /// Degrees across the shorter side of the picture, perspective only: the picture is cut to a frame around the target with the
@@ -101,6 +105,13 @@ struct Fills {
   }
 };
 
+/// Some polylines in a row that have a name and a pen of their own, on a page of several views.
+struct NamedLayer {
+  std::string name;  ///< lower-case words and digits, blanks between: "front visible outline"
+  Pen pen;
+  std::uint32_t first_polyline = 0, end_polyline = 0;
+};
+
 /// Polylines on a page, each point of the image drawn once.
 struct Drawing {
   double width = 210, height = 297;  ///< of the page, mm
@@ -110,6 +121,7 @@ struct Drawing {
 
   std::vector<std::string> objects;                 ///< names; empty: fewer than two are told apart
   std::vector<Polyline> polylines;                  ///< hidden before visible, then by class, object and their first edge
+  std::vector<NamedLayer> layers;                   ///< in turn, all polylines; empty: one for each visibility and class
   std::vector<PaperPoint> points;                   ///< x to the right, y down, from the upper left corner of the page
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< i < j, ascending and unique for each polyline
   std::vector<std::uint32_t> faces;                 ///< ascending and unique for each polyline

@@ -64,6 +64,14 @@ class Steps {
   std::int64_t count_;
 };
 
+/// Whether any two steps of a line are near each other, so that no other line runs beside it for long enough to count. Of a drawing that
+/// is a dot on paper all lines are such, and each would be compared with each.
+bool is_too_short(const PaperLine& line) {
+  constexpr std::int64_t most = 6;  // both ways, and one more for the rounding of another line's steps beside it
+  static_assert(2 * (most + 1) * (most + 1) <= least_on_paper * least_on_paper);
+  return Steps(line).count() <= most;
+}
+
 /// Steps of a line, first and last.
 struct Range {
   std::int64_t first, last;
@@ -237,7 +245,8 @@ class Squares {
   void add(const std::vector<PaperLine>& lines, std::span<const std::uint32_t> some) {
     const auto before = static_cast<std::ptrdiff_t>(entries_.size());
     for (const std::uint32_t k : some)
-      each(lines[k], [&](std::int64_t column, std::int64_t row) { entries_.push_back({column, row, k}); });
+      if (!is_too_short(lines[k]))
+        each(lines[k], [&](std::int64_t column, std::int64_t row) { entries_.push_back({column, row, k}); });
     tbb::parallel_sort(entries_.begin() + before, entries_.end());
     std::inplace_merge(entries_.begin(), entries_.begin() + before, entries_.end());
   }
@@ -352,6 +361,7 @@ class BesideStronger {
     const auto may_stand_for_it = [&](std::uint32_t other) {
       return rank_[other] < rank_[k] && !in_doubles_[k].is_certainly_apart(in_doubles_[other]);
     };
+    if (is_too_short(lines_[k])) return;
     candidates.clear();
     left_squares_.candidates(lines_[k], may_stand_for_it, candidates);
     among.candidates(lines_[k], may_stand_for_it, candidates);

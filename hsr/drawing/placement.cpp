@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "hsr/drawing/standard_scale.h"
 
 namespace hsr {
 
@@ -171,18 +172,6 @@ Wide fitting(Wide width, Wide height, Wide area_width, Wide area_height) {
   return std::isfinite(scale) ? scale : 1;
 }
 
-/// The largest scale of ISO 5455 up to `most`, as parse_scale() gives it.
-double standard_scale(Wide most) {
-  most *= 1 + 1e-12L;  // what is exactly as large as the page fits, whatever the last bit says
-  const int exponent = std::clamp(static_cast<int>(std::floor(std::log10(most))) + 1, -300, 300);
-  for (int e = exponent;; --e)
-    for (const double first : {5.0, 2.0, 1.0}) {
-      const double power = std::pow(10.0, std::abs(e));
-      const double scale = e >= 0 ? first * power : 1 / (first == 1 ? power : power / first);  // 2 of 10: 1:5
-      if (scale <= most || e <= -300) return scale;
-    }
-}
-
 /// 10^k that makes the larger side 1000 or more, and less than 10 000; 1 where there is no side.
 Rational decimal_scale(Wide size) {
   Rational scale = 1.0;
@@ -201,6 +190,16 @@ Placement in_frame_units(Placement result, const View& view, Wide width, Wide he
   result.height = std::max(1.0, static_cast<double>(height * wide(scale)));
   result.projection.place(result.projection.relative(view.frame.origin), scale, 0, 0);
   if (framed) result.frame = PaperFrame{-result.width / 2, -result.height / 2, result.width / 2, result.height / 2};
+  return result;
+}
+
+/// The frame's origin where it is asked for.
+Placement at_origin(Placement result, const View& view, const DrawingOptions& options) {
+  const Rational scale = Rational(options.scale.value_or(1)) * Rational(options.unit);
+  result.scale = static_cast<double>(wide(scale));
+  result.width = options.page.width;
+  result.height = options.page.height;
+  result.projection.place(result.projection.relative(view.frame.origin), scale, options.origin_at->x, options.origin_at->y);
   return result;
 }
 
@@ -240,6 +239,7 @@ Placement internal::placement(const Mesh& mesh, const View& view, const VisibleL
     if ((page.turns || page.fits) && is_wide != (page.width > page.height)) std::swap(page.width, page.height);
   }
 
+  if (options.origin_at) return at_origin(std::move(result), view, options);
   if (options.in_frame_units) return in_frame_units(std::move(result), view, width, height, framed);
 
   const Wide area_width = page.width - 2 * page.margin, area_height = page.height - 2 * page.margin;

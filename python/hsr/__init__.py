@@ -52,6 +52,7 @@ __all__ = [
     "project_to_viewport",
     "scene",
     "section",
+    "sheet",
     "tree",
     "verify",
     "visible_lines",
@@ -152,6 +153,91 @@ def draw(
         arithmetic=arithmetic,
     )
     return Drawing(_core.draw(_scene_data(scene), named))
+
+
+def sheet(
+    scene,
+    output=None,
+    *,
+    page=None,
+    angle=None,
+    scale=None,
+    unit=None,
+    up_axis=None,
+    views=None,
+    section=None,
+    detail=None,
+    title=None,
+    title_block=None,
+    dimensions=None,
+    centre_lines=None,
+    hidden=None,
+    edges=None,
+    crease=None,
+    tolerance=None,
+    coplanar=None,
+    pen=None,
+    fit_arcs=None,
+    dxf=None,
+    size=None,
+    method=None,
+    stages=None,
+    threads=None,
+    progress=None,
+):
+    """Draws several views on one sheet with frame and title block, and writes it as the command `hsr sheet` does, byte by byte.
+
+    output: a path, or a list of them, all written or none; the ending chooses pdf, svg, eps, dxf, tex, hpgl (or plt), png, or json,
+    which says where views and dimensions are. Nothing: no file is written
+    page: "A0" ... "A4", "ANSI-A" or "ANSI-B" ["A3"]; angle: "first" or "third" [ANSI: third, else first]; scale: "1:5", a number, or
+    "standard", the largest of 1:1, 1:2, 1:5, ..., 2:1, ... that fits; unit: of the scene; up_axis: "y" or "z"
+    views: some of "front", "top", "side" and "iso" [all]; section: "x=12.5" or "NX,NY,NZ@X,Y,Z", or a list of them, each drawn as A-A,
+    B-B, ...; detail: "front:X,Y,Z:RADIUS:SCALE", or a list of them
+    title: a dict of texts: owner, title, subtitle, number, creator, approver, type, material, date, revision, language, sheet;
+    title_block: a file of them, as JSON
+    dimensions: overall ones [True]; centre_lines: of circles, and axes [True]; hidden: "dashed", "none" or "solid"
+    All others as for draw().
+
+    Returns a `Drawing`. Raises InputError for what cannot be drawn or written.
+
+    >>> cube = ([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
+    ...         [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
+    >>> sheet(cube, title={"title": "Cube"}, section="x=0.5")
+    <hsr.Drawing: 420 x 297 mm>
+    >>> import json
+    >>> [view["name"] for view in json.loads(_.written("json"))["views"]]
+    ['front', 'top', 'side', 'A-A', 'iso']
+    """
+    named = arguments(
+        None,
+        threads=threads,
+        progress=progress,
+        outputs=None if output is None else paths(output),
+        page=page,
+        angle=angle,
+        scale=scale,
+        unit=unit,
+        up_axis=up_axis,
+        views=views,
+        section=section,
+        detail=detail,
+        title=title,
+        title_block=title_block,
+        dimensions=dimensions,
+        centre_lines=centre_lines,
+        hidden=hidden,
+        edges=edges,
+        crease=crease,
+        tolerance=tolerance,
+        coplanar=coplanar,
+        pen=pen,
+        fit_arcs=fit_arcs,
+        dxf=dxf,
+        size=size,
+        method=method,
+        stages=stages,
+    )
+    return Drawing(_core.sheet(_scene_data(scene), named))
 
 
 def visible_lines(

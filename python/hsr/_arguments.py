@@ -90,6 +90,20 @@ def _stages(name, value):
     return _word(name, value)
 
 
+def _list(name, value):
+    return value if isinstance(value, str) else ",".join(_word(name, part) for part in value)
+
+
+def _several(name, value):
+    return [_word(name, part) for part in ([value] if isinstance(value, str) else value)]
+
+
+def _title(name, value):
+    if not isinstance(value, dict):
+        raise _core.InputError(f"{name}: found {value!r}, expected a dict of texts")
+    return [f"{_word(name, field)}={_word(name, text)}" for field, text in value.items()]
+
+
 def _path(name, value):
     try:
         return os.fspath(value)
@@ -116,6 +130,13 @@ _SPELLED = {
     "opacity": finite,
     "fit_arcs": _number,
     "stages": _stages,
+    "views": _list,
+    "section": _several,
+    "detail": _several,
+    "title": _title,
+    "title_block": _path,
+    "dimensions": _flag,
+    "centre_lines": _flag,
     "seed": count,
     "limit": count,
     "outputs": _strings,

@@ -5,6 +5,7 @@
 #include "python/src/lines.h"
 #include "python/src/orders.h"
 #include "python/src/scene_data.h"
+#include "python/src/sheets.h"
 #include "python/src/surfaces.h"
 
 /// What hsr/__init__.py is made of. Arguments come in one dict by name, spelled and checked there.
@@ -17,5 +18,6 @@ PYBIND11_MODULE(_core, module) {
   add_surfaces(module);
   add_orders(module);
   add_drawings(module);
+  add_sheets(module);
   module.attr("version") = HSR_VERSION;
 }

@@ -185,3 +185,23 @@ TEST_CASE("fragments, the nearest face and orders agree beside the caps", "[cli]
     CHECK(count(svg.substr(first_cap), "fill=\"#") == count(svg, cap));
   }
 }
+
+TEST_CASE("lines of a section are in the layers of their class, each of which is there once", "[cli][section][X4]") {
+  const Directory d;
+  // A box without its lid and with a wire: the class of wires stands between those of the borders and of the cut.
+  const std::string model =
+      write(d / "open.obj",
+            "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 3\nv 4 0 3\nv 4 4 3\nv 0 4 3\nf 4 3 2 1\nf 1 2 6 5\nf "
+            "2 3 7 6\nf 4 1 5 8\nl 1 7\n");
+  const std::string svg = d / "x.svg";
+  const Outcome outcome = run("draw " + model + " --section z=1 -o " + svg);
+  INFO(outcome.text);
+  REQUIRE(outcome.status == 0);
+  const std::string text = contents(svg);
+  std::multiset<std::string> ids;
+  for (std::size_t at = text.find("id=\""); at != std::string::npos; at = text.find("id=\"", at + 1))
+    ids.insert(text.substr(at + 4, text.find('"', at + 4) - at - 4));
+  CHECK(ids.count("visible-boundary") == 1);
+  CHECK(ids.count("visible-wire") == 1);
+  for (const std::string& id : ids) CHECK(ids.count(id) == 1);
+}

@@ -26,22 +26,31 @@ class ModelMaker {
   Polygons polygons_;
 };
 
-/// Standing, its axis that of z, a vertex of each ring on the x axis.
-inline Mesh cylinder(int sides, double radius, double height) {
+/// Standing on the floor, over a closed line of so many corners. @param at from the number of a corner to a Point2
+template <class At>
+Mesh prism(int corners, double height, const At& at) {
   ModelMaker maker;
   std::vector<std::uint32_t> floor, roof;
-  for (int k = 0; k < sides; ++k) {
-    const double t = 2 * std::numbers::pi * k / sides, x = radius * std::cos(t), y = radius * std::sin(t);
-    floor.push_back(maker.add(x, y, 0));
-    roof.push_back(maker.add(x, y, height));
+  for (int k = 0; k < corners; ++k) {
+    const Point2 p = at(k);
+    floor.push_back(maker.add(p.x, p.y, 0));
+    roof.push_back(maker.add(p.x, p.y, height));
   }
   maker.add_face({floor.rbegin(), floor.rend()});
   maker.add_face(roof);
-  for (int k = 0; k < sides; ++k) {
-    const auto i = static_cast<std::size_t>(k), j = static_cast<std::size_t>((k + 1) % sides);
+  for (int k = 0; k < corners; ++k) {
+    const auto i = static_cast<std::size_t>(k), j = static_cast<std::size_t>((k + 1) % corners);
     maker.add_face({floor[i], floor[j], roof[j], roof[i]});
   }
   return maker.mesh();
+}
+
+/// Standing, its axis that of z, a vertex of each ring on the x axis.
+inline Mesh cylinder(int sides, double radius, double height) {
+  return prism(sides, height, [&](int k) {
+    const double t = 2 * std::numbers::pi * k / sides;
+    return Point2{radius * std::cos(t), radius * std::sin(t)};
+  });
 }
 
 struct Hole {

@@ -18,8 +18,9 @@ set(rooms
   "coordinates drawing"      # rounds as a drawing does
   "raster painter hsr"
   "check drawing raster"
+  "sheet drawing"            # several views on one page
   "io coordinates"
-  "study io check"
+  "study io check sheet"
   "cli study")
 
 # From the bottom up, so that what is below a room is known when the room is reached.

@@ -36,8 +36,10 @@ double in_degrees(double radians) {
 
 }  // namespace
 
-ModelUnits::ModelUnits(double scale)
-    : is_large_(scale >= 1e-3), factor_(is_large_ ? std::round(scale * 1000) : std::round(1e-3 / scale)) {}
+ModelUnits::ModelUnits(double scale) : is_large_(scale >= 1e-3), factor_(is_large_ ? scale * 1000 : 1e-3 / scale) {
+  const double whole = std::round(factor_);
+  if (std::fabs(factor_ - whole) <= 1e-9 * whole) factor_ = whole;
+}
 
 double ModelUnits::of_millimetres(double mm) const { return (*this)(std::llround(mm * 1000)); }
 

@@ -13,7 +13,7 @@ namespace hsr::internal {
 class ModelUnits {
  public:
   explicit ModelUnits(double scale);
-  /// Of a power of ten, one rounding: the double nearest to the decimal number.
+  /// Of a power of ten, or another scale that has a whole number of thousandths, one rounding: the double nearest to the number.
   double operator()(std::int64_t thousandths) const {
     const auto x = static_cast<double>(thousandths);
     return is_large_ ? x / factor_ : x * factor_;

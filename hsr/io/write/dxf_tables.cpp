@@ -8,7 +8,7 @@
 
 #include "hsr/io/write/dxf_pens.h"
 #include "hsr/io/write/svg_text.h"
-#include "hsr/io/write/utf8.h"
+#include "hsr/utf8.h"
 
 namespace hsr::internal {
 

@@ -1,6 +1,8 @@
 #include "hsr/io/write/hpgl.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "hsr/io/write/dashes.h"
 #include "hsr/io/write/layers.h"
@@ -32,9 +34,13 @@ void append_stroke(std::string& out, std::span<const PaperPoint> points, double 
 
 std::string hpgl(const Drawing& drawing) {
   std::string out = "IN;\n";
-  int pen = 0;
+  std::map<std::pair<double, Colour>, int> pens;  // of named layers: those of a sheet are many more than a plotter has pens
+  int last = 0;
   for (const Layer& layer : layers_of(drawing)) {
-    out += "SP" + std::to_string(++pen) + ";\n";
+    int pen = last + 1;
+    if (!layer.given_name.empty()) pen = pens.try_emplace({layer.pen.width, layer.pen.colour}, pen).first->second;
+    last = std::max(last, pen);
+    out += "SP" + std::to_string(pen) + ";\n";
     for (const Polyline& p : layer.polylines) {
       const Path path = path_of(drawing, p);
       if (layer.pen.is_dashed()) {

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "hsr/io/write/utf8.h"
+#include "hsr/utf8.h"
 
 namespace hsr::internal {
 

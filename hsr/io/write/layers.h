@@ -8,12 +8,13 @@
 
 namespace hsr::internal {
 
-/// What a drawing has in one style: its lines of one visibility and one class.
+/// What a drawing has in one style: its lines of one visibility and one class, or a layer that it names.
 struct Layer {
   bool hidden = false;
   EdgeClass edge_class = EdgeClass::outline;
   Pen pen = {};
   std::span<const Polyline> polylines = {};
+  std::string given_name = {};  ///< by the drawing; empty: after visibility and class
 
   /// "visible outline", with another character between the words where a format wants one.
   std::string name(char between = ' ') const;

@@ -13,7 +13,7 @@
 #include "hsr/io/write/line_paths.h"
 #include "hsr/io/write/painted_paths.h"
 #include "hsr/io/write/svg_text.h"
-#include "hsr/io/write/utf8.h"
+#include "hsr/utf8.h"
 
 namespace hsr::internal {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hsr/io/write/json_text.h"
-#include "hsr/io/write/utf8.h"
+#include "hsr/utf8.h"
 
 namespace hsr::internal {
 

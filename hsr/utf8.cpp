@@ -1,4 +1,4 @@
-#include "hsr/io/write/utf8.h"
+#include "hsr/utf8.h"
 
 namespace hsr::internal {
 
