@@ -8,6 +8,7 @@
 
 #include "tests/lines/labelled_scene.h"
 #include "tests/oracle/exact_vector.h"
+#include "tests/oracle/seen_edges.h"
 #include "tests/scenes/random_scenes.h"
 
 // What touches a single sheet from behind is dashed as what stands behind it, and makes no line on it.
@@ -93,6 +94,26 @@ void check_sheets(std::uint64_t first_seed, std::uint64_t seeds) {
 
 TEST_CASE("what touches a sheet from behind is dashed as what stands behind it", "[lines][metamorphic][shape][C17][C19]") {
   check_sheets(780'000, 40);
+}
+
+TEST_CASE("what is behind two sheets that meet is one line behind both", "[lines][shape][oracle][C17][C19]") {
+  Labelled x;
+  x.add_face({{0, 0, 0}, {4, 0, 0}, {4, 8, 0}, {0, 8, 0}}, 1);
+  x.add_face({{4, 0, 0}, {10, 0, 0}, {10, 8, 0}, {4, 8, 0}}, 2);
+  x.add_box({3, 3, -1}, {6, 5, 0}, 2);
+  // The column's head is on top of the sheets: on the second, of its object, its rim is no joint.
+  SceneOptions last;
+  last.coplanar = Coplanar::last;
+  LineOptions options;
+  options.classes.fill(true);
+  for (const Point3& direction : {Point3{1, -1, 2}, Point3{0, 0, 1}}) {
+    const SceneView view(Scene(x.scene.mesh(), x.labels), scenes::from_direction(direction), last);
+    const VisibleLines lines = visible_lines(view, options);
+    CHECK(oracle::compare_with_oracle(view, lines, options) == std::vector<std::string>{});
+    CHECK(std::count_if(lines.lines.begin(), lines.lines.end(), [](const Line& l) { return l.is_behind; }) == 4);
+    CHECK(std::count_if(lines.lines.begin(), lines.lines.end(),
+                        [](const Line& l) { return !l.is_behind && l.edge_class == EdgeClass::joint; }) > 2);
+  }
 }
 
 TEST_CASE("much that touches a sheet from behind is dashed as what stands behind it", "[lines][metamorphic][shape][.][long]") {
