@@ -8,13 +8,13 @@
 #include "geometry/cancel.h"
 #include "geometry/error.h"
 #include "geometry/ragged.h"
-#include "hsr/painter/bsp/bsp_nodes.h"
 #include "hsr/painter/sort/components.h"
 #include "hsr/painter/sort/depth_order.h"
 #include "hsr/painter/sort/image_bsp.h"
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/painter/sort/near_box.h"
 #include "hsr/painter/sort/overlap_graph.h"
+#include "hsr/painter/sort/tree_order.h"
 #include "hsr/painter/wires.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/symbols/constructions.h"
@@ -56,8 +56,6 @@ class Sorter {
   bool cut_cycle(const std::vector<std::uint32_t>& cycle, std::vector<std::uint32_t>& nodes);
   std::optional<MapHalfPlane> parting_line(std::uint32_t piece, std::uint32_t before, std::uint32_t after);
   void order_by_planes(const std::vector<std::uint32_t>& component);
-  std::vector<FacetId> whole_facets(const std::vector<std::uint32_t>& component) const;
-  PaintersOrder order_by_tree(const std::vector<FacetId>& facets);
   bool split(std::uint32_t piece, const MapHalfPlane& line);
   void relate(std::uint32_t part, const Neighbour& of_whole);
   const PieceOfFacet& shaped(std::uint32_t piece);
@@ -103,13 +101,6 @@ std::vector<std::uint32_t> by_cluster(const std::vector<std::uint32_t>& items, s
     for (const std::uint32_t i : items) add(cluster_of(i), i);
   });
   return sorted.values();
-}
-
-void append(const PaintersOrder& block, PaintersOrder& all) {
-  const auto shift = static_cast<std::uint32_t>(all.corners.size());
-  check_countable(all.corners.size() + block.corners.size(), "corners of a painting order");
-  for (const OrderedPiece& p : block.pieces) all.pieces.push_back({p.facet, p.first_corner + shift, p.end_corner + shift});
-  all.corners.insert(all.corners.end(), block.corners.begin(), block.corners.end());
 }
 
 /// Most scenes have an order of whole pieces, which is written then: it takes no more than relations. Otherwise all of these,
@@ -397,46 +388,23 @@ std::optional<MapHalfPlane> Sorter::parting_line(std::uint32_t piece, std::uint3
   return std::nullopt;
 }
 
-/// The facets of a component, ascending, if it has all pieces of each and nothing of them was cut; else none.
-std::vector<FacetId> Sorter::whole_facets(const std::vector<std::uint32_t>& component) const {
-  std::vector<FacetId> facets;
-  const std::vector<FacetId>& of = faces_.facet;  // ascending
-  for (std::size_t k = 0; k < component.size();) {
-    const std::size_t first = component[k];
-    if (first >= of.size() || (first > 0 && of[first - 1] == of[first])) return {};
-    facets.push_back(of[first]);
-    for (std::size_t piece = first; piece < of.size() && of[piece] == of[first]; ++piece, ++k)
-      if (k == component.size() || component[k] != piece) return {};
-  }
-  return facets;
-}
-
-/// By planes in space, which a tree divides by more evenly, and whose corners cost less to compare than those of the image.
-PaintersOrder Sorter::order_by_tree(const std::vector<FacetId>& facets) {
-  const std::size_t before = pieces_.size() - cuts_ + cuts_by_planes_ - facets.size();
-  const SomeFacets some{facets, before, "depth sort", options_.stop};
-  BspNodes tree = build_nodes(mesh_, {.most_pieces = most_}, &some);
-  tree.prepare_planes();
-  PaintersOrder order;
-  append_far_to_near(tree, projected_, view_, order);
-  result_.order.decisions += tree.decisions;
-  result_.order.decisions += order.decisions;
-  cuts_by_planes_ += tree.splits;
-  result_.counts.cuts_in_cycles += tree.splits;
-  return order;
-}
-
 void Sorter::order_by_planes(const std::vector<std::uint32_t>& component) {
   for (const std::uint32_t p : component) block_of_[p] = static_cast<std::uint32_t>(blocks_.size());
   std::vector<std::uint32_t> ascending = component;
   std::sort(ascending.begin(), ascending.end());
-  const std::vector<FacetId> facets =
-      projected_.arithmetic() == Arithmetic::staged ? whole_facets(ascending) : std::vector<FacetId>();
+  const bool is_compared = projected_.arithmetic() != Arithmetic::staged;
+  const std::vector<FacetId> facets = is_compared ? std::vector<FacetId>() : whole_facets(faces_, ascending);
   if (!facets.empty()) {
-    blocks_.push_back(order_by_tree(facets));
+    const std::size_t before = pieces_.size() - cuts_ + cuts_by_planes_ - component.size();
+    TreeOrder found = ordered_by_tree(projected_, view_, facets, before, most_, options_.stop);
+    result_.order.decisions += found.order.decisions;
+    cuts_by_planes_ += found.splits;
+    result_.counts.cuts_in_cycles += found.splits;
+    blocks_.push_back(std::move(found.order));
     return;
   }
   std::vector<PieceOfFacet> pieces;
+  pieces.reserve(component.size());
   for (const std::uint32_t p : component) pieces.push_back(shaped(p));
   PaintersOrder order;
   for (const PieceOfFacet& piece : ordered_by_planes(overlaps_.map(), std::move(pieces), [&] {
