@@ -139,6 +139,7 @@ class OrderCommand {
     find_order();
     note_coincident_faces();
     note_caps();
+    note_crossing_faces();
     check();
     write();
     if (!is_right_) throw CheckFailed();
@@ -151,6 +152,7 @@ class OrderCommand {
   bool is_opaque() const;
   void note_coincident_faces();
   void note_caps();
+  void note_crossing_faces();
   void check();
   void write();
   std::string bytes_of(Format format);
@@ -226,6 +228,15 @@ void OrderCommand::note_caps() {
   const auto is_json = [](const Output& o) { return o.format == Format::json; };
   if (scene_.view().section && std::any_of(request_.outputs.begin(), request_.outputs.end(), is_json))
     context_.note("the pieces in JSON are of faces: the caps of the section, which are painted last, are not among them");
+}
+
+/// Their triangles are facets of their own.
+void OrderCommand::note_crossing_faces() {
+  const auto& faces = scene_.mesh.faces;
+  const auto crossing = static_cast<std::uint64_t>(std::count(faces.begin(), faces.end(), FaceUse::crosses_itself));
+  if (crossing > 0)
+    context_.note(counted(crossing, "face") + (crossing == 1 ? " crosses itself" : " cross themselves") +
+                  ": pieces may cover a place twice where the triangles overlap; hsr verify says where");
 }
 
 void OrderCommand::check() {
