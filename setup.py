@@ -29,6 +29,7 @@ class BuildWithCMake(build_ext):
             "HSR_TESTS": "OFF",
             "HSR_BENCH": "OFF",
             "HSR_EXAMPLES": "OFF",
+            "HSR_STEP": "OFF",
         }
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         given = [f"-D{name}={value}" for name, value in options.items()] + shlex.split(os.environ.get("CMAKE_ARGS", ""))

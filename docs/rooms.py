@@ -33,6 +33,7 @@ WORDS = {
     "coordinates": "results as numbers",
     "sheet": "views on one page",
     "io": "files in, files out",
+    "step": "surfaces of STEP and IGES",
     "study": "methods compared",
     "cli": "the command",
 }

@@ -23,7 +23,12 @@ class Rational {
   Rational() { mpq_init(q_); }
   Rational(double x);  // NOLINT(google-explicit-constructor): every finite double is a rational. @throws PreconditionError unless finite
   Rational(const Rational& o) : Rational() { mpq_set(q_, o.q_); }
-  Rational(Rational&& o) noexcept : Rational() { mpq_swap(q_, o.q_); }
+  /// What is left may be assigned to and destroyed, and nothing else. It takes no memory: mpz_init() does not.
+  Rational(Rational&& o) noexcept {
+    *q_ = *o.q_;
+    mpz_init(mpq_numref(o.q_));
+    mpz_init(mpq_denref(o.q_));
+  }
   Rational& operator=(const Rational& o) {
     mpq_set(q_, o.q_);
     return *this;

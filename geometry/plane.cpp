@@ -66,9 +66,15 @@ Plane Plane::section(const Viewpoint& eye, const Point3& point, const Point3& no
 }
 
 Plane Plane::line_with(const Plane& line) const {
-  require(line.kind == Kind::span, "Plane::near_line: the line's plane must be spanned by points");
+  require(line.kind == Kind::span || line.is_section, "Plane::near_line: the line's plane must be spanned by points");
   Plane plane = *this;
   plane.kind = Kind::near_line;
+  if (line.kind != Kind::span) {
+    plane.u_is = Support::normal;
+    plane.o = line.target;
+    plane.u = line.normal;
+    return plane;
+  }
   plane.u_is = line.u_is;
   plane.v_is = line.v_is;
   plane.o = line.o;

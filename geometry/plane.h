@@ -11,12 +11,17 @@ namespace hsr {
 ///   near       (p - eye) . (target - eye) - k |target - eye|^2; positive beyond the near plane. Of a section, which takes its
 ///              place: normal . (p - target), where target is a point of the section
 ///   near_line  near(p) L(eye) - near(eye) L(p): the plane of the eye and of the line where the near plane meets the span L; for
-///              a direction D toward the viewer near(eye) and L(eye) are the gradients times D
+///              a direction D toward the viewer near(eye) and L(eye) are the gradients times D. L may be a second section
 ///
 /// Degenerate: points that span no plane make `value` zero everywhere.
 struct Plane {
   enum class Kind : unsigned char { span, near, near_line };
-  enum class Support : unsigned char { point, direction, axis };
+  enum class Support : unsigned char {
+    point,
+    direction,
+    axis,
+    normal,  ///< `u` is square to the plane: of a section that a near_line is made of
+  };
 
   Kind kind = Kind::span;
   Support u_is = Support::point, v_is = Support::point;
@@ -48,7 +53,7 @@ struct Plane {
   static Plane near_line(const Point3& eye, const Point3& target, double k, const Plane& line);
   /// The plane through `point` that is square to `normal`, in place of the near plane. @pre its value at the viewpoint is negative
   static Plane section(const Viewpoint& eye, const Point3& point, const Point3& normal);
-  /// The near_line of `line` for this near plane or section. @throws PreconditionError unless `line` is a span
+  /// The near_line of `line` for this near plane or section. @throws PreconditionError unless `line` is a span or a section
   Plane line_with(const Plane& line) const;
 };
 

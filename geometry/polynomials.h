@@ -36,9 +36,11 @@ auto support(const A& a, const Point3& u, Plane::Support is, const Point3& o) {
   return V{a.axis(u, 0), a.axis(u, 1), a.axis(u, 2)};
 }
 
-/// The normal of a span, and of the span that a near_line is made of.
+/// The normal of a span, and of the span or the section that a near_line is made of.
 template <class A>
 auto normal(const A& a, const Plane& x) {
+  using V = Vector<typename A::Number>;
+  if (x.u_is == Plane::Support::normal) return V{a.direction(x.u, 0), a.direction(x.u, 1), a.direction(x.u, 2)};
   return cross(support(a, x.u, x.u_is, x.o), support(a, x.v, x.v_is, x.o));
 }
 

@@ -48,6 +48,13 @@ auto line(const A& a, const Camera& camera, const ViewPlane& l, const Point3& or
     const int k = largest_axis(camera.eye.at);
     return k == 0 ? V{n.y, n.z, c} : k == 1 ? V{n.z, n.x, c} : V{n.x, n.y, c};
   }
+  if (!l.is_meet && l.x.kind == Plane::Kind::near) {  // a section that is seen edge-on
+    const auto n = near_normal(a, l.x);
+    if (!is_parallel) return n;
+    const auto c = near_value(a, l.x, origin);
+    const int k = largest_axis(camera.eye.at);
+    return k == 0 ? V{n.y, n.z, c} : k == 1 ? V{n.z, n.x, c} : V{n.x, n.y, c};
+  }
   Plane first = l.x, second = l.y;
   if (!l.is_meet) {  // a near_line is the meet of its span and the near plane
     first.kind = Plane::Kind::span;

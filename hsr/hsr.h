@@ -11,6 +11,7 @@
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/painting.h"
 #include "hsr/lines/hidden_points.h"
+#include "hsr/lines/overhead.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/model.h"
 #include "hsr/painter/bsp/bsp.h"

@@ -83,6 +83,19 @@ void convert(ModelToJoin& part, const std::string& unit, bool is_y_up) {
   for (Point3& p : part.model.points) p = turned(p, is_y_up);
 }
 
+/// The surfaces and circles likewise; they decide nothing, and are rounded where they are no doubles.
+void convert_shapes(ModelToJoin& part, const std::string& unit, bool is_y_up) {
+  const Rational factor = millimetres(part.unit) / millimetres(unit);
+  const auto scaled = [&](double x) { return part.unit == unit ? x : (Rational(x) * factor).to_double(); };
+  const auto place = [&](const Point3& p) {
+    const Point3 q = {scaled(p.x), scaled(p.y), scaled(p.z)};
+    return part.is_y_up == is_y_up ? q : turned(q, is_y_up);
+  };
+  const auto direction = [&](const Point3& d) { return part.is_y_up == is_y_up ? d : turned(d, is_y_up); };
+  for (KnownSurface& s : part.model.surfaces) s = {s.kind, place(s.point), direction(s.direction), scaled(s.radius)};
+  for (KnownCircle& c : part.model.circles) c = {place(c.centre), direction(c.axis), scaled(c.radius)};
+}
+
 /// The cameras in the coordinates of all. A viewpoint is rounded where it is no double there.
 void convert_cameras(ModelToJoin& part, const std::string& unit, bool is_y_up) {
   const Rational factor = millimetres(part.unit) / millimetres(unit);
@@ -147,6 +160,7 @@ class Joiner {
     append(all_.face_colour, part.face_colour, faces_before, faces, [&](std::uint32_t c) { return first_colour + c; });
     append(all_.face_material, part.face_material, faces_before, faces,
            [&](std::uint32_t m) { return number_of_material(part.materials[m]); });
+    add_surfaces(part, faces_before, first_object);
     const std::string name = file_name(part);
     for (StoredCamera camera : part.cameras) {
       const auto is_taken = [&](const StoredCamera& c) { return c.name == camera.name; };
@@ -169,6 +183,26 @@ class Joiner {
       all_.polygons.first.push_back(first_corner + part.polygons.first[f + 1]);
     for (const auto& [a, b] : part.polygons.segments) all_.polygons.segments.push_back({first_point + a, first_point + b});
   }
+  /// What is known of its surfaces and edges. @pre its geometry has been added
+  void add_surfaces(const Model& part, std::size_t faces_before, std::uint32_t first_object) {
+    const std::uint32_t first_surface = surfaces_;
+    append(all_.face_surface, part.face_surface, faces_before, part.polygons.size(),
+           [&](std::uint32_t s) { return first_surface + s; });
+    for (const std::uint32_t s : part.face_surface)
+      if (s != none) surfaces_ = std::max(surfaces_, first_surface + s + 1);
+    surfaces_ = std::max(surfaces_, first_surface + static_cast<std::uint32_t>(part.surfaces.size()));
+    if (!part.surfaces.empty()) all_.surfaces.resize(first_surface);
+    all_.surfaces.insert(all_.surfaces.end(), part.surfaces.begin(), part.surfaces.end());
+    const auto first_point = static_cast<std::uint32_t>(all_.points.size() - part.points.size());
+    const auto first_circle = static_cast<std::uint32_t>(all_.circles.size());
+    for (MarkedEdge mark : part.marks) {
+      for (std::uint32_t& p : mark.points) p += first_point;
+      if (mark.object != none) mark.object += first_object;
+      if (mark.circle != none) mark.circle += first_circle;
+      all_.marks.push_back(mark);
+    }
+    all_.circles.insert(all_.circles.end(), part.circles.begin(), part.circles.end());
+  }
   /// By face: what this model says, `none` for the faces before if it is the first to say anything, and after it if others did.
   template <class Number>
   static void append(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& of_part, std::size_t before,
@@ -184,6 +218,7 @@ class Joiner {
   }
 
   Model all_;
+  std::uint32_t surfaces_ = 0;  // how many numbers of surfaces are in use
   std::map<std::string, std::uint32_t> materials_;
 };
 
@@ -202,6 +237,7 @@ JoinedModels joined(std::vector<ModelToJoin> models) {
   for (std::size_t m = 0; m < models.size(); ++m) {
     convert(models[m], unit, is_y_up);
     convert_cameras(models[m], unit, is_y_up);
+    convert_shapes(models[m], unit, is_y_up);
     joiner.add(models[m].model, std::move(objects[m]));
     models[m].model = {};
   }

@@ -8,6 +8,7 @@
 
 #include "geometry/mesh.h"
 #include "hsr/face_labels.h"
+#include "hsr/known_shapes.h"
 
 namespace hsr {
 
@@ -38,10 +39,14 @@ struct Model {
   std::vector<std::uint32_t> segment_object;  ///< as face_object, for each of the segments
   std::vector<std::string> materials;         ///< names of materials, by first use; empty: the file names none
   std::vector<std::uint32_t> face_material;   ///< index into materials for each face; empty like materials. 0xffffffff: none
-  std::optional<char> up_axis;                ///< 'y' where the format says which axis is up
-  std::optional<double> unit;                 ///< millimetres in a unit of the model, where the format says
-  std::vector<StoredCamera> cameras;          ///< no two of one name
-  std::vector<std::string> notes;             ///< what the reader passed over or repaired, one line each
+  std::vector<std::uint32_t> face_surface;    ///< number of a surface for each face; empty: none known. 0xffffffff: of none
+  std::vector<MarkedEdge> marks;       ///< edges of which more is known than the angle; object: an index into objects, else 0
+  std::vector<KnownSurface> surfaces;  ///< by face_surface, where more is known of them; else empty
+  std::vector<KnownCircle> circles;    ///< those that marks name
+  std::optional<char> up_axis;         ///< 'y' where the format says which axis is up
+  std::optional<double> unit;          ///< millimetres in a unit of the model, where the format says
+  std::vector<StoredCamera> cameras;   ///< no two of one name
+  std::vector<std::string> notes;      ///< what the reader passed over or repaired, one line each
 };
 
 /// Which object each face belongs to, and of which material it is: what the file names, or, in a file that names no material, the

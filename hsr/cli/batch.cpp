@@ -8,8 +8,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -30,9 +33,9 @@ namespace fs = std::filesystem;
 namespace {
 
 struct BatchArguments {
-  std::string list, directory, views = "front,top,right,iso", format = "svg", part;
+  std::string list, directory, views, format = "svg", part;
   std::vector<std::string> options;  ///< of hsr draw
-  int jobs = 0;                      ///< 0: as many as there are processors
+  std::optional<int> jobs;           ///< nothing: as many as there are processors
   bool as_sheets = false, quiet = false;
 };
 
@@ -58,7 +61,17 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// The models of a list, each once.
+constexpr const char* default_views = "front,top,right,iso";
+
+/// Each once, in the order in which they come.
+std::vector<std::string> distinct(const std::vector<std::string>& all) {
+  std::vector<std::string> once;
+  for (const std::string& text : all)
+    if (std::ranges::find(once, text) == once.end()) once.push_back(text);
+  return once;
+}
+
+/// The models of a list, each once. Lines may end in a zero, as find -print0 ends them.
 std::vector<std::string> models_of(const std::string& list) {
   std::ifstream file;
   if (list != "-") {
@@ -68,9 +81,11 @@ std::vector<std::string> models_of(const std::string& list) {
   std::istream& lines = list == "-" ? std::cin : file;
   std::vector<std::string> models;
   std::set<std::string> known;
-  for (std::string line; std::getline(lines, line);) {
+  const std::string text(std::istreambuf_iterator<char>(lines), {});
+  for (std::string line : split(text, text.find('\0') == std::string::npos ? '\n' : '\0')) {
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t')) line.pop_back();
-    if (!line.empty() && line[0] != '#' && known.insert(line).second) models.push_back(line);
+    if (line.empty() || line[0] == '#') continue;
+    if (known.insert(fs::path(line).lexically_normal().string()).second) models.push_back(line);
   }
   if (models.empty()) throw InputError(list + ": found no model, expected one to a line");
   return models;
@@ -99,12 +114,14 @@ std::string parse_part(const std::string& text, std::size_t& number, std::size_t
 class Batch {
  public:
   Batch(const BatchArguments& a, UnfinishedFiles& unfinished) : a_(a), unfinished_(unfinished), progress_(a.quiet) {
-    views_ = a.as_sheets ? std::vector<std::string>{"sheet"} : split(a.views, ',');
+    check_options();
+    views_ = a.as_sheets ? std::vector<std::string>{"sheet"} : distinct(split(a.views.empty() ? default_views : a.views, ','));
     for (const std::string& view : views_)
       if (view.empty()) throw InputError("--views: found \"" + a.views + "\", expected views with commas between");
     std::string part;
     if (!a.part.empty()) part = parse_part(a.part, part_, parts_);
     models_ = models_of(a.list);
+    check_outputs_differ();
     std::string words = std::string("hsr ") + HSR_VERSION + (a.as_sheets ? " sheet" : " draw");
     for (const std::string& option : a.options) words += '\0' + option;
     request_ = hash_of_text(words + '\0' + a.format);
@@ -117,7 +134,7 @@ class Batch {
     progress_.stage("drawing");
     std::vector<std::thread> workers;
     const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t jobs = std::min(a_.jobs > 0 ? static_cast<std::size_t>(a_.jobs) : processors, tasks_.size());
+    const std::size_t jobs = std::min(a_.jobs ? static_cast<std::size_t>(*a_.jobs) : processors, tasks_.size());
     for (std::size_t k = 0; k < jobs; ++k) workers.emplace_back([this] { work(); });
     for (std::thread& worker : workers) worker.join();
     if (failure_) std::rethrow_exception(failure_);
@@ -126,6 +143,32 @@ class Batch {
 
  private:
   using Task = std::pair<std::string, std::string>;  // model and view
+
+  void check_options() const {
+    if (a_.as_sheets && !a_.views.empty())
+      throw InputError("--views: found with --sheet, expected -- --views LIST, an option of hsr sheet");
+    if (a_.jobs && *a_.jobs < 1) throw InputError(fmt::format("--jobs: found {}, expected 1 or more", *a_.jobs));
+    for (const std::string& option : a_.options) {
+      const std::string name = option.substr(0, option.find('='));
+      const bool is_of_batch = name == "-o" || name == "--output" || name == "--report" || name == "-h" || name == "--help" ||
+                               (name == "--view" && !a_.as_sheets) || (option.size() > 2 && option.starts_with("-o"));
+      if (is_of_batch)
+        throw InputError(
+            fmt::format("{}: found after --, expected options of the drawing itself: files and views are the batch's", name));
+    }
+  }
+
+  /// Two models whose names come to one must not overwrite each other's drawing.
+  void check_outputs_differ() const {
+    std::map<std::string, std::string> model_of;
+    for (const std::string& model : models_) {
+      const auto [found, is_new] = model_of.try_emplace(output_of(model, "", ""), model);
+      if (!is_new)
+        throw InputError(
+            fmt::format("{}: found {} and {}, whose drawings would be one file, expected one of them, or other names", a_.list,
+                        found->second, model));
+    }
+  }
 
   void work() {
     try {
@@ -144,13 +187,17 @@ class Batch {
     BatchRow row{task.first, task.second, output_of(task.first, task.second, a_.format), 0, 0, request_, {}, {}, {}};
     const std::string path = a_.directory + "/" + row.output;
     row.input = hash_of_file(row.file).value_or("");
-    if (is_up_to_date(row, path)) {
-      ++kept_;
+    std::error_code error;
+    if (row.input.empty() && fs::exists(row.file, error) && !fs::is_directory(row.file, error)) {
+      row.status = 2;
+      row.message = row.file + ": cannot be read, expected a file";
+      add(row);
       return;
     }
-    std::error_code error;
+    if (is_up_to_date(row, path)) return;
     fs::create_directories(fs::path(path).parent_path(), error);
-    std::vector<std::string> words = {own_, a_.as_sheets ? "sheet" : "draw", row.file, "-o", path, "-q"};
+    const std::string model = row.file[0] == '-' ? "./" + row.file : row.file;  // no option
+    std::vector<std::string> words = {own_, a_.as_sheets ? "sheet" : "draw", model, "-o", path, "-q"};
     if (!a_.as_sheets) words.insert(words.end(), {"--view", row.view});
     if (std::ranges::find(a_.options, "--threads") == a_.options.end()) words.insert(words.end(), {"--threads", "1"});
     words.insert(words.end(), a_.options.begin(), a_.options.end());
@@ -159,11 +206,16 @@ class Batch {
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     row.status = ended.status;
     if (row.status == 0) row.hash = hash_of_file(path).value_or("");
+    if (row.status == 0 && row.hash.empty())
+      throw InputError(path + ": was not written, expected options with which hsr draws");
+    if (row.status == 0) ++made_;
     if (row.status != 0) {
       row.message = message_of(ended);
-      fs::remove(path, error);  // of a model that was right before
+      // What is wrong with the options is so for every model.
+      if (row.status == 2 && (row.message.starts_with("--") || row.message.find("(see 'hsr") != std::string::npos))
+        throw InputError(row.message);
+      if (fs::is_regular_file(path, error)) fs::remove(path, error);  // of a model that was right before
     }
-    ++made_;
     add(row);
   }
 
@@ -176,9 +228,11 @@ class Batch {
     }
     if (before == nullptr || before->request != row.request || before->input != row.input || before->output != row.output)
       return false;
-    // A model that is wrong stays wrong; one that was killed, as where memory was short, is tried again.
-    if (before->status != 0) return before->status < 128 && !row.input.empty();
-    return hash_of_file(path).value_or("") == before->hash;
+    // A model that is wrong stays wrong; where the disk was full or memory was short it is tried again.
+    if (before->status != 0) return before->status == 2 && !row.input.empty() && before->message.starts_with(row.file + ": ");
+    const bool is_there = hash_of_file(path).value_or("") == before->hash;
+    if (is_there) ++kept_;
+    return is_there;
   }
 
   void add(const BatchRow& row) {
@@ -200,7 +254,7 @@ class Batch {
     progress_.clear();
     if (!a_.quiet) {
       const std::string where = a_.part.empty() ? a_.directory + "/manifest.csv" : a_.directory + ", part " + a_.part;
-      tell("hsr: {}: {}, {} made now, {} as they were, {} failed\n", where, counted(tasks_.size(), "drawing"), made_.load(),
+      tell("hsr: {}: {}: {} made now, {} as they were, {} failed\n", where, counted(tasks_.size(), "drawing"), made_.load(),
            kept_.load(), failed);
     }
     if (failed > 0) throw CheckFailed();
@@ -229,7 +283,7 @@ void add_batch(CommandLine& command, UnfinishedFiles& unfinished) {
       command.add_verb("batch", "Draw many models, in many views, and say in a manifest what became of each", examples);
   options.add("LIST", a->list, "LIST", "A file with a model to a line; - for the standard input").required();
   options.add("-o,--output", a->directory, "DIR", "The directory of the drawings, made if it is not there").required();
-  options.add("--views", a->views, "LIST", "Views as hsr draw has them, with commas between").with_default_shown();
+  options.add("--views", a->views, "LIST", "Views as hsr draw has them, with commas between [front,top,right,iso]");
   options.add("--format", a->format, "FORMAT", "What the drawings end in")
       .with_default_shown()
       .one_of({"svg", "pdf", "eps", "dxf", "tex", "hpgl", "png", "json"});

@@ -89,8 +89,10 @@ int locked(const std::string& path) {
 }  // namespace
 
 std::optional<std::string> hash_of_file(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return {};  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
-  if (!file || fs::is_directory(path)) return {};
+  if (!file) return {};
   XXH3_state_t state;
   XXH3_128bits_reset(&state);
   std::vector<char> buffer(1 << 16);

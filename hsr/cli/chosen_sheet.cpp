@@ -95,7 +95,11 @@ SheetOptions SheetArguments::options() const {
 std::string SheetArguments::adopt(const Model& model, SheetOptions& options) const {
   options.unit = unit_of(unit, model);
   options.y_up = up_axis_of(up_axis, model) == 'y';
-  if (options.title.title.empty()) options.title.title = std::filesystem::path(model.name).stem().string();
+  if (options.title.title.empty()) {
+    std::filesystem::path name = std::filesystem::path(model.name).filename();
+    if (name.extension() == ".gz") name = name.stem();
+    options.title.title = name.stem().string();
+  }
   return unit.empty() ? unit_note(model) : std::string();
 }
 

@@ -102,6 +102,40 @@ SectionPlane parse_plane(const std::string& text) {
 
 namespace {
 
+/// "x=..12.5" or "x=12.5..", what is left, beside what parse_plane() takes.
+SectionPlane parse_section(const std::string& text, const View& view) {
+  const auto refuse = [&](const std::string& expected) { throw InputError("--section: found \"" + text + "\", " + expected); };
+  const bool is_upper_end = text.size() > 4 && text.compare(2, 2, "..") == 0;
+  const bool is_lower_end = !is_upper_end && text.size() > 4 && text.compare(text.size() - 2, 2, "..") == 0;
+  const std::string number =
+      is_upper_end ? text.substr(4) : text.substr(std::min<std::size_t>(2, text.size()), text.size() - (is_lower_end ? 4 : 2));
+  const bool is_axis = text.find('@') == std::string::npos;
+  if (is_axis && text.size() > 2 && !parse_number(number))
+    refuse("expected a plane such as x=12.5, or its normal and a point NX,NY,NZ@X,Y,Z");
+  SectionPlane plane = parse_plane(is_axis && (is_upper_end || is_lower_end) ? text.substr(0, 2) + number : text);
+  if (!is_axis) {
+    if (plane.normal == Point3{}) refuse("expected a normal that is not 0,0,0");
+    return plane;
+  }
+  if (is_upper_end) plane.normal = {-plane.normal.x + 0.0, -plane.normal.y + 0.0, -plane.normal.z + 0.0};
+  const Sign side = viewer_side(view, plane);
+  const std::string axis = text.substr(0, 2);
+  if (side == Sign::zero && !is_upper_end && !is_lower_end)
+    refuse("which is seen edge-on, expected the side that is left, too: " + axis + ".." + number + " or " + axis + number +
+           "..");
+  if (side == Sign::positive && (is_upper_end || is_lower_end))
+    refuse("of which the viewer is on the side that is to be left, expected " + axis + number);
+  return plane;
+}
+
+View cut_view(const ViewOptions& o, View view) {
+  std::vector<SectionPlane> planes;
+  for (const std::string& text : o.sections) planes.push_back(parse_section(text, view));
+  if (!planes.empty()) view = with_sections(view, planes);
+  if (o.depth && planes.empty()) throw InputError("--depth: found no --section, expected one from which to measure");
+  return o.depth ? with_depth(view, *o.depth) : view;
+}
+
 /// But for the section.
 ChosenView choose_uncut_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
   if (static_cast<int>(!o.name.empty()) + static_cast<int>(!o.eye.empty()) + static_cast<int>(!o.direction.empty()) > 1)
@@ -149,11 +183,9 @@ ChosenView choose_uncut_view(const ViewOptions& o, const Mesh& mesh, const Model
 
 ChosenView choose_view(const ViewOptions& o, const Mesh& mesh, const Model& model) {
   ChosenView chosen = choose_uncut_view(o, mesh, model);
-  if (!o.section.empty()) {
-    const SectionPlane plane = parse_plane(o.section);
-    chosen.view = with_section(chosen.view, plane.point, plane.normal);
-    chosen.title += ", section " + o.section;
-  }
+  chosen.view = cut_view(o, chosen.view);
+  for (const std::string& section : o.sections) chosen.title += ", section " + section;
+  if (o.depth) chosen.title += fmt::format(", depth {}", *o.depth);
   return chosen;
 }
 
@@ -167,7 +199,16 @@ JsonValue json_of(const View& view) {
       {"up", list(view.up)},
       {"frame", {{"origin", list(view.frame.origin)}, {"right", list(view.frame.right)}, {"up", list(view.frame.up)}}},
       {"near", view.is_perspective() ? JsonValue(view.near) : JsonValue()}};
-  if (view.section) json.set("section", {{"point", list(view.section->point)}, {"normal", list(view.section->normal)}});
+  const auto plane_json = [&](const SectionPlane& plane) {
+    return JsonValue{{"point", list(plane.point)}, {"normal", list(plane.normal)}};
+  };
+  if (view.section) json.set("section", plane_json(*view.section));
+  if (!view.planes.empty()) {
+    JsonValue planes = JsonValue::array({});
+    for (const SectionPlane& plane : view.planes) planes.push_back(plane_json(plane));
+    json.set("sections", std::move(planes));
+  }
+  if (view.far) json.set("far", plane_json(*view.far));
   return json;
 }
 

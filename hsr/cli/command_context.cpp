@@ -1,9 +1,12 @@
 #include "hsr/cli/command_context.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "geometry/error.h"
+#include "hsr/cli/chord.h"
 #include "hsr/cli/messages.h"
+#include "hsr/cli/model_defaults.h"
 #include "hsr/cli/model_section.h"
 
 namespace hsr::cli {
@@ -35,19 +38,30 @@ CommandContext::CommandContext(const CommonArguments& common, const std::vector<
 }
 
 ViewedModel CommandContext::read(const ModelArguments& models, const ViewOptions& view, double tolerance,
-                                 const std::string& unit) {
-  ViewedModel viewed;
+                                 const std::string& unit, const DrawingOptions& page) {
   progress.stage("reading");
-  viewed.model = report.timed("read", [&] { return models.read(unit, view.up_axis); });
-  progress.stage("faces");
-  viewed.mesh = report.timed("mesh", [&] { return make_mesh(viewed.model.points, viewed.model.polygons, tolerance); });
-  viewed.chosen = choose_view(view, viewed.mesh, viewed.model);
-  return viewed;
+  OpenedModels opened = report.timed("read", [&] { return models.open(unit, view.up_axis); });
+  const auto viewed = [&](std::optional<double> chord) {
+    ViewedModel of_chord{report.timed("read", [&] { return opened.model(chord); }), {}, {}};
+    progress.stage("faces");
+    of_chord.mesh = report.timed("mesh", [&] { return make_mesh(of_chord.model.points, of_chord.model.polygons, tolerance); });
+    of_chord.chosen = choose_view(view, of_chord.mesh, of_chord.model);
+    return of_chord;
+  };
+  ViewedModel coarse = viewed({});
+  if (!opened.have_surfaces()) return coarse;
+  // The scale is known once the view is, for which any mesh will do.
+  DrawingOptions at_scale = page;
+  at_scale.unit = unit_of(unit, coarse.model);
+  at_scale.field_of_view = coarse.chosen.field_of_view;
+  // The middle of a chord is to be near enough to the circle that it is to become an arc of.
+  const double on_paper = page.fit_arcs > 0 ? std::min(models.chord, page.fit_arcs) : models.chord;
+  return viewed(chord_for(coarse.mesh, coarse.chosen.view, at_scale, on_paper) * at_scale.unit);
 }
 
 void CommandContext::find_section(const ViewedModel& model, const SceneView& scene, const EdgeClasses& classes,
                                   DrawingOptions& drawing, std::optional<Section>& found) {
-  if (!model.view().section) return;
+  if (!model.view().has_section()) return;
   progress.stage("section");
   const std::string text =
       report.timed("section", [&] { return cli::find_section(model.model, scene, classes, drawing, found); });

@@ -70,7 +70,9 @@ class CommandContext {
 
   /// Reads the models, as one, and chooses the view.
   /// @param tolerance below which points are one @param unit of all models; empty: what each of them says
-  ViewedModel read(const ModelArguments& models, const ViewOptions& view, double tolerance = 0, const std::string& unit = {});
+  /// @param page for which surfaces become meshes; its unit is passed over
+  ViewedModel read(const ModelArguments& models, const ViewOptions& view, double tolerance = 0, const std::string& unit = {},
+                   const DrawingOptions& page = {});
   /// What the view's section cuts closed bodies to, told to the drawing, the report and the user. @param found outlives the drawing
   void find_section(const ViewedModel& model, const SceneView& scene, const EdgeClasses& classes, DrawingOptions& drawing,
                     std::optional<Section>& found);

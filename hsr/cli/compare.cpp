@@ -155,7 +155,7 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
   check(a);
   OutputDirectory directory(a.directory, unfinished);
   CommandContext context(a.common, a.models.models, {}, unfinished);
-  if (!a.view.section.empty())
+  if (!a.view.sections.empty())
     throw InputError("--section: the methods of compare know no caps, expected a view without a section");
   const ViewedModel viewed = context.read(a.models, a.view);
   context.say_notes_of(viewed);

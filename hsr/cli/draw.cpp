@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,6 +29,7 @@
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/json.h"
+#include "hsr/lines/overhead.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/input_noise.h"
 #include "hsr/surfaces/regions.h"
@@ -49,7 +51,8 @@ struct DrawArguments {
   bool fill = false, outline_only = false;
   std::string merge = "none", shade = "slope";
   bool check = false;
-  std::string hidden = "none";
+  std::string hidden = "none", overhead = "off";
+  bool section_each = false;
   PageArguments page;
   std::string dxf_release = "r12", id_prefix;
   bool exact = false, why = false;
@@ -148,7 +151,7 @@ std::string empty_drawing(const DrawArguments& a, bool in_frame, const VisibleLi
     return "no edge of this model is of the classes " + a.lines.edges + " in this view: --edges all draws every edge";
   const bool nothing_ahead =
       std::all_of(lines.lines.begin(), lines.lines.end(), [](const Line& l) { return l.intervals() == 0; });
-  if (nothing_ahead && !a.view.section.empty()) return "the section leaves nothing, or what it leaves is seen as points";
+  if (nothing_ahead && !a.view.sections.empty()) return "the section leaves nothing, or what it leaves is seen as points";
   if (nothing_ahead && !a.view.eye.empty())
     return "nothing of the model is beyond the near plane, or seen as more than a point: see --target and --near";
   if (nothing_ahead) return "every edge is seen as a point";
@@ -196,7 +199,7 @@ DrawRequest parse(const DrawArguments& a) {
   request.drawing.leave_out_near = true;
   if (a.outline_only && request.wants(Format::json))
     throw InputError("--outline-only: json has lines and no outline, expected svg, pdf, eps, dxf, tex, hpgl or png");
-  if (!a.view.section.empty() && request.wants(Format::csv))
+  if (!a.view.sections.empty() && request.wants(Format::csv))
     throw InputError("--section: the z-buffers of a csv know no caps, expected a view without a section");
   if (a.outline_only) ask_for_outline_only(request.lines, request.drawing);
   request.scene.hidden_lines = a.why || request.drawing.hidden != HiddenLines::none || request.wants(Format::json);
@@ -228,6 +231,7 @@ class DrawCommand {
  private:
   void read();
   void find_lines();
+  void add_overhead();
   void find_fragments();
   void note_coincident_faces();
   void check();
@@ -266,7 +270,7 @@ class DrawCommand {
 };
 
 void DrawCommand::read() {
-  scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance, a_.page.unit);
+  scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance, a_.page.unit, request_.drawing);
   objects_ = objects_of(scene_.model, scene_.mesh);
   request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = scene_.chosen.field_of_view;
@@ -324,9 +328,15 @@ void DrawCommand::find_lines() {
   context_.progress.stage("visible lines");
   context_.report.timed("lines", [&] {
     // Fragments are bounded by the lines of all edges: these are found once, and the drawing takes some of them.
-    const bool finds_all = wants_fragments() && !a_.why && a_.lines.method != "roberts" && fragments_use_lines(*prepared_);
+    const FaceLabels& labels = prepared_->labels();
+    const bool tells_smooth = labels.surface.empty() && labels.marks.empty();
+    const bool tells_intersections = labels.shape.empty();
+    const bool finds_all = wants_fragments() && !a_.why && a_.lines.method != "roberts" && fragments_use_lines(*prepared_) &&
+                           tells_intersections &&
+                           (tells_smooth || !request_.lines.classes[static_cast<std::size_t>(EdgeClass::smooth)]);
     if (!finds_all) {
       lines_ = visible_lines(*prepared_, request_.lines);
+      add_overhead();
       return;
     }
     LineOptions every = request_.lines;
@@ -335,9 +345,14 @@ void DrawCommand::find_lines() {
     every.frame = {};
     every_line_ = visible_lines(*prepared_, every);
     lines_ = lines_of_classes(scene_.mesh, *every_line_, request_.lines.classes);
+    add_overhead();
   });
   describe(context_.report, scene_.model, scene_.mesh, lines_);
   decisions_ = lines_.decisions;
+}
+
+void DrawCommand::add_overhead() {
+  if (a_.overhead != "off") lines_ = with_overhead(*prepared_, request_.lines, std::move(lines_));
 }
 
 void DrawCommand::find_fragments() {
@@ -537,12 +552,40 @@ void run(const DrawArguments& a, UnfinishedFiles& unfinished) {
   }
 }
 
+/// "plan-2.svg"
+std::string numbered(const std::string& path, std::size_t k) {
+  const std::filesystem::path p(path);
+  return (p.parent_path() / (p.stem().string() + "-" + std::to_string(k) + p.extension().string())).string();
+}
+
+/// One drawing for each plane.
+void run_each(const DrawArguments& a, UnfinishedFiles& unfinished) {
+  if (a.view.sections.empty()) throw InputError("--section-each: found no --section, expected one for each drawing");
+  for (const std::string& output : a.outputs)
+    if (output.ends_with(":-")) throw InputError("--section-each: found " + output + ", expected files, one for each drawing");
+  for (std::size_t k = 0; k < a.view.sections.size(); ++k) {
+    DrawArguments one = a;
+    one.section_each = false;
+    one.view.sections = {a.view.sections[k]};
+    for (std::string& output : one.outputs) output = numbered(output, k + 1);
+    if (!one.common.report.empty() && one.common.report != "-") one.common.report = numbered(one.common.report, k + 1);
+    run(one, unfinished);
+  }
+}
+
 void add_line_options(DrawArguments& a, Options& options) {
   options.begin_group("Lines");
   options.add("--hidden", a.hidden, "STYLE", "Hidden lines: none, dashed or solid")
       .with_default_shown()
       .one_of({"none", "dashed", "solid"});
   a.lines.add_to(options);
+  options
+      .add("--overhead", a.overhead, "STYLE",
+           "What the section takes away, as it is seen from the cut: dashed, in the class overhead, or off. In parallel views")
+      .with_default_shown()
+      .one_of({"dashed", "off"});
+  options.add_flag("--section-each", a.section_each,
+                   "A drawing for each --section, numbered in their order: plan-1.svg, plan-2.svg");
   options.add_flag("--why", a.why, "JSON: which faces hide each hidden interval");
 }
 
@@ -605,7 +648,7 @@ void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
   options.begin_group("Report");
   a->common.add_report_to(options, "Times, counts and decisions");
   a->common.add_quiet_to(options, "Say nothing but what is wrong");
-  options.on_run([a, &unfinished] { run(*a, unfinished); });
+  options.on_run([a, &unfinished] { a->section_each ? run_each(*a, unfinished) : run(*a, unfinished); });
 }
 
 }  // namespace hsr::cli

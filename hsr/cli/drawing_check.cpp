@@ -8,7 +8,9 @@
 #include "hsr/cli/messages.h"
 #include "hsr/raster/capped_samples.h"
 #include "hsr/raster/caster.h"
+#include "hsr/raster/cell_samples.h"
 #include "hsr/raster/z_buffer.h"
+#include "hsr/scene/view_parts.h"
 
 namespace hsr::cli {
 
@@ -37,23 +39,46 @@ void say(const ZBufferCheck& z, const char* numbers) {
   say(z.first_other);
 }
 
+/// A z-buffer knows no caps: it is looked at beside them, and in the cells of a view cell by cell, as if there were no far plane.
+template <class Real>
+ZBufferCheck checked(const SceneView& scene, const SampleGrid& samples, const Image<TriangleId>& nearest) {
+  const TieRule ties = scene.options().coplanar;
+  const auto check = [&](const SceneView& seen_by, Image<TriangleId> seen, const auto& is_left_out) {
+    DepthImage<Real> image = z_buffer<Real>(scene.mesh(), seen_by.view(), samples, ties);
+    for (std::size_t k = 0; k < seen.pixels.size(); ++k)
+      if (is_left_out(k)) image.pixels[k].triangle = seen.pixels[k] = TriangleId();
+    return check_z_buffer(scene.mesh(), seen_by.view(), samples, image, seen, ties);
+  };
+  if (!scene.view().has_cells()) {
+    const Image<std::uint8_t> capped = capped_samples(scene, samples);
+    return check(scene, nearest, [&](std::size_t k) { return !capped.pixels.empty() && capped.pixels[k] != 0; });
+  }
+  const Image<std::uint8_t> cell_of = cell_samples(scene, samples);
+  ZBufferCheck all;
+  const auto& cells = scene.parts().cells();
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const Image<std::uint8_t> capped = capped_samples(cells[c].scene, samples);
+    const ZBufferCheck one = check(cells[c].scene, cast(cells[c].scene, samples).triangles, [&](std::size_t k) {
+      return cell_of.pixels[k] != c || (!capped.pixels.empty() && capped.pixels[k] != 0);
+    });
+    all.samples = one.samples;
+    all.covered += one.covered;
+    all.wrong += one.wrong;
+    all.depth += one.depth;
+    all.edge += one.edge;
+    all.unbounded += one.unbounded;
+    all.other += one.other;
+    all.first_other.insert(all.first_other.end(), one.first_other.begin(), one.first_other.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 DrawingCheck check_drawing(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples) {
-  const Mesh& mesh = scene.mesh();
-  const View& view = scene.view();
-  const TieRule ties = scene.options().coplanar;
   const Image<TriangleId> nearest = cast(scene, samples).triangles;
-  // A z-buffer knows no caps: it is looked at beside them.
-  const Image<std::uint8_t> capped = capped_samples(scene, samples);
-  const auto without_caps = [&](auto image) {
-    for (std::size_t k = 0; k < capped.pixels.size(); ++k)
-      if (capped.pixels[k] != 0) image.pixels[k].triangle = TriangleId();
-    return image;
-  };
-  return {check_fragments(scene, fragments, samples, nearest),
-          check_z_buffer(mesh, view, samples, without_caps(z_buffer<float>(mesh, view, samples, ties)), nearest, ties),
-          check_z_buffer(mesh, view, samples, without_caps(z_buffer<double>(mesh, view, samples, ties)), nearest, ties)};
+  return {check_fragments(scene, fragments, samples, nearest), checked<float>(scene, samples, nearest),
+          checked<double>(scene, samples, nearest)};
 }
 
 Report::Json json_of(const DrawingCheck& check) {

@@ -94,7 +94,7 @@ void print(const Model& model, const SceneFacts& f) {
   if (!model.cameras.empty())
     fmt::print("  cameras     {}\n", listed(model.cameras, [](const StoredCamera& c) { return c.name; }));
   if (model.up_axis) fmt::print("  up axis     {}, by the format\n", *model.up_axis);
-  if (model.unit) fmt::print("  unit        {:g} mm, by the format\n", *model.unit);
+  if (model.unit) fmt::print("  unit        {:g} mm, by the file or its format\n", *model.unit);
   fmt::print("  edges       {} with two faces, {} with one, {} with more\n", f.regular_edges, f.boundary_edges,
              f.non_manifold_edges);
   fmt::print("  closed      {}\n  manifold    {}\n  oriented    {}\n", yes_no(f.is_closed()), yes_no(f.is_manifold()),

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "geometry/error.h"
+#include "geometry/number_memory.h"
 #include "hsr/cli/command_line.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/memory_limit.h"
@@ -35,25 +36,14 @@ int fail(const std::string& message) {
 /// The library names what it refuses as the options are named, without the dashes.
 std::string with_dashes(const std::string& message) {
   for (const std::string option :
-       {"page",   "pen",  "scale", "unit",   "margin",  "size", "fov",  "near",  "up",     "direction", "eye",
-        "target", "view", "views", "family", "oblique", "only", "hide", "ghost", "detail", "section"})
+       {"page", "pen",   "scale",  "unit",    "margin", "size", "fov",   "near",   "up",      "direction", "eye",     "target",
+        "view", "views", "family", "oblique", "only",   "hide", "ghost", "detail", "section", "depth",     "overhead"})
     if (message.rfind(option + ":", 0) == 0) return "--" + message;
   return message;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  hsr::cli::reserve_standard_streams();
-  hsr::cli::limit_memory_to_what_there_is();
-  hsr::cli::keep_freed_memory();
-  clears_line = isatty(STDERR_FILENO) != 0;
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  std::signal(SIGHUP, on_interrupt);
-  std::signal(SIGXFSZ,
-              SIG_IGN);  // a limit on the size of files: writing fails, one line says so, and no part of a file is left
-  std::signal(SIGPIPE, SIG_IGN);  // who reads the standard output may stop: then writing fails, and one line says so
+/// Declares all verbs and runs the one that is asked for.
+void run(int argc, char** argv) {
   hsr::cli::CommandLine command(
       "hsr", "hsr: what is visible, exactly. Vector drawings of polygon models with hidden lines removed or dashed.",
       std::string("hsr ") + HSR_VERSION,
@@ -68,10 +58,27 @@ int main(int argc, char** argv) {
   hsr::cli::add_compare(command, unfinished);
   hsr::cli::add_stability(command, unfinished);
   hsr::cli::add_manual(command);
+  command.run(argc, argv);
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || !std::cout) throw hsr::InputError("standard output: cannot be written");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  clears_line = isatty(STDERR_FILENO) != 0;
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  std::signal(SIGHUP, on_interrupt);
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a limit on the size of files: writing fails, one line says so, and no part of a file is left
+  std::signal(SIGPIPE, SIG_IGN);  // who reads the standard output may stop: then writing fails, and one line says so
   try {
-    command.run(argc, argv);
-    std::cout.flush();
-    if (std::fflush(stdout) != 0 || !std::cout) throw hsr::InputError("standard output: cannot be written");
+    hsr::cli::reserve_standard_streams();
+    hsr::internal::throw_where_numbers_have_no_memory();
+    hsr::cli::limit_memory_to_what_there_is();
+    hsr::cli::keep_freed_memory();
+    run(argc, argv);
     return 0;
   } catch (const hsr::cli::CheckFailed&) {
     return 1;

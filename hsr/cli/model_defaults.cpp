@@ -27,6 +27,9 @@ double unit_of(const std::string& option, const Model& model) {
 std::string unit_note(const Model& model) {
   if (!model.unit) return {};
   const std::string unit = name_of_unit(*model.unit);
+  // These say it file by file, and it is what one expects.
+  if (model.format.starts_with("STEP") || model.format.starts_with("IGES"))
+    return unit == "mm" ? std::string() : fmt::format("the file has a unit of {}: --unit {} is the default", unit, unit);
   return fmt::format("{} has a unit of {} by its specification: --unit {} is the default", model.format, unit, unit);
 }
 

@@ -8,7 +8,7 @@ namespace hsr::cli {
 
 std::string find_section(const Model& model, const SceneView& scene, const EdgeClasses& classes, DrawingOptions& drawing,
                          std::optional<Section>& found) {
-  if (!scene.view().section) return "";
+  if (!scene.view().has_section()) return "";
   found = section(scene);
   drawing.section = &*found;
   drawing.section_classes = classes;
@@ -17,7 +17,7 @@ std::string find_section(const Model& model, const SceneView& scene, const EdgeC
   if (found->open_outlines > 0)
     return fmt::format("{} outline{} of the cut {} not close, so nothing is hatched there: the surface is open",
                        found->open_outlines, found->open_outlines == 1 ? "" : "s", found->open_outlines == 1 ? "does" : "do");
-  return found->caps.empty() ? "the section cuts no closed body" : "";
+  return found->caps.empty() && found->lines.empty() ? "the section cuts no closed body" : "";
 }
 
 }  // namespace hsr::cli

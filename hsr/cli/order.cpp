@@ -127,7 +127,7 @@ class OrderCommand {
       : a_(a), request_(parse(a)), context_(a.common, a.models.models, paths_of(request_.outputs), unfinished) {}
 
   void run() {
-    scene_ = context_.read(a_.models, a_.view, 0, a_.page.unit);
+    scene_ = context_.read(a_.models, a_.view, 0, a_.page.unit, a_.page.options());
     context_.report.set("view", cli::json_of(scene_.view()));
     prepared_ = scene_.prepared({.coplanar = a_.scene.which_coplanar()});
     request_.drawing.field_of_view = scene_.chosen.field_of_view;
@@ -138,7 +138,6 @@ class OrderCommand {
     context_.find_section(scene_, *prepared_, request_.lines.classes, request_.drawing, section_);
     find_order();
     note_coincident_faces();
-    note_caps();
     note_crossing_faces();
     check();
     write();
@@ -151,7 +150,6 @@ class OrderCommand {
   PaintersOrder by_tree();
   bool is_opaque() const;
   void note_coincident_faces();
-  void note_caps();
   void note_crossing_faces();
   void check();
   void write();
@@ -224,12 +222,6 @@ void OrderCommand::note_coincident_faces() {
   if (!text.empty()) context_.note(text);
 }
 
-void OrderCommand::note_caps() {
-  const auto is_json = [](const Output& o) { return o.format == Format::json; };
-  if (scene_.view().section && std::any_of(request_.outputs.begin(), request_.outputs.end(), is_json))
-    context_.note("the pieces in JSON are of faces: the caps of the section, which are painted last, are not among them");
-}
-
 /// Their triangles are facets of their own.
 void OrderCommand::note_crossing_faces() {
   const auto& faces = scene_.mesh.faces;
@@ -268,7 +260,7 @@ const Drawing& OrderCommand::drawing() {
 std::string OrderCommand::bytes_of(Format format) {
   if (format == Format::json)
     return order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded,
-                      a_.scene.which_coplanar());
+                      a_.scene.which_coplanar(), request_.drawing.section);
   SvgOptions captions = scene_.captions();
   captions.id_prefix = a_.id_prefix;
   return written(drawing(), name_of(format),

@@ -14,7 +14,7 @@ void ask_for_outline_only(LineOptions& lines, DrawingOptions& drawing) {
 }
 
 Regions union_of_all(const SceneView& scene, const VisibleFragments& fragments) {
-  if (scene.view().section)
+  if (scene.view().has_section())
     throw InputError(
         "section: the outline of everything would lack the caps, expected a view without a section, or no outline only");
   const std::vector<Colour> one_colour(scene.mesh().faces.size(), Colour{0, 0, 0, 255});

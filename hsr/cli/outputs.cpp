@@ -83,6 +83,7 @@ void OutputFiles::write(const std::string& path, const std::string& bytes) {
 }
 
 void OutputFiles::commit() {
+  for (const auto& file : files_) file->close();
   if (standard_output_) write_file("-", *standard_output_);
   for (const auto& file : files_) file->commit();
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -50,7 +51,12 @@ void run(const SheetCommand& a, UnfinishedFiles& unfinished) {
   CommandContext context(a.common, a.models.models, paths_of(outputs), unfinished);
   ViewOptions view;
   view.up_axis = a.sheet.up_axis;
-  const ViewedModel model = context.read(a.models, view, options.lines.tolerance, a.sheet.unit);
+  // A view has half of the sheet at most, and details are larger.
+  DrawingOptions of_view;
+  of_view.page = {options.format.width / 2, options.format.height / 2, 0, true, false};
+  of_view.scale = options.scale;
+  for (const SheetDetail& detail : options.details) of_view.scale = std::max(of_view.scale.value_or(0), detail.scale);
+  const ViewedModel model = context.read(a.models, view, options.lines.tolerance, a.sheet.unit, of_view);
   context.say_notes_of(model);
   const SceneObjects objects = objects_of(model.model, model.mesh);
   options.objects = &objects;

@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "geometry/error.h"
-#include "hsr/io/read/read.h"
 
 namespace hsr::cli {
 
@@ -51,15 +50,15 @@ bool looks_like_obj(std::string_view text) {
 
 }  // namespace
 
-Model read_standard_input(const std::string& format) {
+ModelFile read_standard_input(const std::string& format) {
   const std::string bytes = all_bytes();
   const std::string ending = !format.empty() ? "." + format : looks_like_obj(bytes) ? ".obj" : "";
   // Readers know a format by the ending of a path; who reads their messages gave none.
   const std::string path = std::string(name) + ending;
   try {
-    Model model = read_model(path, bytes);
-    model.name = name;
-    return model;
+    ModelFile file = ModelFile::read(path, bytes);
+    file.call(std::string(name));
+    return file;
   } catch (const InputError& e) {
     const std::string message = e.what();
     if (ending.empty() || !message.starts_with(path)) throw;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/mesh.h"
 #include "hsr/cli/command_line.h"
@@ -13,8 +14,9 @@ namespace hsr::cli {
 
 /// The options that say from where the model is looked at.
 struct ViewOptions {
-  std::string name, eye, target, direction, up, oblique, section;
-  std::optional<double> field_of_view, near;
+  std::string name, eye, target, direction, up, oblique;
+  std::vector<std::string> sections;
+  std::optional<double> field_of_view, near, depth;
   std::string up_axis;  ///< y or z; empty: the model's
 
   void add_to(Options& options);

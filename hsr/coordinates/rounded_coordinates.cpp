@@ -68,7 +68,9 @@ PlacedPoint RoundedCoordinates::at(FacetId facet, const MapPoint& p) const {
     const auto plane = [&](const MapLine& line) {
       if (line.kind == MapLine::Kind::edge)
         return Plane::of_sight(view_.viewpoint, mesh_.points[VertexId(line.u)], mesh_.points[VertexId(line.v)]);
-      return view_.near_plane().line_with(face_plane(TriangleId(line.u)));
+      const auto v = static_cast<std::uint8_t>(line.v);
+      if (line.kind == MapLine::Kind::fold) return view_.fold_plane(static_cast<std::uint8_t>(line.u), v);
+      return view_.cutting_plane(v).line_with(face_plane(TriangleId(line.u)));
     };
     if (p.l.kind != MapLine::Kind::meet && p.m.kind != MapLine::Kind::meet)
       return meet(face_plane(facet), plane(p.l), plane(p.m), exact);

@@ -22,16 +22,18 @@ int precedence(EdgeClass edge_class) {
       return 3;
     case EdgeClass::material:
       return 4;
-    case EdgeClass::wire:
+    case EdgeClass::overhead:
       return 5;
-    case EdgeClass::joint:
+    case EdgeClass::wire:
       return 6;
+    case EdgeClass::joint:
+      return 7;
     case EdgeClass::smooth:
     case EdgeClass::section:
     case EdgeClass::hatching:
       break;  // the last two are no lines of the scene
   }
-  return 7;
+  return 8;
 }
 
 }  // namespace
@@ -153,7 +155,7 @@ int LineOverlay::compare(std::uint32_t i, std::uint32_t j) {
   if (v.is_valid() && w.is_valid() && at_one_place(v, w)) return 0;
   const Cut &c = cut_of(p.place), &d = cut_of(q.place);
   if (c.kind == Cut::Kind::sight && d.kind == Cut::Kind::sight && std::minmax(c.u, c.v) == std::minmax(d.u, d.v)) return 0;
-  if (c.kind == Cut::Kind::near_line && d.kind == Cut::Kind::near_line && c.u == d.u) return 0;
+  if (c.kind == Cut::Kind::near_line && d.kind == Cut::Kind::near_line && c.u == d.u && c.axis == d.axis) return 0;
   const auto order = exact_coordinate(p) <=> exact_coordinate(q);
   return order < 0 ? -1 : order > 0 ? 1 : 0;
 }

@@ -27,7 +27,16 @@ using namespace internal;
 namespace {
 
 /// Every edge beyond the near plane, as if nothing hid anything: what the page has to hold.
-VisibleLines all_edges(const Mesh& mesh, const ProjectedMesh& projected) {
+VisibleLines all_edges(const SceneView& scene) {
+  if (scene.view().has_cells()) {
+    LineOptions every;
+    every.classes.fill(true);
+    VisibleLines left = visible_lines(scene, every);
+    std::erase_if(left.lines, [](const Line& line) { return line.intervals() == 0; });
+    return left;
+  }
+  const Mesh& mesh = scene.mesh();
+  const ProjectedMesh& projected = scene.parts().projected();
   VisibleLines all;
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const EdgeId e(i);
@@ -49,7 +58,7 @@ VisibleLines all_edges(const Mesh& mesh, const ProjectedMesh& projected) {
 std::vector<std::optional<EdgeClass>> asked_classes(const ViewParts& parts, const LineOptions& options) {
   const ProjectedMesh& projected = parts.projected();
   std::vector<std::optional<EdgeClass>> asked(parts.mesh().edges.size());
-  const EdgeClassifier classifier(projected, parts.labels(), options);
+  const EdgeClassifier classifier(projected, parts.labels(), parts.marks(), options);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, asked.size(), 512), [&](const Range& range) {
     Predicates exact = projected.predicates();
@@ -300,7 +309,7 @@ Drawing paint_on_page(const SceneView& scene, const PaintersOrder& order, const 
   std::vector<std::optional<EdgeClass>> asked;
   if (with_pieces) asked = asked_classes(scene.parts(), lines);
   const VisibleLines on_top = with_pieces ? VisibleLines() : visible_lines(scene, lines);
-  const VisibleLines bounds = all_edges(scene.mesh(), scene.parts().projected());
+  const VisibleLines bounds = all_edges(scene);
   return draw_with_fills(scene.mesh(), scene.view(), on_top, &bounds, options,
                          [&](const Placement& place) { return painter(place, with_pieces ? &asked : nullptr); });
 }

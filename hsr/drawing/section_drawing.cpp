@@ -165,10 +165,13 @@ void add_section_fills(Fills& fills, const Placement& placement, const DrawingOp
     fill.first_ring = static_cast<std::uint32_t>(fills.rings.size());
     for (const auto& ring : placed.rings_of(cap)) fills.rings.push_row(ring);
     fill.end_ring = static_cast<std::uint32_t>(fills.rings.size());
-    fill.first_face = fill.end_face = static_cast<std::uint32_t>(fills.faces.size());
+    fill.first_face = static_cast<std::uint32_t>(fills.faces.size());
+    fill.end_face = fill.first_face + 1;
     fill.object = object_of(options, cap.face);
     fill.layer = layer;
-    if (fill.end_ring > fill.first_ring) fills.fills.push_back(fill);
+    if (fill.end_ring == fill.first_ring) continue;
+    fills.faces.push_back(cap.face.value);
+    fills.fills.push_back(fill);
   }
 }
 

@@ -86,11 +86,20 @@ class CapShadows {
   void find_crossings() {
     TriangleOcclusion& occlusion = intervals_.occlusion();
     crossings_.clear();
-    for (const std::uint32_t k : touching_)
+    for (const std::uint32_t k : touching_) {
+      if (has_edge(caps_.sides()[k].triangle)) continue;
       if (const auto at = occlusion.crossing({Cut::Kind::near_line, 0, caps_.sides()[k].triangle.value, 0}))
         crossings_.push_back(*at);
+    }
     std::stable_sort(crossings_.begin(), crossings_.end(),
                      [&](const Breakpoint& x, const Breakpoint& y) { return occlusion.order(x, y) == Sign::negative; });
+  }
+
+  /// An edge of the triangle meets the plane where the side ends, and no line through that place elsewhere.
+  bool has_edge(TriangleId t) const {
+    if (line_->is_intersection() || projected_.facing(t) == Sign::zero) return false;
+    const Edge& e = projected_.mesh().edges[line_->edge];
+    return projected_.mesh().has_corner(t, e.a) && projected_.mesh().has_corner(t, e.b);
   }
 
   /// Between two crossings a line is behind a cap all along, or nowhere.

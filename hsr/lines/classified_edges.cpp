@@ -155,14 +155,14 @@ struct ClassifiedEdges::Finder {
   }
   std::optional<EdgeClass> take_whole(EdgeId id, const PartClass& found) {
     if (found.may_go_on) block.may_go_on.push_back(id);
-    return wanted(id, found.seen);
+    return wanted(found.seen);
   }
   std::optional<EdgeClass> take(EdgeId id, const std::vector<EdgePart>& found) {
     const PartClass& first = found.front().found;
     const bool is_whole = found.size() == 1;
     if (is_whole && !first.depends_on_more()) return take_whole(id, first);
     for (const EdgePart& p : found) {
-      const auto seen = wanted(id, p.found.seen);
+      const auto seen = wanted(p.found.seen);
       if (!seen && !is_requested(p.found.hidden) && !is_requested(p.found.behind_seen)) continue;
       // What is not wanted of it is left out when it is known what is hidden.
       block.parts.push_back({id, seen ? *seen : *p.found.seen, false, p.found.hidden, p.found.behind_seen});
@@ -173,8 +173,8 @@ struct ClassifiedEdges::Finder {
     if (with_behind) add_behind(id, found);
     return std::nullopt;
   }
-  std::optional<EdgeClass> wanted(EdgeId id, std::optional<EdgeClass> c) const {
-    if (!c && options.diagonals && classifier.projected().mesh().edges[id].diagonal) c = EdgeClass::smooth;
+  std::optional<EdgeClass> wanted(std::optional<EdgeClass> c) const {
+    if (!c && options.diagonals) c = EdgeClass::smooth;
     return is_requested(c) ? c : std::nullopt;
   }
   void add_behind(EdgeId id, const std::vector<EdgePart>& found) {

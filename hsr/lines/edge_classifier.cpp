@@ -44,15 +44,52 @@ PartClass with_wire(const Edge& edge, PartClass found) {
   return found;
 }
 
-/// Intersection or sharp; nothing: the surface goes on flat from left to right. @pre both are there
+/// What marks and surfaces say of the edge between two half-planes, each given by the faces in it: the strongest mark of an object that
+/// both have a face of; without one, inner if both have a face of one surface.
+std::optional<EdgeMark> EdgeClassifier::mark_between(std::span<const FaceId> left, std::span<const FaceId> right,
+                                                     std::span<const MarkOfObject> marks) const {
+  const auto has_face_of = [&](std::span<const FaceId> faces, std::uint32_t object) {
+    return labels_.object.empty() ||
+           std::any_of(faces.begin(), faces.end(), [&](FaceId f) { return labels_.object[f.value] == object; });
+  };
+  std::optional<EdgeMark> strongest;
+  for (const MarkOfObject& m : marks)
+    if ((!strongest || m.mark > *strongest) && has_face_of(left, m.object) && has_face_of(right, m.object)) strongest = m.mark;
+  if (strongest || labels_.surface.empty()) return strongest;
+  for (const FaceId f : left)
+    for (const FaceId g : right) {
+      const std::uint32_t surface = labels_.surface[f.value];
+      if (surface != FaceLabels::none && surface == labels_.surface[g.value]) return EdgeMark::inner;
+    }
+  return std::nullopt;
+}
+
+/// @pre both are there
+std::optional<EdgeMark> EdgeClassifier::mark_of(const HalfPlanes& half_planes, const Around& around) const {
+  if (half_planes.marks().empty() && labels_.surface.empty()) return std::nullopt;
+  const auto faces_in = [](const HalfPlane& h) {
+    return h.coincident.empty() ? std::span<const FaceId>(&h.face, 1) : std::span<const FaceId>(h.coincident);
+  };
+  return mark_between(faces_in(*around.left), faces_in(*around.right), half_planes.marks());
+}
+
+/// Intersection or sharp; nothing: the surface goes on from left to right. @pre both are there
 std::optional<EdgeClass> EdgeClassifier::more_than_flat(const HalfPlanes& half_planes, const Around& around) const {
   const bool is_bent = half_planes.side(*around.left, *around.right) != Sign::zero;
-  if (!is_bent && around.edge_on == nullptr) return std::nullopt;
+  const std::optional<EdgeMark> mark = mark_of(half_planes, around);
+  if (!is_bent && around.edge_on == nullptr) return mark == EdgeMark::sharp ? std::optional(EdgeClass::sharp) : std::nullopt;
   for (const HalfPlane* h : {around.left, around.right, around.edge_on})
     if (h != nullptr && is_pierced(half_planes, *h)) return EdgeClass::intersection;
   if (around.edge_on != nullptr) return EdgeClass::sharp;
+  if (mark) return *mark == EdgeMark::sharp ? std::optional(EdgeClass::sharp) : std::nullopt;
   const bool is_sharp = half_planes.deviation_from_flat(*around.left, *around.right) > crease_.degrees;
   return is_sharp ? std::optional(EdgeClass::sharp) : std::nullopt;
+}
+
+/// Where all half-planes are seen edge-on: whether two of them, and no others, are of one surface.
+bool EdgeClassifier::is_inner_edge_on(const HalfPlanes& half_planes) const {
+  const auto& all = half_planes.all();
+  return all.size() == 2 && mark_of(half_planes, {&all[0], &all[1]}) == EdgeMark::inner;
 }
 
 /// The class where two faces go on into each other.
@@ -81,7 +118,7 @@ PartClass EdgeClassifier::class_of(const HalfPlanes& half_planes, bool only_diag
   if ((nearest[0] == nullptr) != (nearest[1] == nullptr) && (only_diagonal || count > 1)) return {EdgeClass::outline};
   if (only_diagonal || count == 0) return {};
   if (count == 1) return {EdgeClass::boundary};
-  if (nearest[0] == nullptr) return {EdgeClass::smooth};
+  if (nearest[0] == nullptr) return is_inner_edge_on(half_planes) ? PartClass{} : PartClass{EdgeClass::smooth};
   for (const HalfPlane& h : half_planes.all()) {
     if (contacts == Contacts::left_out && h.is_contact) continue;
     const bool is_on_top = h.side != Sign::zero && &h == side_of(nearest, h);
@@ -95,9 +132,12 @@ PartClass EdgeClassifier::class_of(const HalfPlanes& half_planes, bool only_diag
   }
   const auto seen = more_than_flat(half_planes, {nearest[0], nearest[1], front});
   if (seen) return {seen};
-  const bool may_go_on = crease_.goes_on_degrees < crease_.degrees &&
+  const auto behind = more_than_flat(half_planes, {farthest[0], farthest[1], back});
+  const std::optional<EdgeMark> mark = mark_of(half_planes, {nearest[0], nearest[1]});
+  if (mark == EdgeMark::inner) return {{}, behind};
+  const bool may_go_on = !mark && crease_.goes_on_degrees < crease_.degrees &&
                          half_planes.deviation_from_flat(*nearest[0], *nearest[1]) > crease_.goes_on_degrees;
-  return {flat(nearest[0]->face, nearest[1]->face), more_than_flat(half_planes, {farthest[0], farthest[1], back}), may_go_on};
+  return {flat(nearest[0]->face, nearest[1]->face), behind, may_go_on};
 }
 
 PartClass EdgeClassifier::operator()(HalfPlanes& half_planes, bool only_diagonal, std::vector<CoincidentFaces>* log) const {
@@ -125,7 +165,8 @@ PartClass EdgeClassifier::operator()(HalfPlanes& half_planes, bool only_diagonal
     const auto behind = class_of(half_planes, only_diagonal, Contacts::only_on_top, least).behind;
     if (behind && behind != found.behind) found.behind_seen = behind;
   }
-  if (hidden.seen != found.seen) found.hidden = hidden.seen.value_or(EdgeClass::smooth);
+  // What is nothing where it is seen is nothing where it is hidden.
+  if (found.seen && hidden.seen != found.seen) found.hidden = hidden.seen.value_or(EdgeClass::smooth);
   return found;
 }
 
@@ -148,13 +189,16 @@ std::optional<PartClass> EdgeClassifier::at_a_glance(EdgeId id) const {
     if (!(norm_max(n[k]) > norm_max(along) * norm_max(out) * 0x1p-20)) return std::nullopt;
   }
   if (side[0] * side[1] != Sign::negative) return std::nullopt;
+  const Mesh& mesh = projected_.mesh();
+  const FaceId faces[2] = {mesh.face_of[triangles[0]], mesh.face_of[triangles[1]]};
+  if (const auto mark = mark_between({&faces[0], 1}, {&faces[1], 1}, marks_.of(edge.a, edge.b))) {
+    if (*mark == EdgeMark::inner) return PartClass{};
+    return PartClass{*mark == EdgeMark::sharp ? EdgeClass::sharp : flat(faces[0], faces[1])};
+  }
   const double square = dot(n[0], n[0]) * dot(n[1], n[1]);
   if (!(square > 0x1p-900 && square < 0x1p900)) return std::nullopt;
   const double flatness = -dot(n[0], n[1]) / std::sqrt(square);  // the cosine of the deviation from flat
-  if (flatness > crease_.cosine + 1e-6) {
-    const Mesh& mesh = projected_.mesh();
-    return PartClass{flat(mesh.face_of[triangles[0]], mesh.face_of[triangles[1]]), {}, flatness < crease_.goes_on_cosine};
-  }
+  if (flatness > crease_.cosine + 1e-6) return PartClass{flat(faces[0], faces[1]), {}, flatness < crease_.goes_on_cosine};
   if (flatness < crease_.cosine - 1e-6) return PartClass{EdgeClass::sharp};
   return std::nullopt;
 }
@@ -167,6 +211,14 @@ PartClass EdgeClassifier::operator()(Predicates& exact, EdgeId id, std::span<con
   ExactHalfPlanes half_planes(projected_, exact, edge);
   for (const TriangleId t : projected_.mesh().triangles_at(id)) half_planes.add(t);
   for (const EdgeContact& c : contacts) half_planes.add(c);
+  if (!marks_.is_empty()) {
+    if (!projected_.mesh().triangles_at(id).empty()) half_planes.add_marks(marks_.of(edge.a, edge.b));
+    for (const EdgeContact& c : contacts) {
+      if (c.along == 3) continue;
+      const auto& corners = projected_.mesh().triangles[c.triangle];
+      half_planes.add_marks(marks_.of(corners[c.along], corners[(c.along + 1) % 3]));
+    }
+  }
   return with_wire(edge, (*this)(half_planes, edge.diagonal && !edge.of_face, log));
 }
 

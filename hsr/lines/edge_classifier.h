@@ -9,12 +9,13 @@
 #include "hsr/lines/half_planes.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/lines/touching_bodies.h"
+#include "hsr/scene/edge_mark_table.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/scene.h"
 
 namespace hsr::internal {
 
-/// The class of a part of an edge. Nothing: it is never drawn, as a diagonal that is no outline.
+/// The class of a part of an edge. Nothing: it is never drawn, as a diagonal, or an edge within one surface, that is no outline.
 struct PartClass {
   std::optional<EdgeClass> seen;
   /// What touches the seen surface there from behind, if that makes an edge: intersection or sharp. It is hidden.
@@ -46,11 +47,16 @@ PartClass with_wire(const Edge& edge, PartClass found);
 /// Exact: yes, but for the angle. Cost: O(m^2) signs of degree 3 for m faces at the part, nearly always m = 2.
 class EdgeClassifier {
  public:
-  /// @param labels of the faces of the mesh
-  EdgeClassifier(const ProjectedMesh& projected, const FaceLabels& labels, const LineOptions& options)
-      : projected_(projected), labels_(labels), crease_(options.crease, options.crease_goes_on.value_or(options.crease)) {}
+  /// @param labels of the faces of the mesh @param marks of its edges
+  EdgeClassifier(const ProjectedMesh& projected, const FaceLabels& labels, const EdgeMarkTable& marks,
+                 const LineOptions& options)
+      : projected_(projected),
+        labels_(labels),
+        marks_(marks),
+        crease_(options.crease, options.crease_goes_on.value_or(options.crease)) {}
 
   const ProjectedMesh& projected() const { return projected_; }
+  const EdgeMarkTable& marks() const { return marks_; }
   /// The class of an edge, or of the part of it where it has these contacts.
   /// @param log takes what coincides there; nullptr: hidden parts are not wanted
   PartClass operator()(Predicates& exact, EdgeId edge, std::span<const EdgeContact> contacts = {},
@@ -64,10 +70,15 @@ class EdgeClassifier {
   PartClass class_of(const HalfPlanes& half_planes, bool only_diagonal, Contacts contacts, std::size_t surface = 1) const;
   std::optional<PartClass> at_a_glance(EdgeId id) const;
   std::optional<EdgeClass> more_than_flat(const HalfPlanes& half_planes, const Around& around) const;
+  std::optional<EdgeMark> mark_between(std::span<const FaceId> left, std::span<const FaceId> right,
+                                       std::span<const MarkOfObject> marks) const;
+  std::optional<EdgeMark> mark_of(const HalfPlanes& half_planes, const Around& around) const;
+  bool is_inner_edge_on(const HalfPlanes& half_planes) const;
   EdgeClass flat(FaceId left, FaceId right) const;
 
   const ProjectedMesh& projected_;
   const FaceLabels& labels_;
+  const EdgeMarkTable& marks_;
   Crease crease_;
 };
 

@@ -9,6 +9,7 @@
 #include "geometry/mesh.h"
 #include "geometry/predicates.h"
 #include "hsr/lines/crease.h"
+#include "hsr/scene/edge_mark_table.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/tie_rule.h"
 
@@ -45,6 +46,10 @@ class HalfPlanes {
   const std::vector<HalfPlane>& all() const { return all_; }
   std::vector<HalfPlane>& all() { return all_; }
 
+  /// The marks of edges that run along the part.
+  const std::vector<MarkOfObject>& marks() const { return marks_; }
+  void add_marks(std::span<const MarkOfObject> marks) { marks_.insert(marks_.end(), marks.begin(), marks.end()); }
+
   /// On which side of the plane of one of them another starts; zero: both are in one plane.
   virtual Sign side(const HalfPlane& plane, const HalfPlane& other) const = 0;
   /// Whether x hides y just beside the edge. @pre both are on one side of the view plane
@@ -67,6 +72,7 @@ class HalfPlanes {
   std::vector<HalfPlane> all_;
 
  private:
+  std::vector<MarkOfObject> marks_;
   TieRule ties_;
 };
 

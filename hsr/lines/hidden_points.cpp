@@ -121,10 +121,39 @@ class PointOcclusion {
 
 }  // namespace
 
+namespace {
+
+/// A point is asked about in each cell that it is in, or on a side of.
+std::vector<bool> hidden_in_cells(const SceneView& scene, std::span<const Point3> points) {
+  const ProjectedMesh& projected = scene.parts().with(bit_range(points)).projected();
+  Predicates exact = projected.predicates();
+  std::vector<bool> hidden(points.size(), false);
+  for (const ViewParts::Cell& cell : scene.parts().cells()) {
+    std::vector<std::size_t> own;
+    std::vector<Point3> asked;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Point3 p = projected.scaled(points[k]);
+      const bool is_in = std::all_of(cell.cell.sides.begin(), cell.cell.sides.end(), [&](const CellSide& side) {
+        return exact.side(projected.fold_plane(side.u, side.v), p) * side.kept != Sign::negative;
+      });
+      if (!is_in) continue;
+      own.push_back(k);
+      asked.push_back(points[k]);
+    }
+    const std::vector<bool> found = hidden_points(cell.scene, asked);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      if (found[k]) hidden[own[k]] = true;
+  }
+  return hidden;
+}
+
+}  // namespace
+
 std::vector<bool> hidden_points(const SceneView& scene, std::span<const Point3> points) {
   for (std::size_t k = 0; k < points.size(); ++k)
     if (!std::isfinite(points[k].x) || !std::isfinite(points[k].y) || !std::isfinite(points[k].z))
       throw InputError("point " + std::to_string(k) + ": found a coordinate that is not finite, expected three finite numbers");
+  if (scene.view().has_cells()) return hidden_in_cells(scene, points);
   const ViewParts& parts = scene.parts().with(bit_range(points));
   const ProjectedMesh& projected = parts.projected();
   const Occluders& occluders = parts.occluders(Excluded::none);

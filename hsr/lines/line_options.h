@@ -22,7 +22,7 @@ enum class LineMethod : unsigned char {
 };
 
 /// The class of an edge in a view (docs/conventions.md, "Classes of edges"). Does not depend on visibility.
-/// The last two are of drawings with a section: the border of a cap, and its hatching.
+/// The last three are of drawings with a section: the border of a cap, its hatching, and what was taken away, see with_overhead().
 enum class EdgeClass : std::uint8_t {
   outline,
   sharp,
@@ -33,17 +33,18 @@ enum class EdgeClass : std::uint8_t {
   material,
   joint,
   section,
-  hatching
+  hatching,
+  overhead
 };
-constexpr std::size_t edge_class_count = 10;
+constexpr std::size_t edge_class_count = 11;
 
 constexpr std::array<const char*, edge_class_count> edge_class_names = {
-    "outline", "sharp", "boundary", "intersection", "wire", "smooth", "material", "joint", "section", "hatching"};
+    "outline", "sharp", "boundary", "intersection", "wire", "smooth", "material", "joint", "section", "hatching", "overhead"};
 
 /// Some classes, by EdgeClass.
 using EdgeClasses = std::array<bool, edge_class_count>;
 /// What a drawing has unless more or less is asked for: no smooth edges, and no joints.
-constexpr EdgeClasses drawn_classes = {true, true, true, true, true, false, true, false, true, true};
+constexpr EdgeClasses drawn_classes = {true, true, true, true, true, false, true, false, true, true, true};
 
 struct LineOptions {
   LineMethod method = LineMethod::automatic;  ///< for visible_lines()
@@ -51,8 +52,8 @@ struct LineOptions {
   std::optional<FrameSize> frame = {};
 
   EdgeClasses classes = drawn_classes;  ///< which to compute
-  /// Also every diagonal of a face that is cut into triangles, as a smooth line where it is no outline: no drawing has them, but
-  /// fragments are bounded by them.
+  /// Also every diagonal of a face that is cut into triangles, and every edge within one surface, as a smooth line where it is no
+  /// outline, and where faces of one shape pierce each other: no drawing has them, but fragments are bounded by them.
   bool diagonals = false;
   double crease = 30;  ///< degrees; edges that deviate more from flat are sharp
   /// Degrees, at most `crease`: an edge that deviates more than this is sharp, too, if others of its kind lead from it to a sharp one,

@@ -69,6 +69,20 @@ void NearHalfPlanes::add(TriangleId triangle, const Point3& into, double reach) 
   all_.back().is_front = all_.back().side == Sign::zero && std::cos(turn) > 0;
 }
 
+void NearHalfPlanes::add_marks(TriangleId triangle, const EdgeMarkTable& marks) {
+  const auto& c = mesh_.triangles[triangle];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3 &p = mesh_.points[c[k]], &q = mesh_.points[c[(k + 1) % 3]];
+    const Point3 side = minus(q, p);
+    const double length = std::sqrt(dot(side, side));
+    const Point3 across = cross(unit(side), along_);
+    if (std::sqrt(dot(across, across)) > slack(length)) continue;
+    const double at = std::clamp(dot(minus(middle_, p), side) / (length * length), 0.0, 1.0);
+    const Point3 away = minus(middle_, sum(p, at, side));
+    if (std::sqrt(dot(away, away)) <= tolerance_) HalfPlanes::add_marks(marks.of(c[k], c[(k + 1) % 3]));
+  }
+}
+
 Sign NearHalfPlanes::side(const HalfPlane& plane, const HalfPlane& other) const {
   const double s = std::sin(angle(other).turn - angle(plane).turn);
   return std::fabs(s) > slack(std::min(angle(plane).reach, angle(other).reach)) ? sign_of(s) : Sign::zero;

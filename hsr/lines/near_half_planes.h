@@ -22,6 +22,8 @@ class NearHalfPlanes : public HalfPlanes {
 
   /// A triangle that contains the part, but for the tolerance.
   void add(TriangleId triangle);
+  /// The marks of the sides of such a triangle that run along the part, but for the tolerance.
+  void add_marks(TriangleId triangle, const EdgeMarkTable& marks);
 
   Sign side(const HalfPlane& plane, const HalfPlane& other) const override;
   bool is_nearer(const HalfPlane& x, const HalfPlane& y) const override;

@@ -13,6 +13,8 @@ std::optional<PartClass> NearParts::class_at(const Point3& a, const Point3& b, d
   const ProjectedMesh& projected = classifier_.projected();
   NearHalfPlanes half_planes(projected.mesh(), view_, a, b, sum(a, at, minus(b, a)), stretches_.tolerance(), projected.ties());
   for (const TriangleId t : touching) half_planes.add(t);
+  if (!classifier_.marks().is_empty())
+    for (const TriangleId t : touching) half_planes.add_marks(t, classifier_.marks());
   if (half_planes.all().empty()) return std::nullopt;
   return classifier_(half_planes, only_diagonal, log);
 }

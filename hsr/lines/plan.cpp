@@ -18,6 +18,7 @@
 #include "hsr/lines/hidden_classes.h"
 #include "hsr/lines/image_mask.h"
 #include "hsr/lines/inside_bodies.h"
+#include "hsr/lines/lines_in_cells.h"
 #include "hsr/lines/near_parts.h"
 #include "hsr/lines/roberts.h"
 #include "hsr/scene/line_filter.h"
@@ -53,6 +54,7 @@ class Plan {
  private:
   void find_intersections();
   void add_ghosts();
+  void leave_out_same_shapes();
   void find_intersection_boxes();
   void classify_intersections(const NearParts& near);
   void leave_out_far_sides();
@@ -104,7 +106,7 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
       intersections_ == nullptr
           ? nullptr
           : &parts_.occluders(parts_.options().hidden_lines ? Excluded::none : Excluded::hidden, options_.stop);
-  const EdgeClassifier classifier(projected_, parts_.labels(), options);
+  const EdgeClassifier classifier(projected_, parts_.labels(), parts_.marks(), options);
   std::optional<NearParts> near;
   if (options.tolerance > 0) {
     near_stretches_.emplace(projected_, parts_.space_tree(), options.tolerance);
@@ -132,7 +134,7 @@ void Plan::add_ghosts() {
   const Mesh* const ghosts = parts_.mesh().ghosts.get();
   if (ghosts == nullptr) return;
   const ProjectedMesh projected(*ghosts, parts_.view(), projected_.arithmetic());
-  const EdgeClassifier classifier(projected, parts_.labels(), options_);
+  const EdgeClassifier classifier(projected, parts_.labels(), parts_.marks(), options_);
   requested_->add_ghosts(projected_, classifier, options_, outside_ ? &*outside_ : nullptr);
 }
 
@@ -148,7 +150,19 @@ void Plan::find_intersections() {
   }
   if (intersections_->segments.empty()) say("intersections", "no two faces pierce each other");
   merged_segments_ = merge_segments(projected_, intersections_->segments);
+  leave_out_same_shapes();
   find_intersection_boxes();
+}
+
+/// Where a shaft fills a hole, facets of both pierce each other, and the surfaces that they stand for do not.
+void Plan::leave_out_same_shapes() {
+  const std::vector<std::uint32_t>& shape = parts_.labels().shape;
+  if (shape.empty() || options_.diagonals) return;
+  const auto shape_of = [&](FacetId facet) { return shape[parts_.mesh().face_of[first_triangle(facet)].value]; };
+  const auto left_out = std::erase_if(merged_segments_, [&](const Intersection& meet) {
+    return shape_of(meet.s) != FaceLabels::none && shape_of(meet.s) == shape_of(meet.t);
+  });
+  if (left_out > 0) say("intersections", std::to_string(left_out) + " are of faces that are parts of one shape");
 }
 
 /// Where noise makes two faces pierce each other the line has the class that it has without, and may be none that is asked for.
@@ -347,14 +361,18 @@ VisibleLines Plan::classes_by_visibility(VisibleLines all) const {
 
 }  // namespace
 
-LinePlan internal::plan_lines(const SceneView& scene, const LineOptions& options) { return Plan(scene, options).outcome(); }
+LinePlan internal::plan_lines(const SceneView& scene, const LineOptions& options) {
+  if (scene.view().has_cells()) return plan_lines(scene.parts().cells().front().scene, options);
+  return Plan(scene, options).outcome();
+}
 
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options) {
   require(options.method != LineMethod::appel || !options.why,
           "visible_lines: appel counts layers and does not say which faces they are; roberts does");
-  if (scene.view().section && options.why)
+  if ((scene.view().has_section() || scene.view().has_cells()) && options.why)
     throw InputError("section: its caps hide, too, and are no faces to be named, expected a view without a section, or no why");
   throw_if_stopped(options.stop);
+  if (scene.view().has_cells()) return lines_in_cells(scene, options);
   return Plan(scene, options).run();
 }
 

@@ -91,8 +91,8 @@ Sign TriangleOcclusion::order(const Breakpoint& x, const Breakpoint& y) {
 
 bool TriangleOcclusion::start(EdgeId id) {
   const Edge& edge = projected_.mesh().edges[id];
-  a_ = {edge.a, {projected_.point(edge.a), 0}, {}};
-  b_ = {edge.b, {projected_.point(edge.b), 0}, {}};
+  a_ = {edge.a, {projected_.point(edge.a), 0}, {}, {}};
+  b_ = {edge.b, {projected_.point(edge.b), 0}, {}, {}};
   edge_sight_.reset();
   if (projected_.image_error() < HUGE_VAL)
     image_ = {projected_.image(edge.a), projected_.image(edge.b), projected_.image_error()};
@@ -124,6 +124,7 @@ bool TriangleOcclusion::start(const Intersection& meet) {
   const auto end = [&](const Cut& cut) {
     End e;
     e.cut = cut_plane(projected_, cut);
+    e.cut_name = cut;
     e.at = bounded_point(near_meet(s_plane_, t_plane_, e.cut));
     e.at.error = std::max(e.at.error, 0x1p-1000);
     // Beyond this a coordinate would break the bound of a filter.
@@ -158,6 +159,18 @@ bool TriangleOcclusion::within(const std::array<HalfSpace, 3>& half_spaces, Brea
   from = from_;
   to = to_;
   return order(from_, to_) == Sign::negative;
+}
+
+bool TriangleOcclusion::keep(const Cut& cut, Sign kept, Breakpoint& from, Breakpoint& to) {
+  const Plane plane = cut_plane(projected_, cut);
+  const PlaneFilter filter = projected_.filter(plane);
+  from_ = from;
+  to_ = to;
+  const bool a_on = !is_edge() && cut == a_.cut_name, b_on = !is_edge() && cut == b_.cut_name;
+  if (!clip(cut, at(filter, plane, a_, a_on), at(filter, plane, b_, b_on), kept, false)) return false;
+  from = from_;
+  to = to_;
+  return order(from, to) == Sign::negative;
 }
 
 /// True only if the corners that are not ends of the edge lie certainly on one side of its view plane: then the triangle's cone

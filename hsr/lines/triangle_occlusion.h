@@ -57,6 +57,11 @@ class TriangleOcclusion {
   /// The same; nothing where it does not separate the ends of the part that is looked at.
   std::optional<Breakpoint> crossing(const Cut& cut);
 
+  /// Cuts a part of the line down to where the plane of `cut` has this sign, or is zero. False: to a point or nothing.
+  bool keep(const Cut& cut, Sign kept, Breakpoint& from, Breakpoint& to);
+  /// Turns to a part of the line. @pre start() of the line was true
+  void look_at(const Breakpoint& from, const Breakpoint& to) { first_ = from, last_ = to; }
+
   /// The ends of the part that is looked at: beyond the near plane.
   const Breakpoint& first() const { return first_; }
   const Breakpoint& last() const { return last_; }
@@ -83,6 +88,7 @@ class TriangleOcclusion {
     VertexId vertex;
     BoundedPoint3 at;
     Plane cut;
+    Cut cut_name;
   };
   static Value known(const ErrorBounded& x, Sign s);
   Value at(const PlaneFilter& filter, const Plane& plane, const End& end, bool on_plane);

@@ -74,6 +74,8 @@ inline VisibleLines visible_lines(const Mesh& mesh, const View& view, const Line
 }
 
 /// Those of the lines that are of one of these classes, by EdgeClass, and no diagonals that only LineOptions::diagonals brought.
+/// Of a scene with surfaces or marks these tell no smooth edges from those within one surface, and with shapes no intersections from
+/// those within one shape: there only without these classes.
 VisibleLines lines_of_classes(const Mesh& mesh, const VisibleLines& lines, const EdgeClasses& classes);
 
 /// The faces at a line, ascending, each once: those of its edge, or of an intersection those that meet. Of an edge that faces and

@@ -3,11 +3,29 @@
 #include <optional>
 
 #include "geometry/parallel.h"
+#include "hsr/raster/cell_samples.h"
 #include "hsr/scene/view_parts.h"
 
 namespace hsr::internal {
 
+namespace {
+
+Image<std::uint8_t> capped_in_cells(const SceneView& scene, const SampleGrid& samples) {
+  const Image<std::uint8_t> cell_of = cell_samples(scene, samples);
+  Image<std::uint8_t> image(samples.width, samples.height, 0);
+  const auto& cells = scene.parts().cells();
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const Image<std::uint8_t> one = capped_samples(cells[k].scene, samples);
+    for (std::size_t p = 0; p < one.pixels.size(); ++p)
+      if (cell_of.pixels[p] == k) image.pixels[p] = one.pixels[p];
+  }
+  return image;
+}
+
+}  // namespace
+
 Image<std::uint8_t> capped_samples(const SceneView& scene, const SampleGrid& samples) {
+  if (scene.view().has_cells()) return capped_in_cells(scene, samples);
   const SectionCaps* const caps = scene.parts().caps();
   if (caps == nullptr) return {};
   const auto exact = [&](int i, int j) { return caps->seen_at(rational(samples.at(i, j))); };

@@ -10,6 +10,7 @@
 
 #include "geometry/parallel.h"
 #include "hsr/raster/capped_samples.h"
+#include "hsr/raster/cell_samples.h"
 #include "hsr/raster/sample_signs.h"
 #include "hsr/scene/box_tree.h"
 #include "hsr/scene/view_parts.h"
@@ -187,7 +188,28 @@ class Tile {
 
 }  // namespace
 
+namespace {
+
+/// What is seen in each cell.
+CastImage cast_in_cells(const SceneView& scene, const SampleGrid& samples) {
+  const Image<std::uint8_t> cell_of = cell_samples(scene, samples);
+  CastImage result;
+  result.triangles = Image<TriangleId>(samples.width, samples.height);
+  const auto& cells = scene.parts().cells();
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const CastImage one = cast(cells[k].scene, samples);
+    for (std::size_t p = 0; p < cell_of.pixels.size(); ++p)
+      if (cell_of.pixels[p] == k) result.triangles.pixels[p] = one.triangles.pixels[p];
+    result.decisions += one.decisions;
+  }
+  leave_out_beyond_far(scene, samples, result.triangles);
+  return result;
+}
+
+}  // namespace
+
 CastImage cast(const SceneView& scene, const SampleGrid& samples) {
+  if (scene.view().has_cells()) return cast_in_cells(scene, samples);
   const ViewParts& parts = scene.parts().with(samples.bit_range());
   const ProjectedMesh& projected = parts.projected();
   const SampleSigns signs(projected, samples);

@@ -54,7 +54,8 @@ class PieceSpans {
     if (cut.kind == Cut::Kind::sight || cut.kind == Cut::Kind::line)
       return ViewPlane::of(projected_.sight_plane(VertexId(cut.u), VertexId(cut.v)));
     const Plane face = projected_.face_plane(facet);
-    if (cut.kind == Cut::Kind::near) return ViewPlane::of(projected_.near_line(face));
+    if (cut.kind == Cut::Kind::fold) return ViewPlane::of(cut_plane(projected_, cut));
+    if (cut.kind == Cut::Kind::near) return ViewPlane::of(projected_.cutting_plane(cut.plane()).line_with(face));
     const Plane plane = cut_plane(projected_, cut);
     return contains_viewpoint(cut) ? ViewPlane::of(plane) : ViewPlane::of_meet(face, plane);
   }

@@ -51,10 +51,13 @@ ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arit
     direction.add(view.viewpoint.at);
   }
   BitRange normal;
-  if (view.section) {
-    points.add(view.section->point);
-    normal.add(view.section->normal);
-  }
+  const auto add = [&](const SectionPlane& plane) {
+    points.add(plane.point);
+    normal.add(plane.normal);
+  };
+  if (view.section) add(*view.section);
+  if (view.far) add(*view.far);
+  for (const SectionPlane& plane : view.planes) add(plane);
   points.add(others);
   const int power = scale_of(points), direction_power = scale_of(direction), normal_power = scale_of(normal);
   power_ = power;
@@ -70,7 +73,12 @@ ProjectedMesh::ProjectedMesh(const Mesh& mesh, const View& view, Arithmetic arit
   eye_ = {internal::scaled(view.viewpoint.at, view.is_perspective() ? power : direction_power), view.viewpoint.is_direction};
   target_ = view.is_perspective() ? scaled(view.target) : Point3{};
   near_ = view.near;
-  if (view.section) section_ = {scaled(view.section->point), internal::scaled(view.section->normal, normal_power)};
+  const auto scaled_plane = [&](const SectionPlane& plane) {
+    return SectionPlane{scaled(plane.point), internal::scaled(plane.normal, normal_power)};
+  };
+  if (view.section) section_ = scaled_plane(*view.section);
+  if (view.far) far_ = scaled_plane(*view.far);
+  for (const SectionPlane& plane : view.planes) planes_.push_back(scaled_plane(plane));
   // Outside the window of the filter's proof its bound is made infinite, and the predicates decide.
   filter_arithmetic_ = arithmetic == Arithmetic::staged && !predicates().filter_is_proven() ? Arithmetic::interval : arithmetic;
 
@@ -108,12 +116,32 @@ void ProjectedMesh::find_near_sides(const std::vector<char>& is_used) {
     });
   };
   if (section_ && is_perspective()) {
-    find(Plane::near(eye_.at, target_, near_));
-    if (std::find(near_side_.begin(), near_side_.end(), Sign::negative) != near_side_.end())
-      throw InputError(
-          "section: found a part of the model before the near plane, expected all of it beyond: see --eye and --near");
+    const Plane near = Plane::near(eye_.at, target_, near_);
+    find(near);
+    if (std::find(near_side_.begin(), near_side_.end(), Sign::negative) != near_side_.end()) expect_only_removed(near);
   }
   find(near_plane());
+}
+
+/// What is before the near plane is the hull of vertices there, and of where edges meet that plane: all of these have to be in front of
+/// the section. With near(p) < 0 <= near(q) the latter are where near(p) q - near(q) p is.
+void ProjectedMesh::expect_only_removed(const Plane& near) const {
+  const Plane section = near_plane();
+  const auto is_removed = [&](const Edge& e, Predicates& exact) {
+    const Sign at_a = near_side_[e.a], at_b = near_side_[e.b];
+    for (const VertexId v : {e.a, e.b})
+      if (near_side_[v] == Sign::negative && side(section, v, exact) == Sign::positive) return false;
+    if (at_a == at_b || (at_a != Sign::negative && at_b != Sign::negative)) return true;
+    const auto [before, beyond] = at_a == Sign::negative ? std::pair{e.a, e.b} : std::pair{e.b, e.a};
+    return exact.cross(near, section, points_[before], points_[beyond]) != Sign::negative;
+  };
+  tbb::parallel_for(Range(0, mesh_->edges.size(), 1024), [&](const Range& range) {
+    Predicates exact = predicates();
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      if (!is_removed(mesh_->edges[EdgeId(i)], exact))
+        throw InputError(
+            "section: found a part of the model that it leaves before the near plane, expected none: see --eye and --near");
+  });
 }
 
 bool ProjectedMesh::covers(const BitRange& others) const {
@@ -154,7 +182,7 @@ void ProjectedMesh::choose_rows(const View& view) {
   }
 }
 
-/// The images of all vertices in use that are beyond the near plane; of what a section cuts away, too.
+/// The images of all vertices in use that are beyond the near plane; of what a section cuts away, too, as far as it has some.
 ///
 /// Parallel, with D toward the viewer and k the axis of its largest entry: rows u', v' of det(D, u, v) = O without the share of
 /// D leave D_k (u'_i v'_j - u'_j v'_i), so the rows are mirrored where D_k < 0.
@@ -178,8 +206,10 @@ void ProjectedMesh::compute_images(const std::vector<char>& is_used) {
       Range(0, points_.size(), 4096), 0.0,
       [&](const Range& range, double error) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
-          if (is_used[i] != 0 && (section_ || beyond_near(VertexId(i)) != Sign::negative))
-            error = std::max(error, compute_image(VertexId(i)));
+          if (const bool is_left = beyond_near(VertexId(i)) != Sign::negative; is_used[i] != 0 && (section_ || is_left)) {
+            const double bound = compute_image(VertexId(i));
+            if (is_left || bound < HUGE_VAL) error = std::max(error, bound);
+          }
         return error;
       },
       [](double x, double y) { return std::max(x, y); });

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "geometry/bit_range.h"
 #include "geometry/mesh.h"
@@ -65,6 +67,15 @@ class ProjectedMesh {
     return section_ ? Plane::section(eye_, section_->point, section_->normal) : Plane::near(eye_.at, target_, near_);
   }
   Plane near_line(const Plane& line) const { return near_plane().line_with(line); }
+  /// As View has them.
+  Plane cutting_plane(std::uint8_t k) const {
+    if (k == 0) return near_plane();
+    const SectionPlane& plane = k == View::far_number ? *far_ : planes_[k - 1U];
+    return Plane::section(eye_, plane.point, plane.normal);
+  }
+  Plane fold_plane(std::uint8_t u, std::uint8_t v) const {
+    return u == v ? cutting_plane(u) : cutting_plane(u).line_with(cutting_plane(v));
+  }
 
   /// The image of a vertex beyond the near plane, rounded: within image_error() in each coordinate. The exact images turn as
   /// they are seen: O(c, d, p) > 0 iff c, d, p is a left turn.
@@ -107,6 +118,7 @@ class ProjectedMesh {
 
  private:
   void find_near_sides(const std::vector<char>& is_used);
+  void expect_only_removed(const Plane& near) const;
   void choose_rows(const View& view);
   void compute_images(const std::vector<char>& is_used);
   double compute_image(VertexId v);
@@ -121,7 +133,8 @@ class ProjectedMesh {
   Viewpoint eye_;
   Point3 target_;
   double near_ = 0;
-  std::optional<SectionPlane> section_;
+  std::optional<SectionPlane> section_, far_;
+  std::vector<SectionPlane> planes_;
   BitRange given_bit_range_, points_bit_range_, direction_bit_range_;  // the first: before scaling
   IndexedVector<TriangleId, Sign> facing_;
   IndexedVector<VertexId, Sign> near_side_;

@@ -64,6 +64,7 @@ class Scene {
 
  private:
   friend class SceneView;
+  friend class internal::ViewParts;
   explicit Scene(std::shared_ptr<const internal::SceneParts> parts);
 
   std::shared_ptr<const internal::SceneParts> parts_;

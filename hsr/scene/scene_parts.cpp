@@ -10,7 +10,7 @@ using namespace internal;
 namespace {
 
 std::shared_ptr<const SceneParts> parts_of(std::shared_ptr<const Mesh> mesh, FaceLabels labels) {
-  for (const auto* list : {&labels.object, &labels.material})
+  for (const auto* list : {&labels.object, &labels.material, &labels.surface, &labels.shape})
     require(list->empty() || list->size() == mesh->faces.size(), "Scene: a label for each face expected, or none at all");
   return std::make_shared<const SceneParts>(std::move(mesh), std::move(labels));
 }

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "hsr/face_labels.h"
+#include "hsr/scene/edge_mark_table.h"
 #include "hsr/scene/intersections.h"
 #include "hsr/scene/made_once.h"
 #include "hsr/scene/space_tree.h"
@@ -14,12 +15,14 @@ namespace hsr::internal {
 /// What all views of a scene share, each part made on first use.
 class SceneParts {
  public:
-  SceneParts(std::shared_ptr<const Mesh> mesh, FaceLabels labels) : mesh_(std::move(mesh)), labels_(std::move(labels)) {}
+  SceneParts(std::shared_ptr<const Mesh> mesh, FaceLabels labels)
+      : mesh_(std::move(mesh)), labels_(std::move(labels)), marks_(*mesh_, labels_.marks) {}
   SceneParts(const SceneParts&) = delete;
   SceneParts& operator=(const SceneParts&) = delete;
 
   const Mesh& mesh() const { return *mesh_; }
   const FaceLabels& labels() const { return labels_; }
+  const EdgeMarkTable& marks() const { return marks_; }
   const StarShapedBodies& bodies() const {
     return bodies_.get([&] { return StarShapedBodies(ScaledMesh(*mesh_)); });
   }
@@ -40,6 +43,7 @@ class SceneParts {
  private:
   std::shared_ptr<const Mesh> mesh_;
   FaceLabels labels_;
+  EdgeMarkTable marks_;
   MadeOnce<StarShapedBodies> bodies_;
   MadeOnce<SpaceTree> space_tree_;
   mutable std::mutex mutex_;

@@ -277,9 +277,43 @@ void SectionCaps::place_corners() {
 }
 
 void SectionCaps::make_tree() {
-  std::vector<ImageBox> boxes;
-  for (const CapSide& s : sides_) boxes.push_back(box_of(places_[s.from], places_[s.to]));
-  tree_ = BoxTree(boxes);
+  for (const CapSide& s : sides_) boxes_.push_back(box_of(places_[s.from], places_[s.to]));
+  tree_ = BoxTree(boxes_);
+  // Sides of one object at one corner are of one outline.
+  std::vector<std::array<std::uint32_t, 3>> at_corners;  // object, corner, side
+  for (std::uint32_t k = 0; k < sides_.size(); ++k)
+    for (const std::uint32_t corner : {sides_[k].from, sides_[k].to}) at_corners.push_back({sides_[k].object, corner, k});
+  std::sort(at_corners.begin(), at_corners.end());
+  DisjointSets connected(sides_.size());
+  for (std::size_t i = 1; i < at_corners.size(); ++i)
+    if (at_corners[i][0] == at_corners[i - 1][0] && at_corners[i][1] == at_corners[i - 1][1])
+      connected.join(at_corners[i][2], at_corners[i - 1][2]);
+  std::vector<std::array<std::uint32_t, 2>> by_outline;
+  for (std::uint32_t k = 0; k < sides_.size(); ++k) by_outline.push_back({connected.find(k), k});
+  std::sort(by_outline.begin(), by_outline.end());
+  std::vector<ImageBox> around;
+  std::vector<std::uint32_t> own;
+  for (std::size_t i = 0; i < by_outline.size(); ++i) {
+    if (own.empty()) around.push_back(ImageBox::nothing());
+    own.push_back(by_outline[i][1]);
+    around.back().add(boxes_[own.back()]);
+    if (i + 1 < by_outline.size() && by_outline[i + 1][0] == by_outline[i][0]) continue;
+    outlines_.push_row(own);
+    own.clear();
+  }
+  outline_tree_ = BoxTree(around);
+}
+
+std::optional<std::size_t> SectionCaps::outlines_around(const Place& at, std::span<std::uint32_t> outlines) const {
+  std::size_t count = 0, sides = 0;
+  bool are_few = true;
+  outline_tree_.visit_boxes<BoxTree::Depth::any>(box_of(at, at), [&](std::uint32_t outline, std::uint32_t /*at*/) {
+    sides += outlines_[outline].size();
+    are_few = count < outlines.size() && sides <= most_sides;
+    if (are_few) outlines[count++] = outline;
+    return are_few;
+  });
+  return are_few ? std::optional(count) : std::nullopt;
 }
 
 ImageBox SectionCaps::box_of(const Place& a, const Place& b) {

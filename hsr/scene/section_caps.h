@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/error_bounded.h"
@@ -36,7 +37,8 @@ struct CapSide {
 /// direction, by how many are crossed. Sides that belong to no closed outline bound nothing and are left out.
 ///
 /// Places are kept in coordinates (u, v) of the plane, in which hardly ever two ends have one v, and are exact.
-/// Exact: yes. Cost: O(n) for the faces, O(m log m) for m that are cut.
+/// Exact: yes. Cost: O(n) for the faces, O(m log m) for m that are cut; whether a place is in a cap, by a ray, that of the sides of the few
+/// outlines around it, or of the sides that the ray meets.
 class SectionCaps {
  public:
   /// @pre the view has a section; mesh and view outlive this
@@ -102,8 +104,23 @@ class SectionCaps {
   /// Calls visit(side) for every side that a ray from the place along u may meet, until it returns false.
   template <class Visit>
   void visit_ray(const Place& at, const Visit& visit) const {
-    tree_.visit_boxes<BoxTree::Depth::any>(ray_from(at), [&](std::uint32_t side, std::uint32_t /*at*/) { return visit(side); });
+    const ImageBox ray = ray_from(at);
+    std::array<std::uint32_t, most_outlines> outlines;
+    const auto found = outlines_around(at, outlines);
+    if (!found) {
+      tree_.visit_boxes<BoxTree::Depth::any>(ray, [&](std::uint32_t side, std::uint32_t /*at*/) { return visit(side); });
+      return;
+    }
+    for (std::size_t i = 0; i < *found; ++i)
+      for (const std::uint32_t side : outlines_[outlines[i]])
+        if (reaches(boxes_[side], ray) && !visit(side)) return;
   }
+  /// A closed outline winds only around places in its own box: those that are around a place. Nothing: they, or their sides, are many.
+  std::optional<std::size_t> outlines_around(const Place& at, std::span<std::uint32_t> outlines) const;
+  static bool reaches(const ImageBox& side, const ImageBox& ray) {
+    return side.high[0] >= ray.low[0] && side.low[1] <= ray.high[1] && side.high[1] >= ray.low[1];
+  }
+  static constexpr std::size_t most_outlines = 16, most_sides = 256;
 
   const Mesh& mesh_;
   const View& view_;
@@ -115,7 +132,10 @@ class SectionCaps {
   std::vector<ExactPlace> exact_places_;
   std::vector<Place> places_;
   std::size_t open_outlines_ = 0;
-  BoxTree tree_;  // of the sides, by u and v
+  BoxTree tree_;                    // of the sides, by u and v
+  std::vector<ImageBox> boxes_;     // of the sides
+  Ragged<std::uint32_t> outlines_;  // connected sides of one object
+  BoxTree outline_tree_;
 };
 
 }  // namespace hsr::internal

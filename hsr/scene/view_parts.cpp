@@ -29,6 +29,17 @@ const ProjectedMesh& ViewParts::projected(const std::stop_token& stop) const {
   return projected_.get(stop, [&] { return ProjectedMesh(mesh(), view_, options_.arithmetic, others_, options_.coplanar); });
 }
 
+const std::vector<ViewParts::Cell>& ViewParts::cells() const {
+  return cells_.get([&] {
+    std::vector<Cell> cells;
+    for (SectionCell& cell : section_cells(view_)) {
+      const SceneView scene(Scene(scene_), cell.view, options_);
+      cells.push_back({std::move(cell), scene});
+    }
+    return cells;
+  });
+}
+
 const std::vector<ImageBox>& ViewParts::boxes(const std::stop_token& stop) const {
   if (&shared() != this) return shared().boxes(stop);
   const ProjectedMesh& mesh = projected(stop);

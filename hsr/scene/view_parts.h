@@ -17,6 +17,7 @@
 #include "hsr/scene/scene.h"
 #include "hsr/scene/scene_parts.h"
 #include "hsr/scene/section_caps.h"
+#include "hsr/view/section_cells.h"
 
 namespace hsr::internal {
 
@@ -41,9 +42,17 @@ class ViewParts {
 
   const Mesh& mesh() const { return scene_->mesh(); }
   const FaceLabels& labels() const { return scene_->labels(); }
+  const EdgeMarkTable& marks() const { return scene_->marks(); }
   const SpaceTree& space_tree() const { return scene_->space_tree(); }
   const View& view() const { return view_; }
   const SceneOptions& options() const { return options_; }
+
+  /// A cell of a view that has some (View::has_cells), and the scene as it is seen there.
+  struct Cell {
+    SectionCell cell;
+    SceneView scene;
+  };
+  const std::vector<Cell>& cells() const;
 
   const ProjectedMesh& projected(const std::stop_token& stop = {}) const;
   /// Conservative boxes in the image, by triangle.
@@ -94,6 +103,7 @@ class ViewParts {
   BitRange others_;
   const ViewParts* base_ = nullptr;  // of which this is the same scene for more points
 
+  MadeOnce<std::vector<Cell>> cells_;
   MadeOnce<ProjectedMesh> projected_;
   MadeOnce<std::vector<ImageBox>> boxes_;
   MadeOnce<std::optional<ClosedBodies>> bodies_;

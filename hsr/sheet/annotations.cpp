@@ -12,6 +12,7 @@ namespace {
 constexpr double beyond = 3;  // of centre lines, mm
 constexpr double arrow = 3;
 constexpr double least_radius = 0.75;  // mm: smaller circles are dots
+constexpr double tilt = 1e-3;          // the sine of what an axis may be off and still be seen along its length, or as a point
 
 double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -67,10 +68,11 @@ Point2 ViewOnPaper::along(const Point3& direction) const {
   return {dot(direction, view_.frame.right), -dot(direction, view_.frame.up)};
 }
 
-bool ViewOnPaper::keeps(const Point3& p) const {
-  if (!view_.section) return true;
-  const Point3 d = minus(p, view_.section->point);
-  return dot(d, view_.section->normal) >= -1e-9 * std::sqrt(dot(d, d) * dot(view_.section->normal, view_.section->normal));
+bool ViewOnPaper::cuts(const ModelCircle& circle) const {
+  if (!view_.section) return false;
+  const Point3 &n = view_.section->normal, d = minus(circle.centre, view_.section->point);
+  const double size = std::sqrt(dot(n, n)), along = dot(n, circle.axis) / size;
+  return std::fabs(dot(d, n)) / size <= circle.radius * (std::sqrt(std::max(0.0, 1 - along * along)) + 1e-6);
 }
 
 PaperTrace trace_of(const ViewOnPaper& paper, const View& section) {
@@ -83,17 +85,17 @@ void draw_centre_lines(Sketch& sketch, const std::string& view_name, const std::
                        const ViewOnPaper& view, const std::vector<PaperTrace>& traces, const SheetPens& pens) {
   std::vector<ModelCircle> kept;
   for (const ModelCircle& c : circles)
-    if (view.keeps(c.centre) && c.radius * view.scale() >= least_radius) kept.push_back(c);
+    if (c.radius * view.scale() >= least_radius) kept.push_back(c);
   CentreLines lines(traces);
   for (const ModelAxis& axis : axes_of(kept, reach)) {
     const Point2 along = view.along(axis.direction);
     const double length = std::hypot(along.x, along.y);
-    if (length < 1e-6) {
+    if (length < tilt) {
       const Point2 centre = view.at(axis.point);
       const double half = axis.radius * view.scale() + beyond;
       lines.add({centre.x - half, centre.y}, {centre.x + half, centre.y});
       lines.add({centre.x, centre.y - half}, {centre.x, centre.y + half});
-    } else if (length > 1 - 1e-6 && axis.last > axis.first) {
+    } else if (length > std::sqrt(1 - tilt * tilt) && axis.last > axis.first) {
       const Point2 origin = view.at(axis.point), direction = {along.x / length, along.y / length};
       lines.add(plus(origin, direction, axis.first * view.scale() - beyond),
                 plus(origin, direction, axis.last * view.scale() + beyond));

@@ -17,8 +17,8 @@ class ViewOnPaper {
 
   Point2 at(const Point3& p) const;
   Point2 along(const Point3& direction) const;  ///< its image, mm for a direction of length 1
-  /// Whether a point is on the side of the view's section that is left, or in it.
-  bool keeps(const Point3& p) const;
+  /// Whether the view's section cuts a circle.
+  bool cuts(const ModelCircle& circle) const;
   double scale() const { return scale_; }
   const View& view() const { return view_; }
 
@@ -45,7 +45,7 @@ PaperTrace trace_of(const ViewOnPaper& paper, const View& section);
 
 /// Centre lines of the circles that are seen as circles, and the axes of those that are seen edge-on (ISO 128-24, 04.1): chains that
 /// reach 3 mm beyond, and cross in dashes.
-/// @param reach of the model @param traces of sections: their cutting lines stand for the centre lines along them
+/// @param circles those that are to be seen in the view, or that its section cuts @param reach of the model @param traces of sections: their cutting lines stand for the centre lines along them
 void draw_centre_lines(Sketch& sketch, const std::string& view_name, const std::vector<ModelCircle>& circles, double reach,
                        const ViewOnPaper& view, const std::vector<PaperTrace>& traces, const SheetPens& pens);
 

@@ -15,8 +15,10 @@ namespace {
 constexpr double most_turn = 46;      // degrees from one edge to the next: eight edges are a circle
 constexpr double least_around = 170;  // degrees: the round end of a slot has 180
 constexpr double same_curvature = 0.5;
-constexpr double same_axis = 0.2;     // the sine of an angle between the axes of two turns
-constexpr double near_circle = 1e-2;  // of the radius: meshes of solvers have vertices on chords
+constexpr double same_axis = 0.2;       // the sine of an angle between the axes of two turns
+constexpr std::size_t least_known = 6;  // vertices, before a circle says where to go on
+constexpr double on_circle = 1e-3;      // of the radius, of a vertex whose turn says something else
+constexpr double near_circle = 1e-2;    // of the radius: meshes of solvers have vertices on chords
 
 SpaceVector minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 double dot(const SpaceVector& a, const SpaceVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -93,6 +95,20 @@ class FeatureEdges {
     }
     return best;
   }
+  /// Where it goes on along the circle that it is on so far: beside an edge that is very short turns say little.
+  std::optional<VertexId> next_on_circle_of(const std::vector<VertexId>& path, VertexId a, VertexId b) const {
+    const Point3 origin = mesh_.points[path[0]];
+    std::vector<SpaceVector> places;
+    for (const VertexId v : path) places.push_back(minus(mesh_.points[v], origin));
+    const auto circle = circle_through(places);
+    if (!circle) return {};
+    for (const VertexId c : neighbours(b)) {
+      if (c == a || !(circle->distance(minus(mesh_.points[c], origin)) <= on_circle * circle->radius)) continue;
+      const SpaceVector u = minus(mesh_.points[b], mesh_.points[a]), v = minus(mesh_.points[c], mesh_.points[b]);
+      if (degrees(std::atan2(length(cross(u, v)), dot(u, v))) <= most_turn) return c;
+    }
+    return {};
+  }
 
   std::vector<VertexId> neighbours(VertexId v) const {
     std::vector<VertexId> all;
@@ -113,8 +129,11 @@ class FeatureEdges {
 /// A path along one circle, both ways from its first turn as far as it goes.
 std::vector<VertexId> path_along(const FeatureEdges& features, VertexId a, VertexId b, VertexId c, const Turn& turn) {
   std::vector<VertexId> path = {a, b, c};
-  while (path.back() != path.front()) {
-    const auto next = features.next(path[path.size() - 2], path.back(), turn);
+  constexpr std::size_t longest = 4096;
+  while (path.back() != path.front() && path.size() < longest) {
+    const VertexId from = path[path.size() - 2], at = path.back();
+    auto next = features.next(from, at, turn);
+    if (!next && path.size() >= least_known) next = features.next_on_circle_of(path, from, at);
     if (!next) break;
     path.push_back(*next);
   }
@@ -134,6 +153,14 @@ std::vector<VertexId> path_along(const FeatureEdges& features, VertexId a, Verte
   return before;
 }
 
+std::vector<std::array<std::uint32_t, 2>> edges_of(const std::vector<VertexId>& path) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (std::size_t k = 0; k + 1 < path.size(); ++k)
+    edges.push_back({std::min(path[k], path[k + 1]).value, std::max(path[k], path[k + 1]).value});
+  std::ranges::sort(edges);
+  return edges;
+}
+
 /// The circle of a path, if its vertices are on one and it goes far enough around.
 std::optional<ModelCircle> circle_of(const Mesh& mesh, const std::vector<VertexId>& path) {
   const bool closed = path.front() == path.back();
@@ -145,15 +172,19 @@ std::optional<ModelCircle> circle_of(const Mesh& mesh, const std::vector<VertexI
   double around = closed ? 360 : 0;
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (!(circle->distance(places[k]) <= near_circle * circle->radius)) return {};
-    if (k + 1 < places.size() && !closed)
-      around +=
-          degrees(std::fabs(std::remainder(circle->angle(places[k + 1]) - circle->angle(places[k]), 2 * std::numbers::pi)));
+    if (k + 1 == places.size() && !closed) break;
+    const SpaceVector& following = places[(k + 1) % places.size()];
+    const double span =
+        degrees(std::fabs(std::remainder(circle->angle(following) - circle->angle(places[k]), 2 * std::numbers::pi)));
+    if (span > most_turn) return {};
+    if (!closed) around += span;
   }
   if (around < least_around) return {};
   const SpaceVector axis = cross(circle->u, circle->v);
   return ModelCircle{{base.x + circle->centre[0], base.y + circle->centre[1], base.z + circle->centre[2]},
                      {axis[0], axis[1], axis[2]},
-                     circle->radius};
+                     circle->radius,
+                     edges_of(path)};
 }
 
 }  // namespace

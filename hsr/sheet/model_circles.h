@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -11,6 +13,7 @@ struct ModelCircle {
   Point3 centre;
   Point3 axis;  ///< of length 1, either way
   double radius = 0;
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< i < j, ascending
 };
 
 /// The circles of a model: runs of edges of one face, or between faces that deviate from flat by more than `crease` degrees, that

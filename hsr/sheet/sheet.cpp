@@ -130,7 +130,12 @@ class SheetMaker {
     all.pens = Pens(pens_.wide, options_.hidden);
     all.arc_tolerance = options_.fit_arcs;
     if (options_.objects != nullptr && options_.objects->are_told_apart()) all.objects = options_.objects->names;
-    for (std::size_t k = 0; k < views_.size(); ++k) append_view(all, drawings[k], views_[k].name);
+    for (std::size_t k = 0; k < views_.size(); ++k) {
+      append_view(all, drawings[k], views_[k].name);
+      drawn_edges_.push_back(edges_of(drawings[k]));
+      if (views_[k].detail != nullptr && drawings[k].polylines.empty())
+        sheet_.notes.push_back("detail " + views_[k].label + ": there is no line within its circle");
+    }
   }
 
   Drawing drawing_of(std::size_t k) {
@@ -216,8 +221,28 @@ class SheetMaker {
       std::vector<PaperTrace> traces;
       for (const SheetView& section : views_)
         if (section.cut_in == v.name) traces.push_back(trace_of(paper, section.view));
-      draw_centre_lines(sketch, v.name, circles, reach, paper, traces, pens_);
+      const bool shows_hidden = views_[k].has_hidden_lines && options_.hidden != HiddenLines::none;
+      std::vector<ModelCircle> shown;
+      for (const ModelCircle& c : circles)
+        if (shows_hidden || paper.cuts(c) || is_drawn(c, drawn_edges_[k])) shown.push_back(c);
+      draw_centre_lines(sketch, v.name, shown, reach, paper, traces, pens_);
     }
+  }
+
+  using Edges = std::vector<std::array<std::uint32_t, 2>>;
+
+  static Edges edges_of(const Drawing& drawing) {
+    Edges edges;
+    for (const Polyline& p : drawing.polylines) {
+      const auto of_line = drawing.edges_of(p);
+      edges.insert(edges.end(), of_line.begin(), of_line.end());
+    }
+    std::ranges::sort(edges);
+    return edges;
+  }
+  /// Some part of it, hidden or not.
+  static bool is_drawn(const ModelCircle& circle, const Edges& drawn) {
+    return std::ranges::any_of(circle.edges, [&](const auto& edge) { return std::ranges::binary_search(drawn, edge); });
   }
 
   const PlacedView* placed(const std::string& name) const {
@@ -302,7 +327,8 @@ class SheetMaker {
   const Scene& scene_;
   const SheetOptions& options_;
   std::vector<SheetView> views_;
-  std::vector<std::optional<Section>> cuts_;  // by view
+  std::vector<std::optional<Section>> cuts_;                            // by view
+  std::vector<std::vector<std::array<std::uint32_t, 2>>> drawn_edges_;  // by view, ascending
   std::mutex progress_mutex_;
   std::vector<double> done_;  // by view
   SheetPens pens_;

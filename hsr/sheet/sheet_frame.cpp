@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "hsr/sheet/title_block.h"
+
 namespace hsr::internal {
 
 namespace {
@@ -13,13 +15,14 @@ constexpr double mark_inside = 5;  // of a centring mark, inside the frame
 
 std::string letter(int k) { return std::string(1, "ABCDEFGHJKLMNPQRSTUVWXYZ"[k % 24]); }
 
-/// Where fields end along one side, from its beginning to its end.
+/// Where fields end along one side, from its beginning to its end. What is left at the corners is part of the last field where it is less
+/// than 20 mm, which gives each size of paper the number of fields that ISO 5457 has for it.
 std::vector<double> borders(double begin, double end, double middle) {
+  constexpr double least = 20;
   std::vector<double> all = {begin};
   double first = middle;
-  while (first - field > begin) first -= field;
-  for (double x = first; x < end; x += field)
-    if (x > begin) all.push_back(x);
+  while (first - field >= begin + least) first -= field;
+  for (double x = first; x <= end - least; x += field) all.push_back(x);
   all.push_back(end);
   return all;
 }
@@ -51,8 +54,9 @@ void draw_frame(Sketch& sketch, const SheetFormat& format) {
   const auto frame = sketch.layer("frame", continuous_pen(0.7)), grid = sketch.layer("frame grid", continuous_pen(0.35));
   sketch.rectangle(frame, f);
   const double x = format.width / 2, y = format.height / 2;
+  const bool is_free_at_bottom = x < title_block_place(f).left;
   for (const auto& [from, to] : {std::pair<Point2, Point2>{{x, f.top - band}, {x, f.top + mark_inside}},
-                                 {{x, f.bottom + band}, {x, f.bottom - mark_inside}},
+                                 {{x, f.bottom + band}, {x, f.bottom - (is_free_at_bottom ? mark_inside : 0)}},
                                  {{f.left - band, y}, {f.left + mark_inside, y}},
                                  {{f.right + band, y}, {f.right - mark_inside, y}}})
     sketch.line(frame, from, to);

@@ -135,13 +135,13 @@ std::optional<std::vector<Point2>> fit(const std::vector<ViewToPlace>& views, co
 
 /// The largest scale at which the largest view is no larger than the area.
 double largest(const std::vector<ViewToPlace>& views, const PaperFrame& area) {
-  double scale = 1e30;
+  double scale = HUGE_VAL;
   for (const ViewToPlace& v : views) {
     if (v.is_on_paper) continue;
     if (v.left + v.right > 0) scale = std::min(scale, (area.right - area.left) / (v.left + v.right));
     if (v.above + v.below > 0) scale = std::min(scale, (area.bottom - area.top) / (v.above + v.below));
   }
-  return scale < 1e30 ? scale : 1;
+  return std::isfinite(scale) ? std::min(scale, 1e300) : 1;
 }
 
 }  // namespace
@@ -152,7 +152,8 @@ std::optional<SheetLayout> lay_out(std::vector<ViewToPlace> views, const PaperFr
   for (std::size_t k = 0; k < views.size(); ++k)
     if (views[k].is_free && free.size() < most_free) free.push_back(k);
   const double first = scale ? *scale : standard_scale(largest(views, area));
-  for (double s = first; s >= first * 1e-6; s = standard_scale(s * 0.75)) {
+  double before = HUGE_VAL;  // beyond 1e-300 there is no next one
+  for (double s = first; s >= first * 1e-6 && s < before; before = s, s = standard_scale(s * 0.75)) {
     for (std::size_t rows = 0; rows < std::size_t{1} << free.size(); ++rows) {
       for (std::size_t k = 0; k < free.size(); ++k) views[free[k]].row = (rows >> k & 1U) != 0 ? Row::of_front : Row::of_top;
       if (auto origins = fit(views, area, title_block, angle, s)) return SheetLayout{s, std::move(*origins)};

@@ -51,6 +51,7 @@ std::string letter(std::size_t k) {
 
 /// Looked at from the side of the view that looks most along the plane's normal.
 SheetView section_view(const SectionPlane& plane, const std::string& letter, const SheetOptions& o, const Point3& target) {
+  if (plane.normal == Point3{}) throw InputError("section: found the normal 0,0,0, expected a direction square to the plane");
   SheetView v;
   v.name = v.label = letter + "-" + letter;
   const auto towards = [&](const char* name) { return view_named(name, o, target).viewpoint.at; };
@@ -81,7 +82,8 @@ void check(const Mesh& mesh, const SheetOptions& o) {
     if (!(d.radius > 0) || !std::isfinite(d.radius)) throw InputError("detail: found a radius that is not above 0");
     if (!(d.scale > 0) || !std::isfinite(d.scale)) throw InputError("detail: found a scale that is not above 0");
     if (std::ranges::find(o.views, d.view) == o.views.end())
-      throw InputError("detail: found one of the view \"" + d.view + "\", expected a view of the sheet");
+      throw InputError("detail: found one of the view \"" + d.view +
+                       "\", expected one of front, top, side, iso that is on the sheet");
   }
 }
 

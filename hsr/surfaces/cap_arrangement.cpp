@@ -23,8 +23,6 @@ void tidy(std::vector<Rational>& cuts) {
 
 }  // namespace
 
-Rational cross(const Place& a, const Place& b) { return a[0] * b[1] - a[1] * b[0]; }
-
 CapArrangement::CapArrangement(const SectionCaps& caps) : caps_(caps) {
   std::vector<std::vector<CapPart>> of_side(caps.sides().size());
   parallel_for_each(of_side.size(), [&](std::size_t k) { of_side[k] = parts_of(static_cast<std::uint32_t>(k)); });
@@ -60,8 +58,15 @@ bool CapArrangement::certainly_apart(std::uint32_t k, std::uint32_t other) const
   const Sign from = side_of(o.from), to = side_of(o.to);
   const auto is_shared = [&](std::uint32_t corner) { return corner == own.from || corner == own.to; };
   if (is_shared(o.from) && is_shared(o.to)) return false;
-  if (is_shared(o.from)) return to != Sign::zero;
-  if (is_shared(o.to)) return from != Sign::zero;
+  // Where a wall that is cut has a diagonal, the one goes straight on from the other.
+  const auto leads_away = [&](std::uint32_t shared, std::uint32_t end) {
+    const SectionCaps::Place &at = caps_.place(shared), &p = caps_.place(end),
+                             &q = caps_.place(shared == own.from ? own.to : own.from);
+    const ErrorBounded product = (p[0] - at[0]) * (q[0] - at[0]) + (p[1] - at[1]) * (q[1] - at[1]);
+    return product.is_certain() && product.value < 0;
+  };
+  if (is_shared(o.from)) return to != Sign::zero || leads_away(o.from, o.to);
+  if (is_shared(o.to)) return from != Sign::zero || leads_away(o.to, o.from);
   return from * to == Sign::positive;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hsr/scene/section_caps.h"
+#include "hsr/surfaces/plane_rings.h"
 
 namespace hsr::internal {
 
@@ -63,7 +64,5 @@ class CapArrangement {
   const SectionCaps& caps_;
   std::vector<CapPart> parts_;
 };
-
-Rational cross(const SectionCaps::ExactPlace& a, const SectionCaps::ExactPlace& b);
 
 }  // namespace hsr::internal

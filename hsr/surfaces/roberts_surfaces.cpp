@@ -65,7 +65,7 @@ void Subtraction::visible_sides(FacetId facet, std::vector<MapSide>& sides) {
 }  // namespace
 
 VisibleFragments roberts_surfaces(const SceneView& scene, const FragmentOptions& options) {
-  if (scene.view().section)
+  if (scene.view().has_section())
     throw InputError("section: surfaces by the method roberts know no caps, expected the method auto or appel");
   const Mesh& mesh = scene.mesh();
   const ProjectedMesh& projected = scene.parts().projected(options.stop);

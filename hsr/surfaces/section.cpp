@@ -7,6 +7,8 @@
 #include "geometry/view_plane.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/surfaces/cap_arrangement.h"
+#include "hsr/surfaces/plane_rings.h"
+#include "hsr/surfaces/section_in_cells.h"
 
 namespace hsr {
 
@@ -24,36 +26,15 @@ struct RingCorner {
 
 Place difference(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1]}; }
 
-/// Whether d comes before e on the way around, counter-clockwise from the direction `first`, which itself comes last.
-bool comes_first(const Place& first, const Place& d, const Place& e) {
-  const auto half = [&](const Place& x) {
-    const Sign side = cross(first, x).sign();
-    if (side != Sign::zero) return side == Sign::positive ? 0 : 2;
-    return (first[0] * x[0] + first[1] * x[1]).sign() == Sign::positive ? 3 : 1;
-  };
-  if (half(d) != half(e)) return half(d) < half(e);
-  return cross(d, e).sign() == Sign::positive;
-}
-
-/// Links parts that have the inside on their left to rings. Where several leave a place, the next is the first one clockwise from the
-/// way back: rings touch and do not cross.
+/// Links parts that have the inside on their left to rings.
 std::vector<std::vector<RingCorner>> rings_of(const std::vector<DirectedPart>& bounds) {
-  std::map<Place, std::vector<std::size_t>> leaving;
-  for (std::size_t k = 0; k < bounds.size(); ++k) leaving[bounds[k].from()].push_back(k);
-  std::vector<char> is_used(bounds.size(), 0);
+  std::vector<PlaneSide> sides;
+  sides.reserve(bounds.size());
+  for (const DirectedPart& bound : bounds) sides.push_back({bound.from(), bound.to()});
   std::vector<std::vector<RingCorner>> rings;
-  for (std::size_t first = 0; first < bounds.size(); ++first) {
-    if (is_used[first] != 0) continue;
+  for (const std::vector<std::size_t>& linked : plane_rings(sides)) {
     auto& ring = rings.emplace_back();
-    for (std::size_t k = first; is_used[k] == 0;) {
-      is_used[k] = 1;
-      ring.push_back({bounds[k].part->side, bounds[k].from()});
-      const auto& next = leaving.at(bounds[k].to());
-      const Place back = difference(bounds[k].from(), bounds[k].to());
-      k = *std::max_element(next.begin(), next.end(), [&](std::size_t x, std::size_t y) {
-        return comes_first(back, bounds[x].along(), bounds[y].along());
-      });
-    }
+    for (const std::size_t k : linked) ring.push_back({bounds[k].part->side, bounds[k].from()});
   }
   return rings;
 }
@@ -81,6 +62,7 @@ class SectionMaker {
       const auto [at, is_new] = lowest_face_.emplace(s.object, face);
       if (!is_new) at->second = std::min(at->second, face);
     }
+    find_bounds();
     for (const auto& [object, face] : lowest_face_) add_cap(object, face);
     add_lines();
     add_open_lines();
@@ -88,14 +70,19 @@ class SectionMaker {
   }
 
  private:
-  void add_cap(std::uint32_t object, FaceId face) {
-    const auto has = [&](const std::vector<std::uint32_t>& objects) {
-      return std::binary_search(objects.begin(), objects.end(), object);
-    };
-    std::vector<DirectedPart> bounds;
+  /// The parts that have an object on one side only, object by object, with the object on their left.
+  void find_bounds() {
     for (const CapPart& part : arrangement_.parts())
-      if (has(part.left) != has(part.right)) bounds.push_back({&part, has(part.right)});
-    SectionCap cap{object, face, static_cast<std::uint32_t>(section_.rings.size()), 0};
+      for (const bool is_right : {false, true})
+        for (const std::uint32_t object : is_right ? part.right : part.left) {
+          const std::vector<std::uint32_t>& other = is_right ? part.left : part.right;
+          if (!std::binary_search(other.begin(), other.end(), object)) bounds_[object].push_back({&part, is_right});
+        }
+  }
+
+  void add_cap(std::uint32_t object, FaceId face) {
+    const std::vector<DirectedPart>& bounds = bounds_[object];
+    SectionCap cap{object, face, 0, static_cast<std::uint32_t>(section_.rings.size()), 0};
     for (auto& ring : rings_of(bounds)) {
       straighten(ring);
       if (caps_.is_mirrored()) std::reverse(ring.begin(), ring.end());
@@ -155,12 +142,14 @@ class SectionMaker {
   const SectionCaps& caps_;
   CapArrangement arrangement_;
   std::map<std::uint32_t, FaceId> lowest_face_;  // by object
+  std::map<std::uint32_t, std::vector<DirectedPart>> bounds_;
   Section section_;
 };
 
 }  // namespace
 
 Section section(const SceneView& scene) {
+  if (scene.view().has_cells()) return section_in_cells(scene);
   const SectionCaps* const caps = scene.parts().caps();
   if (caps == nullptr) return {};
   return SectionMaker(scene, *caps).made();

@@ -15,6 +15,7 @@ namespace hsr {
 struct SectionCap {
   std::uint32_t object = 0;  ///< FaceLabels::object
   FaceId face;               ///< the lowest of its faces that are cut
+  std::uint8_t plane = 0;    ///< of several section planes, which: an index of View::planes
   std::uint32_t first_ring = 0, end_ring = 0;
 };
 

@@ -44,6 +44,7 @@ MapPoint SideFinder::point_at(const Edge& edge, TriangleId beside, const Cut& cu
     case Cut::Kind::across:
     case Cut::Kind::sight_of_vertex:
     case Cut::Kind::near_line_end:
+    case Cut::Kind::fold:
       break;
   }
   throw InvariantError("visible_fragments: an edge cut within an edge-on plane, where no edge-on face was looked at");

@@ -17,6 +17,7 @@
 #include "hsr/surfaces/cap_arrangement.h"
 #include "hsr/surfaces/fragment_invariants.h"
 #include "hsr/surfaces/fragment_parts.h"
+#include "hsr/surfaces/fragments_in_cells.h"
 #include "hsr/surfaces/side_finder.h"
 
 namespace hsr {
@@ -237,10 +238,11 @@ VisibleFragments FragmentFinder::fragments() {
 
 }  // namespace
 
-bool fragments_use_lines(const SceneView& scene) { return !scene.parts().has_edge_on(); }
+bool fragments_use_lines(const SceneView& scene) { return !scene.view().has_cells() && !scene.parts().has_edge_on(); }
 
 VisibleFragments visible_fragments(const SceneView& scene, const FragmentOptions& options) {
   throw_if_stopped(options.stop);
+  if (scene.view().has_cells()) return fragments_in_cells(scene, options);
   return FragmentFinder(scene, options).fragments();
 }
 

@@ -23,8 +23,8 @@ struct Given {
     return Plane::of_face(point(corners[0]), point(corners[1]), point(corners[2]));
   }
   Plane face_plane(FacetId facet) const { return face_plane(first_triangle(facet)); }
-  Plane near_plane() const { return view.near_plane(); }
-  Plane near_line(const Plane& line) const { return view.near_plane().line_with(line); }
+  Plane cutting_plane(std::uint8_t k) const { return view.cutting_plane(k); }
+  Plane fold_plane(std::uint8_t u, std::uint8_t v) const { return view.fold_plane(u, v); }
 };
 
 }  // namespace
@@ -37,7 +37,9 @@ std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, FacetId 
     if (line.kind == MapLine::Kind::edge) return ViewPlane::of(given.sight_plane(VertexId(line.u), VertexId(line.v)));
     if (line.kind == MapLine::Kind::meet)
       return ViewPlane::of_meet(given.face_plane(TriangleId(line.u)), given.face_plane(TriangleId(line.v)));
-    return ViewPlane::of(given.near_line(given.face_plane(TriangleId(line.u))));
+    const auto v = static_cast<std::uint8_t>(line.v);
+    if (line.kind == MapLine::Kind::fold) return ViewPlane::of(given.fold_plane(static_cast<std::uint8_t>(line.u), v));
+    return ViewPlane::of(given.cutting_plane(v).line_with(given.face_plane(TriangleId(line.u))));
   };
   if (p.is_vertex) {
     const auto& own = mesh.triangles[first_triangle(facet)];

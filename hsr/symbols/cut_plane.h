@@ -17,15 +17,18 @@ Plane cut_plane(const Points& points, const Cut& cut) {
     case Cut::Kind::face:
       return points.face_plane(TriangleId(cut.u));
     case Cut::Kind::near:
-      return points.near_plane();
+      return points.cutting_plane(cut.plane());
     case Cut::Kind::near_line:
-      return points.near_line(points.face_plane(TriangleId(cut.u)));
+      return points.cutting_plane(cut.plane()).line_with(points.face_plane(TriangleId(cut.u)));
     case Cut::Kind::line:
       return Plane::along_axis(points.point(u), points.point(v), cut.axis);
     case Cut::Kind::sight_of_vertex:
       return Plane::of_sight_along_axis(points.eye(), points.point(u), cut.axis);
     case Cut::Kind::near_line_end:
-      return points.near_line(Plane::along_axis(points.point(u), points.point(v), cut.axis));
+      return points.cutting_plane(cut.plane())
+          .line_with(Plane::along_axis(points.point(u), points.point(v), cut.dropped()));
+    case Cut::Kind::fold:
+      return points.fold_plane(static_cast<std::uint8_t>(cut.u), static_cast<std::uint8_t>(cut.v));
     case Cut::Kind::across:
       return Plane::across(points.point(u), cut.axis);
     case Cut::Kind::start:

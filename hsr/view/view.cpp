@@ -93,16 +93,93 @@ View with_section(const View& view, const Point3& point, const Point3& normal) {
   expect_finite(point, "section");
   expect_finite(normal, "section");
   if (normal == Point3{}) throw InputError("section: found the normal 0,0,0, expected a direction square to the plane");
-  const RationalVector n = rational(normal), e = rational(view.viewpoint.at);
-  const Sign side = dot(n, view.is_perspective() ? minus(e, rational(point)) : e).sign();
+  const Sign side = viewer_side(view, {point, normal});
   if (side == Sign::zero)
     throw InputError(
         "section: found a plane that is seen edge-on, which has no viewer's side, expected one at an angle to the line of "
         "sight");
   View cut = view;
   const double away = side == Sign::positive ? -1 : 1;
+  cut.planes.clear();
   cut.section = {without_minus_zero(point), {away * normal.x + 0.0, away * normal.y + 0.0, away * normal.z + 0.0}};
   return cut;
+}
+
+Sign viewer_side(const View& view, const SectionPlane& plane) {
+  const RationalVector n = rational(plane.normal), e = rational(view.viewpoint.at);
+  return dot(n, view.is_perspective() ? minus(e, rational(plane.point)) : e).sign();
+}
+
+namespace {
+
+bool are_parallel(const SectionPlane& a, const SectionPlane& b) {
+  const RationalVector c = cross(rational(a.normal), rational(b.normal));
+  return std::all_of(c.begin(), c.end(), [](const Rational& x) { return x.sign() == Sign::zero; });
+}
+
+/// Whether what is in front of `a` is in front of `b`, too. @pre they are parallel, and seen from one side
+bool takes_less(const SectionPlane& a, const SectionPlane& b) {
+  return dot(rational(b.normal), minus(rational(a.point), rational(b.point))).sign() != Sign::positive;
+}
+
+}  // namespace
+
+View with_sections(const View& view, const std::vector<SectionPlane>& planes) {
+  if (planes.empty() || planes.size() > 60)
+    throw InputError("section: found " + std::to_string(planes.size()) + " planes, expected 1 to 60");
+  View cut = view;
+  cut.section.reset();
+  cut.planes.clear();
+  std::size_t facing = 0;
+  for (const SectionPlane& given : planes) {
+    expect_finite(given.point, "section");
+    expect_finite(given.normal, "section");
+    if (given.normal == Point3{}) throw InputError("section: found the normal 0,0,0, expected a direction square to the plane");
+    const Sign side = viewer_side(view, given);
+    const double away = side == Sign::positive ? -1 : 1;
+    const SectionPlane plane = {without_minus_zero(given.point),
+                                {away * given.normal.x + 0.0, away * given.normal.y + 0.0, away * given.normal.z + 0.0}};
+    // Of parallel ones the one that takes least away does alone.
+    const auto same = std::find_if(cut.planes.begin(), cut.planes.end(), [&](const SectionPlane& other) {
+      return (viewer_side(view, other) == Sign::zero) == (side == Sign::zero) && are_parallel(plane, other) &&
+             dot(rational(plane.normal), rational(other.normal)).sign() == Sign::positive;
+    });
+    if (same == cut.planes.end()) {
+      cut.planes.push_back(plane);
+      facing += side == Sign::zero ? 0U : 1U;
+    } else if (takes_less(plane, *same)) {
+      *same = plane;
+    }
+  }
+  if (facing == 1 && cut.planes.size() == 1) {
+    cut.section = cut.planes.front();
+    cut.planes.clear();
+  }
+  return cut;
+}
+
+View with_depth(const View& view, double depth) {
+  if (!std::isfinite(depth) || !(depth > 0))
+    throw InputError("depth: found " + std::to_string(depth) + ", expected a distance above 0 behind a section");
+  std::optional<SectionPlane> first = view.section;
+  for (const SectionPlane& plane : view.planes)
+    if (!first && viewer_side(view, plane) != Sign::zero) first = plane;
+  if (!first) throw InputError("depth: found no section that faces the viewer, expected one from which to measure");
+  const Point3 along = unit(rational(first->normal)), &from = first->point;
+  View cut = view;
+  cut.far = {{from.x + depth * along.x, from.y + depth * along.y, from.z + depth * along.z}, first->normal};
+  expect_finite(cut.far->point, "depth");
+  return cut;
+}
+
+Plane View::cutting_plane(std::uint8_t k) const {
+  if (k == 0) return near_plane();
+  const SectionPlane& plane = k == far_number ? *far : planes[k - 1U];
+  return Plane::section(viewpoint, plane.point, plane.normal);
+}
+
+Plane View::fold_plane(std::uint8_t u, std::uint8_t v) const {
+  return u == v ? cutting_plane(u) : cutting_plane(u).line_with(cutting_plane(v));
 }
 
 View oblique_view(const View& base, double degrees, double ratio) {

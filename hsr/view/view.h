@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/mesh.h"
 #include "geometry/number.h"
@@ -25,7 +27,7 @@ struct FrameSize {
 /// A plane, and what is on the viewer's side of it is cut away. Kept as given: never as coefficients that were computed.
 struct SectionPlane {
   Point3 point;   ///< of the plane
-  Point3 normal;  ///< square to the plane, any length, away from the viewer: it points to what is left
+  Point3 normal;  ///< square to the plane, any length; away from the viewer, or where it is seen edge-on, to what is left
   friend bool operator==(const SectionPlane&, const SectionPlane&) = default;
 };
 
@@ -38,13 +40,26 @@ struct View {
   Frame frame;
   /// It takes the place of the near plane, which then cuts nothing: see with_section().
   std::optional<SectionPlane> section = {};
+  /// Several planes, or one that is seen edge-on: see with_sections(). There is no `section` then.
+  std::vector<SectionPlane> planes = {};
+  /// What is beyond it is left out: see with_depth().
+  std::optional<SectionPlane> far = {};
+
+  static constexpr std::uint8_t far_number = 63;
 
   bool is_perspective() const { return !viewpoint.is_direction; }
   /// Whether something may be cut away: by the near plane of a perspective, or by a section.
   bool cuts() const { return is_perspective() || section.has_value(); }
+  /// Whether something is cut away by other planes than a near plane: then there are cells, see section_cells().
+  bool has_cells() const { return !planes.empty() || far.has_value(); }
+  bool has_section() const { return section.has_value() || !planes.empty(); }
   Plane near_plane() const {
     return section ? Plane::section(viewpoint, section->point, section->normal) : Plane::near(viewpoint.at, target, near);
   }
+  /// The plane that symbols call number k: 0 near_plane(), far_number `far`, else planes[k - 1].
+  Plane cutting_plane(std::uint8_t k) const;
+  /// The plane of the viewpoint and of the line in which planes u and v meet, or where these are one, the plane itself.
+  Plane fold_plane(std::uint8_t u, std::uint8_t v) const;
 };
 
 /// A parallel view; `direction` points from the scene toward the viewer.
@@ -67,6 +82,20 @@ View oblique_view(const View& base, double degrees, double ratio);
 /// @param normal either way
 /// @throws InputError if a number is not finite, the normal is zero, or the plane is seen edge-on, as it then has no viewer's side
 View with_section(const View& view, const Point3& point, const Point3& normal);
+
+/// On which side of a plane, as it is given, the viewpoint is. Zero: it is seen edge-on.
+Sign viewer_side(const View& view, const SectionPlane& plane);
+
+/// The view of what several planes leave: what is in front of all of them is taken away. A plane that is seen edge-on takes away
+/// what its normal points away from; alone, all of that, and beside others what of it these take away, too: a half section.
+/// @param planes the normals of those that are not seen edge-on may point either way
+/// @throws InputError as with_section() does, and if there are none or more than 60
+View with_sections(const View& view, const std::vector<SectionPlane>& planes);
+
+/// The view of what a section leaves, without what is farther behind its plane, the first that is not seen edge-on, than `depth`. The far
+/// plane is parallel to it, through a point that is computed in doubles once.
+/// @throws InputError if the view has no such section, or depth is not above 0 and finite
+View with_depth(const View& view, double depth);
 
 /// front, back, left, right, top, bottom, iso, for models with Z up; `y_up` turns the view (x, y, z -> x, z, -y), never the
 /// model.

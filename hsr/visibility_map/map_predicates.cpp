@@ -26,10 +26,13 @@ ViewPlane MapPredicates::plane(const MapLine& line) const {
       return ViewPlane::of(projected_.sight_plane(VertexId(line.u), VertexId(line.v)));
     case MapLine::Kind::meet:
       return ViewPlane::of_meet(projected_.face_plane(TriangleId(line.u)), projected_.face_plane(TriangleId(line.v)));
+    case MapLine::Kind::fold:
+      return ViewPlane::of(projected_.fold_plane(static_cast<std::uint8_t>(line.u), static_cast<std::uint8_t>(line.v)));
     case MapLine::Kind::near:
       break;
   }
-  return ViewPlane::of(projected_.near_line(projected_.face_plane(TriangleId(line.u))));
+  return ViewPlane::of(
+      projected_.cutting_plane(static_cast<std::uint8_t>(line.v)).line_with(projected_.face_plane(TriangleId(line.u))));
 }
 
 Sign MapPredicates::side(const MapLine& line, VertexId v) {
@@ -57,14 +60,16 @@ Sign MapPredicates::same_way(const MapLine& l, const MapLine& m) {
     return s == Sign::zero ? s : s * side(m, v);
   };
   for (const MapLine& line : {l, m}) {
-    if (line.kind == MapLine::Kind::edge) continue;
+    if (line.kind == MapLine::Kind::edge || line.kind == MapLine::Kind::fold) continue;
     for (const VertexId v : mesh().triangles[TriangleId(line.u)])
       if (const Sign s = agree(v); s != Sign::zero) return s;
   }
   // Edges, or faces seen edge-on: an axis that does not lie in their view plane leads off it, from any vertex that has an image.
   const ViewPlane a = plane(l), b = plane(m);
   std::vector<VertexId> on_line = {VertexId(l.u), VertexId(l.v)};
-  if (l.kind != MapLine::Kind::edge)
+  if (l.kind == MapLine::Kind::fold)
+    on_line = {mesh().edges.front().a};
+  else if (l.kind != MapLine::Kind::edge)
     on_line.assign(mesh().triangles[TriangleId(l.u)].begin(), mesh().triangles[TriangleId(l.u)].end());
   for (const VertexId v : on_line)
     for (int axis = 0; axis < 3; ++axis) {

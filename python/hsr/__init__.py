@@ -65,6 +65,7 @@ def draw(
     *,
     view="iso",
     hidden="none",
+    overhead="off",
     edges=None,
     crease=None,
     tolerance=None,
@@ -97,8 +98,9 @@ def draw(
 
     output: a path, or a list of them, all written or none; the ending chooses svg, pdf, eps, dxf, tex (TikZ), hpgl (or plt), png
     or json. Nothing: no file is written
-    hidden: "none", "dashed" or "solid"; fill: fill the visible parts of faces; shade: "slope" or "none"; merge: with fill, unite
-    neighbours of one colour: "none", "coplanar" or "colour"
+    hidden: "none", "dashed" or "solid"; overhead: "dashed" shows what the section of the view takes away, or "off"
+    fill: fill the visible parts of faces; shade: "slope" or "none"; merge: with fill, unite neighbours of one colour: "none",
+    "coplanar" or "colour"
     page: "A0" ... "A6", "letter", "WIDTHxHEIGHTmm", (width, height) in mm, or "fit" ["A4"]; margin: mm [10]; scale: "1:5", a
     number, "standard", or "fit"; unit: of the scene, "mm", "cm", "m" or "in" [glTF: "m", else "mm"]; min_length: mm on paper, of what is left out
     pen: "visible=0.35,hidden-sharp=0.18:#555", a list of such, or a dict of widths; pens: a file of them; sort: "pen" for a plotter
@@ -126,6 +128,7 @@ def draw(
         progress=progress,
         outputs=None if output is None else paths(output),
         hidden=hidden,
+        overhead=overhead,
         edges=edges,
         crease=crease,
         tolerance=tolerance,

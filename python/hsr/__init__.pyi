@@ -55,7 +55,7 @@ class InvariantError(RuntimeError): ...
 class MemoryLimit(MemoryError): ...
 
 class View:
-    def with_section(self, section: str | tuple[ArrayLike, ArrayLike]) -> View: ...
+    def with_section(self, *sections: str | tuple[ArrayLike, ArrayLike], depth: float | None = None) -> View: ...
     @staticmethod
     def named(
         name: str | None = None,
@@ -137,6 +137,7 @@ class Fragments:
 class Section:
     object: NDArray[numpy.int64]
     face: NDArray[numpy.int64]
+    plane: NDArray[numpy.int64]
     ring_offsets: NDArray[numpy.int64]
     offsets: NDArray[numpy.int64]
     points: NDArray[numpy.float64]
@@ -233,6 +234,8 @@ def scene(
     only: str | Sequence[str] | None = None,
     hide: str | Sequence[str] | None = None,
     ghost: str | Sequence[str] | None = None,
+    chord: float | None = None,
+    marks: _Path | None = None,
 ) -> Scene: ...
 def draw(
     scene: _Scene,
@@ -240,6 +243,7 @@ def draw(
     *,
     view: _View = "iso",
     hidden: Literal["none", "dashed", "solid"] = "none",
+    overhead: Literal["dashed", "off"] = "off",
     edges: str | Sequence[str] | None = None,
     crease: float | tuple[float, float] | None = None,
     tolerance: float | None = None,

@@ -136,14 +136,15 @@ class Fragments:
 
 
 class Section:
-    """What a section cuts closed bodies to, n caps: polygons with holes in the plane, one for each object.
+    """What a section cuts closed bodies to, n caps: polygons with holes in the plane, one for each object and plane.
 
     object (n,) int64: whose cap it is, in the order of the scene's objects; face (n,) int64: the lowest of its faces that are cut
+    plane (n,) int64: of several planes, in which it lies
     ring_offsets (n + 1,), offsets (r + 1,), points (p, 3), image (p, 2): as those of `Fragments`, from any corner of each ring
     open_outlines: how many connected outlines of the cut do not close, and so bound nothing
     """
 
-    __slots__ = ("object", "face", "ring_offsets", "offsets", "points", "image", "open_outlines", "_exact")
+    __slots__ = ("object", "face", "plane", "ring_offsets", "offsets", "points", "image", "open_outlines", "_exact")
 
     def __init__(self, arrays):
         self._exact = arrays.pop("exact")

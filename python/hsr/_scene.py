@@ -5,17 +5,17 @@ import os
 import numpy
 
 from . import _core
-from ._numbers import doubles, indices
+from ._numbers import doubles, finite, indices
 
 _CORNERS = {"line": 2, "triangle": 3, "quad": 4}
 
 
-def scene_data(scene):
+def scene_data(scene, chord=0):
     """A scene as the core has it: see `hsr.scene`."""
     if isinstance(scene, Scene):
         return scene._data
     if isinstance(scene, (str, os.PathLike)):
-        return _core.read(os.fspath(scene))
+        return _core.read(os.fspath(scene), chord)
     if isinstance(scene, tuple):
         if len(scene) == 2:
             return _from_faces(scene[0], scene[1])
@@ -25,7 +25,7 @@ def scene_data(scene):
     if isinstance(scene, list):
         if not scene:
             raise _core.InputError("scene: found an empty list, expected scenes in it")
-        return _core.joined([scene_data(part) for part in scene])
+        return _core.joined([scene_data(part, chord) for part in scene])
     return _from_object(scene)
 
 
@@ -71,10 +71,10 @@ class Scene:
         return f"<hsr.Scene {name}: {len(points)} points, {len(offsets) - 1} faces>"
 
 
-def scene(scene, *, only=None, hide=None, ghost=None):
+def scene(scene, *, only=None, hide=None, ghost=None, chord=None, marks=None):
     """Reads or converts a scene once; what the functions of hsr take as `scene` is any of these.
 
-    * the path of an OBJ, OFF, PLY, STL (each also .gz), glTF or GLB file
+    * the path of an OBJ, OFF, PLY, STL (each also .gz), glTF or GLB file; of STEP or IGES where hsr is built with them
     * (V, F): V (n, 3) numbers, F (m, k) whole numbers, polygons of k corners; or a list of lists of corners
     * (V, F, offsets): F (c,) the corners of all polygons, polygon k has F[offsets[k]:offsets[k + 1]]
     * an object with .vertices and .faces, as trimesh has them
@@ -85,12 +85,20 @@ def scene(scene, *, only=None, hide=None, ghost=None):
     only, hide, ghost: names of objects, one or a list: no others are there; they are not; their lines are drawn, and they hide
     nothing. A ghost has no fragment, and no piece in an order. Faces keep their numbers.
 
+    chord: of STEP and IGES, how far the triangles may be from the surfaces, in units of the model [a 20000th of its size]; marks: the path
+    of a hsr-marks/1 file, of which faces are of one surface, and which edges are smooth, sharp or none.
+
     Floats widen exactly. Raises InputError (a ValueError) for what is no scene, and names the row of what is not finite.
 
     >>> scene(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
     <hsr.Scene arrays: 3 points, 1 faces>
     """
-    data = scene_data(scene)
+    chord = 0 if chord is None else finite("chord", chord)
+    if chord < 0:
+        raise _core.InputError(f"chord: found {chord}, expected more than 0")
+    data = scene_data(scene, chord)
+    if marks is not None:
+        data = _core.marked(data, os.fspath(marks))
     if only is None and hide is None and ghost is None:
         return Scene(data)
     return Scene(_core.selected(data, _names("only", only), _names("hide", hide), _names("ghost", ghost)))

@@ -31,24 +31,25 @@ class View:
     def __hash__(self):
         return hash(tuple(sorted(self._options.items())))
 
-    def with_section(self, section):
-        """This view of what a section leaves: what is on the viewer's side of a plane is taken away, and closed bodies are cut to caps.
+    def with_section(self, *sections, depth=None):
+        """This view of what sections leave: what is in front of all planes is taken away, and closed bodies are cut to caps.
 
-        section: a plane, "x=12.5", or (point, normal), numbers taken exactly. The drawing, lines, fragments and hidden points follow.
+        sections: planes, "x=12.5", or (point, normal), numbers taken exactly. Of a plane that is seen edge-on say what is left,
+        "x=..12.5" or "x=12.5..", or let the normal point there. depth: leave out what is farther than this behind the first plane.
+        The drawing, lines, fragments, orders and hidden points follow.
 
         >>> View.named("top").with_section("z=1.2")
         View.named(name="top").with_section("z=1.2")
         """
-        if isinstance(section, str):
-            text, shown = section, f'"{section}"'
-        else:
-            try:
-                point, normal = section
-            except (TypeError, ValueError):
-                raise _core.InputError(f'section: found {section!r}, expected a plane such as "x=12.5", or (point, normal)') from None
-            text = f"{point_text('normal', normal)}@{point_text('point', point)}"
-            shown = repr(section)
-        return View({**self._options, "section": text}, f"{self._text}.with_section({shown})")
+        if not sections:
+            raise _core.InputError('section: found no plane, expected one such as "x=12.5"')
+        texts, shown = zip(*(_section_texts(section) for section in sections))
+        options = {**self._options, "sections": texts}
+        options.pop("depth", None)
+        if depth is not None:
+            options["depth"] = finite("depth", depth)
+            shown = (*shown, f"depth={number_text(options['depth'])}")
+        return View(options, f"{self._text}.with_section({', '.join(shown)})")
 
     @staticmethod
     def named(name=None, *, target=None, up=None, up_axis=None, oblique=None):
@@ -100,6 +101,17 @@ def _view(kind, **given):
     if options.get("up_axis", "z") not in ("y", "z"):
         raise _core.InputError(f'up_axis: found "{options["up_axis"]}", expected y or z')
     return View(options, f"View.{kind}({', '.join(texts)})")
+
+
+def _section_texts(section):
+    """A plane as the command has it, and as it was given."""
+    if isinstance(section, str):
+        return section, f'"{section}"'
+    try:
+        point, normal = section
+    except (TypeError, ValueError):
+        raise _core.InputError(f'section: found {section!r}, expected a plane such as "x=12.5", or (point, normal)') from None
+    return f"{point_text('normal', normal)}@{point_text('point', point)}", repr(section)
 
 
 def _pair(name, value):

@@ -33,7 +33,7 @@ def draw_part(command, words, options, part):
             break
         time.sleep(0.5)
     if ran.returncode not in (0, 1):
-        raise RuntimeError(ran.stderr.strip() or f"hsr ended with status {ran.returncode}")
+        raise RuntimeError(ran.stderr.strip().splitlines()[-1] if ran.stderr.strip() else f"hsr ended with status {ran.returncode}")
     return time.monotonic() - started, ran.returncode, ran.stderr.strip()
 
 
@@ -89,28 +89,41 @@ def main(arguments=None):
     a = parse(arguments)
     command = a.command or _command()
     if command is None or shutil.which(command) is None:
-        sys.exit("hsr: the command is not installed: found neither bin/hsr beside this module nor hsr on PATH")
+        return refuse("the command is not installed: found neither bin/hsr beside this module nor hsr on PATH")
     try:
         models = count_of_models(a.list)
     except OSError as error:
-        sys.exit(f"hsr: {a.list}: {error.strerror}, expected a file with a model to a line")
+        return refuse(f"{a.list}: {error.strerror}, expected a file with a model to a line")
     if models == 0:
-        sys.exit(f"hsr: {a.list}: found no model, expected one to a line")
+        return refuse(f"{a.list}: found no model, expected one to a line")
     try:
         import distributed
     except ImportError:
-        sys.exit("hsr: dask.distributed is missing: in Debian it is the package python3-distributed")
+        return refuse("dask.distributed is missing: in Debian it is the package python3-distributed")
     words = [os.path.abspath(a.list), "-o", os.path.abspath(a.output)]
     words += ["--views", a.views] if a.views else []
     words += ["--format", a.format] if a.format else []
     words += ["--sheet"] if a.sheet else []
     options = ["--", *a.options] if a.options else []
-    if a.scheduler:
-        with distributed.Client(a.scheduler) as client:
-            return run(client, words, options, models, a.models, command, lambda text: print(text, file=sys.stderr))
-    with distributed.LocalCluster(n_workers=a.workers, threads_per_worker=1, dashboard_address=None, silence_logs=50) as cluster:
-        with distributed.Client(cluster) as client:
-            return run(client, words, options, models, a.models, command, lambda text: print(text, file=sys.stderr))
+    work = (words, options, models, a.models, command, lambda text: print(text, file=sys.stderr))
+    try:
+        if a.scheduler:
+            try:
+                client = distributed.Client(a.scheduler)
+            except (OSError, ValueError) as error:
+                return refuse(f"--scheduler: found {a.scheduler}, expected a scheduler that answers ({str(error).splitlines()[0]})")
+            with client:
+                return run(client, *work)
+        with distributed.LocalCluster(n_workers=a.workers, threads_per_worker=1, dashboard_address=None, silence_logs=50) as cluster:
+            with distributed.Client(cluster) as client:
+                return run(client, *work)
+    except RuntimeError as error:
+        return refuse(str(error).removeprefix("hsr: "))
+
+
+def refuse(text):
+    print(f"hsr: {text}", file=sys.stderr)
+    return 2
 
 
 if __name__ == "__main__":

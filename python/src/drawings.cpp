@@ -17,6 +17,7 @@
 #include "hsr/cli/scale_text.h"
 #include "hsr/drawing/shading.h"
 #include "hsr/io/write/json.h"
+#include "hsr/lines/overhead.h"
 #include "hsr/surfaces/regions.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
@@ -41,7 +42,7 @@ struct DrawRequest {
   DrawingOptions drawing;
   Merge merge = Merge::none;
   Shading shading = Shading::slope;
-  bool fill = false, exact = false, outline_only = false;
+  bool fill = false, exact = false, outline_only = false, shows_overhead = false;
   std::string id_prefix, dxf_release, arithmetic;
   std::optional<PixelSize> size;
 
@@ -75,6 +76,7 @@ DrawRequest::DrawRequest(const Arguments& a)
   drawing.hidden = hidden == "none" ? HiddenLines::none : hidden == "dashed" ? HiddenLines::dashed : HiddenLines::solid;
   drawing.leave_out_near = true;
   scene.hidden_lines = lines.why || drawing.hidden != HiddenLines::none || outputs.wants(Format::json);
+  shows_overhead = a.word("overhead", "off", {"dashed", "off"}) == "dashed";
   const std::string united = a.word("merge", "none", {"none", "coplanar", "colour"});
   merge = united == "none" ? Merge::none : united == "coplanar" ? Merge::coplanar : Merge::colour;
   drawing.in_frame_units = a.get<bool>("in_frame_units", false);
@@ -97,6 +99,7 @@ class Drawer {
  private:
   void choose_view();
   void find_lines();
+  void add_overhead();
   void find_fragments();
   Drawing placed(const DrawingOptions& options) const;
   void place();
@@ -142,6 +145,7 @@ void Drawer::find_lines() {
                          request_.lines.method != LineMethod::roberts && fragments_use_lines(*prepared_);
   if (!finds_all) {
     lines_ = visible_lines(*prepared_, request_.lines);
+    add_overhead();
     return;
   }
   LineOptions every = request_.lines;
@@ -150,6 +154,11 @@ void Drawer::find_lines() {
   every.frame = {};
   every_line_ = visible_lines(*prepared_, every);
   lines_ = lines_of_classes(scene_.mesh(), *every_line_, request_.lines.classes);
+  add_overhead();
+}
+
+void Drawer::add_overhead() {
+  if (request_.shows_overhead) lines_ = with_overhead(*prepared_, request_.lines, std::move(lines_));
 }
 
 void Drawer::find_fragments() {

@@ -67,7 +67,7 @@ DrawnPage painted(const OrderData& data, PaintRequest& request) {
   page.size = request.size;
   if (request.outputs.wants(Format::json))
     page.json = order_json(scene.mesh(), scene.view(), data.order, request.exact ? Numbers::exact : Numbers::rounded,
-                           scene.options().coplanar);
+                           scene.options().coplanar, request.drawing.section);
   return page;
 }
 

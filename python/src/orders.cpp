@@ -14,6 +14,7 @@
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
 #include "hsr/painter/verify/verify.h"
+#include "hsr/surfaces/section.h"
 #include "python/src/order_data.h"
 #include "python/src/polygon_arrays.h"
 
@@ -50,8 +51,10 @@ std::vector<std::vector<std::string>> exact_corners(const OrderData& data, std::
 
 std::string json_of(const OrderData& data, bool exact) {
   const SceneView& scene = data.scene;
-  return order_json(scene.mesh(), scene.view(), data.order, exact ? Numbers::exact : Numbers::rounded,
-                    scene.options().coplanar);
+  std::optional<Section> caps;
+  if (scene.view().has_section()) caps = section(scene);
+  return order_json(scene.mesh(), scene.view(), data.order, exact ? Numbers::exact : Numbers::rounded, scene.options().coplanar,
+                    caps ? &*caps : nullptr);
 }
 
 /// Of a view of the scene, without an order yet.

@@ -3,10 +3,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <memory>
 #include <string_view>
 
 #include "geometry/error.h"
+#include "hsr/cli/model_file.h"
 #include "hsr/io/read/read.h"
 #include "hsr/object_selection.h"
 #include "python/src/arrays.h"
@@ -68,6 +70,20 @@ void append(Polygons& all, const Polygons& more, std::size_t points_before) {
   all.is_ghost.resize(all.size(), 0);
 }
 
+/// What is known of the surfaces and edges of one more model, which is an object of its own. @pre its points are not there yet
+void add_marks(Model& all, const Model& m, std::size_t faces_before, std::uint32_t object) {
+  std::size_t surfaces = 0;
+  for (const std::uint32_t s : all.face_surface)
+    if (s != FaceLabels::none) surfaces = std::max<std::size_t>(surfaces, s + std::size_t{1});
+  append(all.face_surface, faces_before, m.face_surface, m.polygons.size(), surfaces);
+  for (MarkedEdge mark : m.marks) {
+    for (std::uint32_t& p : mark.points) p += static_cast<std::uint32_t>(all.points.size());
+    mark.object = object;
+    mark.circle = FaceLabels::none;
+    all.marks.push_back(mark);
+  }
+}
+
 /// Several models as one: each is an object of it, named by its number.
 std::shared_ptr<SceneData> joined(const std::vector<std::shared_ptr<SceneData>>& parts) {
   Model all;
@@ -79,6 +95,7 @@ std::shared_ptr<SceneData> joined(const std::vector<std::shared_ptr<SceneData>>&
     const std::size_t faces = all.polygons.size();
     append(all.face_colour, faces, m.face_colour, m.polygons.size(), all.palette.size());
     append(all.face_material, faces, m.face_material, m.polygons.size(), all.materials.size());
+    add_marks(all, m, faces, static_cast<std::uint32_t>(k));
     append(all.palette, m.palette);
     append(all.materials, m.materials);
     append(all.polygons, m.polygons, all.points.size());
@@ -102,10 +119,24 @@ std::shared_ptr<SceneData> selected(const std::shared_ptr<SceneData>& data, cons
   return std::make_shared<SceneData>(std::move(model));
 }
 
-std::shared_ptr<SceneData> read(const std::string& path) {
+/// @param chord of STEP and IGES, in units of the model; 0: fine enough for a page
+std::shared_ptr<SceneData> read(const std::string& path, double chord) {
   std::shared_ptr<SceneData> data;
-  run({{}, py::none()}, [&](const Ticket&) { data = std::make_shared<SceneData>(read_model(path)); });
+  run({{}, py::none()}, [&](const Ticket&) {
+    cli::ModelFile file = cli::ModelFile::read(path);
+    if (!file.has_surfaces())
+      data = std::make_shared<SceneData>(file.take());
+    else
+      data = std::make_shared<SceneData>(chord > 0 ? file.model(chord) : file.fine_model());
+  });
   return data;
+}
+
+/// With what a file of marks says.
+std::shared_ptr<SceneData> marked(const std::shared_ptr<SceneData>& data, const std::string& path) {
+  Model model = data->model();
+  run({{}, py::none()}, [&](const Ticket&) { read_marks(path, model); });
+  return std::make_shared<SceneData>(std::move(model));
 }
 
 py::tuple arrays_of(const SceneData& data) {
@@ -138,9 +169,10 @@ cli::ViewOptions view_options(const py::dict& view) {
   text("direction", o.direction);
   text("up", o.up);
   text("oblique", o.oblique);
-  text("section", o.section);
+  if (view.contains("sections")) o.sections = view["sections"].cast<std::vector<std::string>>();
   text("up_axis", o.up_axis);
   if (view.contains("fov")) o.field_of_view = view["fov"].cast<double>();
+  if (view.contains("depth")) o.depth = view["depth"].cast<double>();
   if (view.contains("near")) o.near = view["near"].cast<double>();
   return o;
 }
@@ -158,6 +190,7 @@ void add_scene(py::module_& module) {
       .def_property_readonly("notes", [](const SceneData& d) { return d.model().notes; })
       .def_property_readonly("objects", [](const SceneData& d) { return d.model().objects; });
   module.def("read", &read);
+  module.def("marked", &marked);
   module.def("from_arrays", &from_arrays);
   module.def("joined", &joined);
   module.def("selected", &selected);

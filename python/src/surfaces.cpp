@@ -73,7 +73,7 @@ py::dict find_fragments(const std::shared_ptr<SceneData>& data, const py::dict& 
 py::dict find_section(const std::shared_ptr<SceneData>& data, const py::dict& named) {
   const Arguments arguments(named);
   const cli::ViewOptions options = arguments.view();
-  std::vector<std::int64_t> object, face, ring_offsets = {0}, offsets = {0};
+  std::vector<std::int64_t> object, face, plane, ring_offsets = {0}, offsets = {0};
   std::vector<double> points, at;
   std::vector<std::string> exact;
   std::size_t open_outlines = 0;
@@ -85,6 +85,7 @@ py::dict find_section(const std::shared_ptr<SceneData>& data, const py::dict& na
     for (const SectionCap& cap : found.caps) {
       object.push_back(cap.object);
       face.push_back(cap.face.value);
+      plane.push_back(cap.plane);
       for (std::uint32_t r = cap.first_ring; r < cap.end_ring; ++r) {
         for (const auto& p : found.rings[r]) {
           for (const Rational& x : p) {
@@ -102,6 +103,7 @@ py::dict find_section(const std::shared_ptr<SceneData>& data, const py::dict& na
   py::dict all;
   all["object"] = array_of(std::move(object));
   all["face"] = array_of(std::move(face));
+  all["plane"] = array_of(std::move(plane));
   all["ring_offsets"] = array_of(std::move(ring_offsets));
   all["offsets"] = array_of(std::move(offsets));
   all["points"] = array_of(std::move(points), {n, 3});

@@ -59,7 +59,7 @@ TEST_CASE("a batch draws each model in each view as hsr draw does, and a bad one
   const Outcome outcome = run("batch list.txt -o out --views iso,top -- --hidden dashed", at);
   INFO(outcome.text);
   CHECK(outcome.status == 1);
-  CHECK(says(outcome, "out/manifest.csv: 8 drawings, 8 made now, 0 as they were, 4 failed"));
+  CHECK(says(outcome, "out/manifest.csv: 8 drawings: 4 made now, 0 as they were, 4 failed"));
   const auto drawn = drawings_in(d / "out");
   CHECK(drawn.size() == 4);
   for (const char* view : {"iso", "top"}) {
@@ -80,7 +80,7 @@ TEST_CASE("a batch that is run again does what is missing or has changed", "[cli
   const auto made = [&](const std::string& options = "") {
     const Outcome outcome = run("batch " + list + " -o " + out + " --views iso,front " + options);
     INFO(outcome.text);
-    const std::size_t at = outcome.text.find(" drawings, ");
+    const std::size_t at = outcome.text.find(" drawings: ");
     REQUIRE(at != std::string::npos);
     return outcome.text.substr(at + 11, outcome.text.find(" made", at) - at - 11);
   };
@@ -101,9 +101,18 @@ TEST_CASE("a batch that is run again does what is missing or has changed", "[cli
   CHECK(made("--jobs 1 -- --hidden dashed") == "0");
   // A model that is not right any more has no drawing any more.
   write(b, "f 1 2 3\n");
-  CHECK(made("-- --hidden dashed") == "2");
+  CHECK(made("-- --hidden dashed") == "0");
   CHECK(drawings_in(out).size() == 2);
   CHECK(made("-- --hidden dashed") == "0");
+  CHECK_FALSE(fs::exists(out + "/journal.csv"));
+  // Where it was not the model's fault it is tried again.
+  write(b, tetrahedron(3));
+  const std::string blocked = out + "/" + first.rbegin()->first;
+  fs::create_directories(blocked + "/x");
+  CHECK(made("-- --hidden dashed") == "1");
+  fs::remove_all(blocked);
+  CHECK(made("-- --hidden dashed") == "1");
+  CHECK(drawings_in(out).size() == 4);
 }
 
 TEST_CASE("parts of a batch, run at once anywhere, are the batch", "[cli][batch]") {
@@ -122,7 +131,7 @@ TEST_CASE("parts of a batch, run at once anywhere, are the batch", "[cli][batch]
   }
   CHECK(std::ranges::count(status, 1) == 1);  // the part with the bad model
   const Outcome last = run(batch + (d / "parts"));
-  CHECK(says(last, "14 drawings, 0 made now, 14 as they were, 2 failed"));
+  CHECK(says(last, "14 drawings: 0 made now, 12 as they were, 2 failed"));
   CHECK(drawings_in(d / "parts") == drawings_in(d / "whole"));
   CHECK(manifest_of(d / "parts") == manifest_of(d / "whole"));
   for (const auto& entry : fs::directory_iterator(d / "parts"))
@@ -147,7 +156,7 @@ TEST_CASE("a batch that is killed loses the drawings that it was at", "[cli][bat
     const Outcome again = run(batch + out);
     INFO(again.text);
     REQUIRE(again.status == 0);
-    const std::size_t at = again.text.find(" drawings, ") + 11;
+    const std::size_t at = again.text.find(" drawings: ") + 11;
     const auto made = std::stoul(again.text.substr(at));
     CHECK(made + before.size() <= 120 + 2 * std::thread::hardware_concurrency());
     auto now = drawings_in(out);
@@ -167,17 +176,17 @@ TEST_CASE("half a row of a batch that was killed is no row", "[cli][batch]") {
   fs::remove(out + "/manifest.csv");
   for (const std::size_t kept : {row.size() - 34, row.size() / 2, std::size_t{3}}) {
     write(out + "/journal.csv", row.substr(0, kept));
-    CHECK(says(run(batch), "1 drawing, 1 made now"));
+    CHECK(says(run(batch), "1 drawing: 1 made now"));
     fs::remove(out + "/manifest.csv");
   }
   write(out + "/journal.csv", row);
-  CHECK(says(run(batch), "1 drawing, 0 made now, 1 as they were"));
+  CHECK(says(run(batch), "1 drawing: 0 made now, 1 as they were"));
 }
 
 TEST_CASE("what is no batch is refused in one line", "[cli][batch]") {
   const Directory d;
   const std::string list = write(d / "list.txt", write(d / "a.obj", tetrahedron(2)) + "\n"),
-                    empty = write(d / "empty.txt", "# nothing\n");
+                    empty = write(d / "empty.txt", "# nothing\n"), same = write(d / "same.txt", "../q.obj\nup/q.obj\n");
   const std::pair<std::string, std::string> cases[] = {
       {(d / "none.txt") + " -o " + (d / "x"), "none.txt: cannot be read, expected a file with a model to a line"},
       {empty + " -o " + (d / "x"), "empty.txt: found no model, expected one to a line"},
@@ -185,6 +194,15 @@ TEST_CASE("what is no batch is refused in one line", "[cli][batch]") {
       {list + " -o " + (d / "x") + " --part 3/2", "--part: found \"3/2\", expected a part such as 3/20"},
       {list + " -o " + (d / "x") + " --part 0/2", "--part: found \"0/2\""},
       {list + " -o " + (d / "x") + " --views front,", "--views: found \"front,\""},
+      {list + " -o " + (d / "x") + " --views front,nope", "--view: found \"nope\", expected front, back"},
+      {list + " -o " + (d / "x") + " --sheet --views front", "--views: found with --sheet"},
+      {list + " -o " + (d / "x") + " --jobs 0", "--jobs: found 0, expected 1 or more"},
+      {list + " -o " + (d / "x") + " -- --hidden wrong", "--hidden: "},
+      {list + " -o " + (d / "x") + " -- --nonsense", "--nonsense"},
+      {list + " -o " + (d / "x") + " -- -o x.svg", "-o: found after --, expected options of the drawing itself"},
+      {list + " -o " + (d / "x") + " -- --help", "--help: found after --"},
+      {list + " -o " + (d / "x") + " -- --report=r.json", "--report: found after --"},
+      {same + " -o " + (d / "x"), "found ../q.obj and up/q.obj, whose drawings would be one file"},
   };
   for (const auto& [options, message] : cases) {
     const Outcome outcome = run("batch " + options);
@@ -198,6 +216,25 @@ TEST_CASE("what is no batch is refused in one line", "[cli][batch]") {
   const Outcome busy = run("batch " + list + " -o " + (d / "busy"), "flock " + (d / "busy/journal.csv") + " ");
   CHECK(busy.status == 2);
   CHECK(says(busy, "journal.csv: found another hsr batch at work on it"));
+}
+
+TEST_CASE("names that look like options, come twice or are no files", "[cli][batch]") {
+  const Directory d;
+  write(d / "-o", "");
+  write(d / "-dash.obj", tetrahedron(2));
+  write(d / "a, b.obj", tetrahedron(3));
+  write(d / "list.txt", "-dash.obj\n--help\na, b.obj\n./a, b.obj\n");
+  const std::string at = "cd " + (d / "") + " && mkfifo pipe.obj; echo pipe.obj >> list.txt; timeout 20 ";
+  const Outcome outcome = run("batch list.txt -o out --views iso,iso", at);
+  INFO(outcome.text);
+  CHECK(says(outcome, "4 drawings: 2 made now, 0 as they were, 2 failed"));
+  const auto drawn = drawings_in(d / "out");
+  CHECK(drawn.size() == 2);
+  CHECK(drawn.contains("-dash.obj.iso.svg"));
+  CHECK(contents(d / "out/manifest.csv").find("\"a, b.obj\",iso,") != std::string::npos);
+  // As find -print0 writes them.
+  const Outcome zeros = run("batch - -o zeros --views iso", "cd " + (d / "") + " && printf '%s\\0' -dash.obj 'a, b.obj' | ");
+  CHECK(says(zeros, "2 drawings: 2 made now"));
 }
 
 TEST_CASE("a batch of sheets", "[cli][batch][sheet]") {

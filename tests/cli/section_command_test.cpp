@@ -159,7 +159,13 @@ TEST_CASE("planes that are none, or have no viewer's side, are refused", "[cli][
   check_refused(run("draw " + model + " --section 1,0@0,0,0" + svg), {"--section", "1,0"});
   check_refused(run("draw " + model + " --section 0,0,0@0,0,0" + svg), {"normal"});
   check_refused(run("draw " + model + " --view top --section x=0.5" + svg), {"edge-on"});
-  check_refused(run("draw " + model + " --eye 3,0.5,0.5 --target 0,0.5,0.5 --near 2.5 --section x=0.25" + svg), {"near plane"});
+  check_refused(run("draw " + model + " --view top --section z=0.5.." + svg), {"z=0.5..", "viewer", "expected z=0.5"});
+  check_refused(run("draw " + model + " --view top --depth 1" + svg), {"--depth", "--section"});
+  check_refused(run("draw " + model + " --view top --section z=0.5 --depth 0" + svg), {"depth", "above 0"});
+  check_refused(run("draw " + model + " --view top --section z=0.5.5.." + svg), {"--section", "x=12.5"});
+  check_refused(run("verify " + model + " --section x=0.5 --section y=0.5"), {"section", "verify", "one plane"});
+  check_refused(run("verify " + model + " --section x=0.5 --depth 1"), {"section", "verify", "one plane"});
+  check_refused(run("draw " + model + " --eye 3,0.5,0.5 --target 0,0.5,0.5 --near 2.5 --section x=0.75" + svg), {"near plane"});
   check_refused(run("draw " + model + " --section x=0.5 --why -o " + (d / "a.json")), {"section", "why"});
   check_refused(run("draw " + model + " --section x=0.5 --outline-only" + svg), {"section", "outline"});
   check_refused(run("draw " + model + " --section x=0.5 -o " + (d / "a.csv")), {"csv"});
@@ -183,6 +189,102 @@ TEST_CASE("fragments, the nearest face and orders agree beside the caps", "[cli]
     REQUIRE(first_cap != std::string::npos);
     CHECK(svg.find(cap, first_cap + 1) != std::string::npos);
     CHECK(count(svg.substr(first_cap), "fill=\"#") == count(svg, cap));
+  }
+}
+
+TEST_CASE("caps say of which face and object they are, in orders, too", "[cli][section][X8][J4]") {
+  const Directory d;
+  const std::string model = write(d / "walls.obj", walls());
+  REQUIRE(run("order " + model + " --view top --section z=1.2 -o " + (d / "o.json") + " -o " + (d / "o.svg")).status == 0);
+  const json order = json::parse(contents(d / "o.json"));
+  REQUIRE(order["section"]["caps"].size() == 2);
+  CHECK(order["section"]["caps"][0]["object"] == 1);
+  CHECK(order["section"]["caps"][0]["rings"][0].size() == 4);
+  REQUIRE(run("draw " + model + " --view top --section z=1.2 --fill -o " + (d / "a.svg")).status == 0);
+  for (const char* file : {"o.svg", "a.svg"}) {
+    const std::string svg = contents(d / file);
+    CHECK(svg.find("data-face=\"\"") == std::string::npos);
+    for (const json& cap : order["section"]["caps"])
+      CHECK(svg.find("data-face=\"" + std::to_string(cap["face"].get<int>()) + "\"") != std::string::npos);
+  }
+}
+
+TEST_CASE("several planes, a half section and a depth are drawn, and are in JSON", "[cli][section][X9][X10][X11][J3][J5]") {
+  const Directory d;
+  const std::string model = write(d / "walls.obj", walls()), svg = d / "a.svg", lines = d / "a.json";
+  const auto draw = [&](const std::string& options) {
+    const Outcome outcome = run("draw " + model + " " + options + " --fill --check --size 200x150 -o " + svg + " -o " + lines);
+    INFO(options << "\n" << outcome.text);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.text.find("cuts no closed body") == std::string::npos);
+    return json::parse(contents(lines));
+  };
+  const json quarter = draw("--section x=3 --section y=0.15");
+  CHECK(quarter["view"]["sections"].size() == 2);
+  CHECK_FALSE(quarter["view"].contains("section"));
+  CHECK(quarter["section"]["caps"][0].contains("plane"));
+  CHECK(layers_of(contents(svg)).contains("visible hatching"));
+  CHECK_FALSE(layers_of(contents(svg)).contains("visible joint"));
+  draw("--section x=3 --section y=0.15 --edges section,joint");
+  CHECK(layers_of(contents(svg)).contains("visible joint"));
+  const json half = draw("--view front --section y=0.15 --section x=3..");
+  CHECK(half["view"]["sections"][1] == json{{"point", {3, 0, 0}}, {"normal", {1, 0, 0}}});
+  const json side = draw("--view front --section x=..3");
+  CHECK(layers_of(contents(svg)).contains("visible section"));
+  CHECK_FALSE(layers_of(contents(svg)).contains("visible hatching"));
+  const json deep = draw("--view top --section z=1.2 --depth 1.3");
+  CHECK(deep["view"]["far"] == json{{"point", {0, 0, 1.2 - 1.3}}, {"normal", {0, 0, -1}}});
+}
+
+TEST_CASE("what is above a plan is dashed in a layer of its own, and nothing else changes", "[cli][section][X13][D7]") {
+  const Directory d;
+  const std::string model = write(d / "house.obj", walls() + box("roof", 25, {-0.5, -0.5, 2.5}, {6.5, 4.5, 2.7}));
+  const std::string svg = d / "a.svg", lines = d / "a.json", plan = "draw " + model + " --view top --section z=1.2 -o ";
+  REQUIRE(run(plan + svg + " -o " + lines + " --overhead dashed --fill").status == 0);
+  CHECK(layers_of(contents(svg)).contains("visible overhead"));
+  json found = json::parse(contents(lines))["lines"], others = json::array();
+  int overhead = 0;
+  for (const json& line : found)
+    if (line["class"] == "overhead")
+      ++overhead;
+    else
+      others.push_back(line);
+  CHECK(overhead == 4);
+  REQUIRE(run(plan + lines + " --fill").status == 0);
+  CHECK(json::parse(contents(lines))["lines"] == others);
+  check_refused(run("draw " + model + " --view top --overhead dashed -o " + svg), {"overhead", "section"});
+  check_refused(run("draw " + model + " --eye 9,9,9 --section z=1 --overhead dashed -o " + svg), {"overhead", "perspective"});
+}
+
+TEST_CASE("each section has a drawing where that is asked for", "[cli][section]") {
+  const Directory d;
+  const std::string model = write(d / "walls.obj", walls());
+  const std::string each = "draw " + model + " --view top --section z=1 --section z=2 --section-each -o ";
+  REQUIRE(run(each + (d / "plan.svg") + " -o " + (d / "plan.json")).status == 0);
+  for (const int k : {1, 2}) {
+    const json view = json::parse(contents(d / ("plan-" + std::to_string(k) + ".json")))["view"];
+    CHECK(view["section"]["point"] == json{0, 0, k});
+    CHECK(layers_of(contents(d / ("plan-" + std::to_string(k) + ".svg"))).contains("visible hatching"));
+  }
+  check_refused(run(each + "svg:-"), {"--section-each", "svg:-"});
+  check_refused(run("draw " + model + " --section-each -o " + (d / "x.svg")), {"--section-each", "--section"});
+}
+
+TEST_CASE("orders of several planes are right beside the caps", "[cli][section][X8][X9][X10][X11]") {
+  const Directory d;
+  const std::string model = write(d / "walls.obj", walls() + "v 1 1 -1\nv 5 3 4\nl 25 26\n");
+  for (const char* view :
+       {"--section x=3 --section y=0.15", "--view front --section y=0.15 --section x=3..",
+        "--eye 20,-15,12 --section y=0.15 --section x=4 --depth 2", "--view top --section z=1.2 --depth 1.3"}) {
+    for (const char* method : {"depth-sort", "bsp"}) {
+      INFO(view << " " << method);
+      CHECK(run("order " + model + " " + view + " --method " + method + " --check --size 200x150 -o " + (d / "o.json") +
+                " -o " + (d / "o.svg"))
+                .status == 0);
+      CHECK(run("verify " + (d / "o.json")).status == 0);
+      const json order = json::parse(contents(d / "o.json"));
+      CHECK(order["section"]["caps"].size() >= 2);
+    }
   }
 }
 

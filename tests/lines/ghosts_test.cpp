@@ -96,7 +96,8 @@ void check_ghosts(const TestScene& scene, const Mesh& mesh, const VisibleLines& 
   const VisibleLinesOracle oracle(solid, scene.view);
   const internal::ProjectedMesh among_ghosts(*mesh.ghosts, scene.view, Arithmetic::staged);
   const FaceLabels labels;
-  const internal::EdgeClassifier classify(among_ghosts, labels, all_edges());
+  const internal::EdgeMarkTable no_marks;
+  const internal::EdgeClassifier classify(among_ghosts, labels, no_marks, all_edges());
   Predicates exact = among_ghosts.predicates();
   std::size_t expected = 0;
   std::map<std::uint32_t, const Line*> of_edge;

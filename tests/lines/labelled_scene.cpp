@@ -28,8 +28,11 @@ Labelled recut(const Labelled& x, const Recut& cut) {
     const Ring ring(corners.begin(), corners.end());
     // Faces that are cut into triangles for not being planar are cut otherwise if they have more corners.
     const bool stays = mesh.faces[FaceId(f)] != FaceUse::planar;
-    for (const Ring& r : stays ? std::vector<Ring>{ring} : cut(mesh, FaceId(f), ring, y))
+    for (const Ring& r : stays ? std::vector<Ring>{ring} : cut(mesh, FaceId(f), ring, y)) {
       y.add_face(r, x.labels.object[f], x.labels.material[f]);
+      if (!x.labels.surface.empty()) y.labels.surface.push_back(x.labels.surface[f]);
+      if (!x.labels.shape.empty()) y.labels.shape.push_back(x.labels.shape[f]);
+    }
   }
   return y;
 }

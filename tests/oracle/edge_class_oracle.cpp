@@ -59,6 +59,9 @@ class ClassAt {
     half_planes_.push_back(std::move(p));
   }
 
+  // The mark of an edge that runs along the part.
+  void add_mark(const MarkedEdge& mark) { marks_.push_back(mark); }
+
   ClassPart verdicts(double crease) const { return verdicts(crease, pointers(), touching() == 'o' ? least() : any); }
   // Of those that are alike, if it is in doubt whether bodies touch.
   ClassPart verdicts_in_doubt(double crease) const { return verdicts(crease, pointers(), least() / 2); }
@@ -92,6 +95,12 @@ class ClassAt {
   // Intersection or sharp, or nothing.
   std::optional<ClassVerdict> bent(const Pointers& all, const HalfPlane& left, const HalfPlane& right, const HalfPlane* edge_on,
                                    double crease) const;
+  // Whether some face in the half-plane satisfies the condition.
+  template <class Condition>
+  static bool has_face(const HalfPlane& p, const Condition& condition) {
+    return std::any_of(p.faces.begin(), p.faces.end(), condition);
+  }
+  std::optional<EdgeMark> mark_between(const HalfPlane& left, const HalfPlane& right) const;
   EdgeClass flat(FaceId left, FaceId right) const {
     if (!labels_.material.empty() && labels_.material[left.value] != labels_.material[right.value]) return EdgeClass::material;
     if (!labels_.object.empty() && labels_.object[left.value] != labels_.object[right.value]) return EdgeClass::joint;
@@ -103,7 +112,25 @@ class ClassAt {
   Coplanar coplanar_;
   Vec a_, along_, projected_;
   std::vector<HalfPlane> half_planes_;  // each once
+  std::vector<MarkedEdge> marks_;
 };
+
+std::optional<EdgeMark> ClassAt::mark_between(const HalfPlane& left, const HalfPlane& right) const {
+  const auto holds = [&](EdgeMark mark) {
+    return std::any_of(marks_.begin(), marks_.end(), [&](const MarkedEdge& m) {
+      const auto is_of_object = [&](FaceId f) { return labels_.object.empty() || labels_.object[f.value] == m.object; };
+      return m.mark == mark && has_face(left, is_of_object) && has_face(right, is_of_object);
+    });
+  };
+  for (const EdgeMark mark : {EdgeMark::sharp, EdgeMark::smooth, EdgeMark::inner})
+    if (holds(mark)) return mark;
+  if (labels_.surface.empty()) return std::nullopt;
+  const bool is_one_surface = has_face(left, [&](FaceId f) {
+    return labels_.surface[f.value] != FaceLabels::none &&
+           has_face(right, [&](FaceId g) { return labels_.surface[g.value] == labels_.surface[f.value]; });
+  });
+  return is_one_surface ? std::optional(EdgeMark::inner) : std::nullopt;
+}
 
 std::size_t ClassAt::least() const {
   std::size_t least = any;
@@ -179,10 +206,13 @@ std::optional<ClassVerdict> ClassAt::bent(const Pointers& all, const HalfPlane& 
     }
     return opposite && above && below;
   };
-  if (is_zero(cross(left.into, right.into)) && edge_on == nullptr) return std::nullopt;
+  const auto mark = mark_between(left, right);
+  if (is_zero(cross(left.into, right.into)) && edge_on == nullptr)
+    return mark == EdgeMark::sharp ? std::optional(ClassVerdict{EdgeClass::sharp}) : std::nullopt;
   if (pierced(left) || pierced(right) || (edge_on != nullptr && pierced(*edge_on)))
     return ClassVerdict{EdgeClass::intersection};
-  if (edge_on != nullptr) return ClassVerdict{EdgeClass::sharp};
+  if (edge_on != nullptr || mark == EdgeMark::sharp) return ClassVerdict{EdgeClass::sharp};
+  if (mark) return std::nullopt;
   ClassVerdict verdict;
   if (deviates_from_flat(left, right, crease, verdict.is_near_crease)) verdict.edge_class = EdgeClass::sharp;
   if (verdict.edge_class != EdgeClass::sharp && !verdict.is_near_crease) return std::nullopt;
@@ -209,7 +239,9 @@ ClassPart ClassAt::verdicts(double crease, const Pointers& all, std::size_t surf
   } else if (one_side) {
     part = as(EdgeClass::outline);
   } else if (!has_side[0]) {
-    part = as(EdgeClass::smooth);
+    const bool is_inner =
+        half_planes_.size() == 2 && mark_between(half_planes_.front(), half_planes_.back()) == EdgeMark::inner;
+    if (!is_inner) part = as(EdgeClass::smooth);
   } else {
     for (auto& side : sides)
       std::sort(side.begin(), side.end(), [&](const HalfPlane* x, const HalfPlane* y) { return is_nearer(*x, *y); });
@@ -220,8 +252,12 @@ ClassPart ClassAt::verdicts(double crease, const Pointers& all, std::size_t surf
     const bool is_flat = !part.verdict || part.verdict->edge_class == EdgeClass::smooth;
     if (is_flat) part.behind = bent(all, *sides[0].back(), *sides[1].back(), back, crease);
     const bool is_near = part.verdict && part.verdict->is_near_crease;
-    if (is_flat) part.verdict = ClassVerdict{else_class, is_near};
-    part.verdict->flat = else_class;
+    const bool is_inner = mark_between(*sides[0].front(), *sides[1].front()) == EdgeMark::inner;
+    if (is_flat && is_inner)
+      part.verdict.reset();
+    else if (is_flat)
+      part.verdict = ClassVerdict{else_class, is_near};
+    if (part.verdict) part.verdict->flat = else_class;
   }
   const bool is_plain =
       !part.verdict || part.verdict->edge_class == EdgeClass::smooth || part.verdict->edge_class == EdgeClass::joint;
@@ -297,11 +333,16 @@ struct RawPart : ClassPart {
   std::optional<ClassVerdict> in_doubt = {};
 };
 
-std::vector<RawPart> raw_parts(const Mesh& mesh, EdgeId id, const ClassAt& empty, double crease,
-                               const std::optional<Interval>& beyond) {
+std::vector<RawPart> raw_parts(const Mesh& mesh, const std::vector<MarkedEdge>& marks, EdgeId id, const ClassAt& empty,
+                               double crease, const std::optional<Interval>& beyond) {
+  const auto is_side = [&](const MarkedEdge& m, VertexId u, VertexId v) {
+    return std::minmax(mesh.merged[VertexId(m.points[0])], mesh.merged[VertexId(m.points[1])]) == std::minmax(u, v);
+  };
   if (!beyond) {
     ClassAt own = empty;
     for (const TriangleId t : mesh.triangles_at(id)) own.add(Vec(mesh.points[mesh.apex(t, mesh.edges[id])]), mesh.face_of[t]);
+    for (const MarkedEdge& m : marks)
+      if (is_side(m, mesh.edges[id].a, mesh.edges[id].b)) own.add_mark(m);
     RawPart part{own.verdicts(crease), 'n', {}, {}};
     part.part = {0, 1};
     part.behind.reset();
@@ -334,6 +375,9 @@ std::vector<RawPart> raw_parts(const Mesh& mesh, EdgeId id, const ClassAt& empty
         if (inside[k] == 0) along = k;
       }
       if (*std::min_element(inside.begin(), inside.end()) < 0) continue;
+      const auto& v = mesh.triangles[x.triangle];
+      for (const MarkedEdge& m : marks)
+        if (along < 3 && is_side(m, v[along], v[(along + 1) % 3])) here.add_mark(m);
       // Along a side the third corner is on the face's side of it; inside, a corner on each side stands for a half-plane.
       bool has[2] = {false, false};
       for (std::size_t k = 0; k < 3; ++k) {
@@ -455,7 +499,8 @@ std::vector<std::vector<ClassPart>> class_parts(const Mesh& mesh, const View& vi
                                                 double crease, const std::vector<std::optional<Interval>>& beyond) {
   std::vector<std::vector<RawPart>> raw;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e)
-    raw.push_back(raw_parts(mesh, EdgeId(e), ClassAt(mesh, view, labels, coplanar, EdgeId(e)), crease, beyond[e]));
+    raw.push_back(
+        raw_parts(mesh, labels.marks, EdgeId(e), ClassAt(mesh, view, labels, coplanar, EdgeId(e)), crease, beyond[e]));
   decide_alike(mesh, view, raw);
   std::vector<std::vector<ClassPart>> all;
   for (std::size_t e = 0; e < raw.size(); ++e) {

@@ -127,6 +127,7 @@ const char* to_text(EdgeClass edge_class) {
       return "joint";
     case EdgeClass::section:
     case EdgeClass::hatching:
+    case EdgeClass::overhead:
       break;  // of drawings
   }
   return "no class";
@@ -217,7 +218,12 @@ std::vector<SeenEdge> seen_by_oracle(const SceneView& scene, const LineOptions& 
     }
   }
   if (!asked_for(options, EdgeClass::intersection)) return out;
+  const std::vector<std::uint32_t>& shape = scene.labels().shape;
   for (const Piercing& p : piercings(mesh, view)) {
+    const auto shape_of = [&](FacetId facet) {
+      return shape.empty() ? FaceLabels::none : shape[mesh.face_of[first_triangle(facet)].value];
+    };
+    if (shape_of(p.s) != FaceLabels::none && shape_of(p.s) == shape_of(p.t)) continue;
     SeenEdge e{{}, {}, EdgeClass::intersection, false, {}};
     e.s = p.s;
     e.t = p.t;

@@ -57,10 +57,10 @@ class Clusters(unittest.TestCase):
         ran = subprocess.run(words, capture_output=True, text=True, check=False)
         self.assertEqual(ran.returncode, 1, ran.stderr)
         self.assertRegex(ran.stderr, r"hsr: 7 tasks of 3 workers took [0-9.]+ s: ")
-        self.assertIn("50 drawings, 0 made now, 50 as they were, 2 failed", ran.stderr)
+        self.assertIn("50 drawings: 0 made now, 48 as they were, 2 failed", ran.stderr)
         self.compare(out)
         again = subprocess.run(words, capture_output=True, text=True, check=False)
-        self.assertIn("50 drawings, 0 made now", again.stderr)
+        self.assertIn("50 drawings: 0 made now", again.stderr)
 
     def test_workers_that_are_killed(self):
         import distributed
@@ -95,11 +95,14 @@ class Clusters(unittest.TestCase):
             ([os.devnull, "-o", "x", "--workers", "1"], "found no model"),
             ([str(self.list), "-o", "x"], "--scheduler --workers is required"),
             ([str(self.list), "-o", "x", "--workers", "0"], "found a number below 1"),
+            ([str(self.list), "-o", str(self.list), "--workers", "1", "--command", COMMAND], "cannot be made a directory"),
+            ([str(self.list), "-o", "x", "--scheduler", "nowhere://1", "--command", COMMAND], "--scheduler: found nowhere://1"),
         ):
             with self.subTest(words=words):
                 ran = subprocess.run([sys.executable, "-m", "hsr.cluster", *words], capture_output=True, text=True, check=False)
-                self.assertNotEqual(ran.returncode, 0)
+                self.assertEqual(ran.returncode, 2)
                 self.assertIn(text, ran.stderr)
+                self.assertNotIn("Traceback", ran.stderr)
 
 
 if __name__ == "__main__":

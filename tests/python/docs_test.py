@@ -42,7 +42,8 @@ class Documents(unittest.TestCase):
             try:
                 for block in blocks:
                     exec(block, names)
-                self.assertEqual(sorted(os.listdir(".")), ["cube.dxf", "cube.pdf", "cube.png", "cube.svg", "holes.dxf", "lines.png", "painted.pdf", "planes.png", "plot.svg"])
+                self.assertEqual(sorted(os.listdir(".")), ["cube.dxf", "cube.pdf", "cube.png", "cube.svg", "half.svg", "holes.dxf", "lines.png", "painted.pdf", "plan.svg", "planes.png", "plot.svg",
+                                                    "quarter.svg"])
             finally:
                 os.chdir(before)
 

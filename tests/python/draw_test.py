@@ -262,6 +262,8 @@ NOT_IN_PYTHON = {
     "--output": "the second argument, output",
     "--check": "hsr.check",
     "--report": "of a run of the command: times and counts",
+    "--section": "View.with_section",
+    "--section-each": "a view for each",
     "--quiet": "nothing is said: Drawing.notes",
 }
 

@@ -126,6 +126,29 @@ class Surfaces(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "section"):
             hsr.View.named("top").with_section(3)
 
+    def test_several_sections_and_a_depth(self):
+        cube = numpy.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
+        faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+        quarter = hsr.View.named("iso").with_section("x=0.5", ((0, 0.25, 0), (0, 1, 0)))
+        cut = hsr.section((cube, faces), quarter)
+        self.assertEqual(sorted(cut.plane.tolist()), [0, 1])
+        self.assertEqual(eval(repr(hsr.View.named("top").with_section("z=1", "x=..2", depth=3)), {"View": hsr.View}),
+                         hsr.View.named("top").with_section("z=1", "x=..2", depth=3))
+        self.assertEqual(hsr.check((cube, faces), quarter, size=(60, 40)).wrong, 0)
+        self.assertGreater(len(hsr.order((cube, faces), quarter)), 5)
+        half = hsr.View.named("front").with_section("y=0.5", "x=0.5..")
+        self.assertEqual(hsr.hidden([[0.25, 0.75, 0.5], [0.75, 0.25, 0.5]], (cube, faces), half).tolist(), [True, True])
+        low = hsr.View.named("top").with_section("z=0.75", depth=0.5)
+        self.assertEqual(len(hsr.visible_lines((cube, faces), low).t), 0)
+        roof = (numpy.concatenate([cube, cube * [3, 3, 0.5] + [-1, -1, 1]]), faces + [[k + 8 for k in f] for f in faces])
+        plan = hsr.View.named("top").with_section("z=0.5")
+        self.assertIn("visible overhead", hsr.draw(roof, view=plan, overhead="dashed").svg())
+        self.assertNotIn("visible overhead", hsr.draw(roof, view=plan).svg())
+        with self.assertRaisesRegex(ValueError, "no plane"):
+            hsr.View.named("top").with_section()
+        with self.assertRaisesRegex(ValueError, "above 0"):
+            hsr.draw(roof, view=hsr.View.named("top").with_section("z=0.5", depth=-1))
+
     def test_fragments_cover_the_image(self):
         seen = hsr.fragments(scenes.FLOOR_AND_ROOF, "top")
         self.assertEqual(seen.face.tolist(), [0, 0, 1])

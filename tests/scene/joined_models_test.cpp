@@ -39,6 +39,25 @@ std::string refusal(const std::function<void()>& work) {
   return "nothing was refused";
 }
 
+TEST_CASE("surfaces, marks and circles of several models keep apart, and go into the common unit", "[scene][joined][O1]") {
+  Model a = model("a.step", {"plate", "bolt"}), b = model("b.step", {}), plain = model("c.obj", {});
+  a.face_surface = {0, 0xffffffffU};
+  a.surfaces = {{SurfaceKind::plane, {1, 0, 0}, {0, 0, 1}, 0}};
+  a.marks = {{{1, 2}, EdgeMark::smooth, 0}, {{3, 4}, EdgeMark::sharp, 1}};
+  b.face_surface = {4};
+  b.marks = {{{0, 1}, EdgeMark::inner, 0, 0}};
+  b.circles = {{{1, 2, 3}, {0, 0, 1}, 2}};
+  const Model m = joined({{a}, {plain}, {b, "cm", true}}).model;
+  CHECK(m.face_surface == std::vector<std::uint32_t>{0, 0xffffffffU, 0xffffffffU, 5});
+  CHECK(m.surfaces.size() == 1);
+  CHECK(m.marks ==
+        std::vector<MarkedEdge>{{{1, 2}, EdgeMark::smooth, 0}, {{3, 4}, EdgeMark::sharp, 1}, {{9, 10}, EdgeMark::inner, 3, 0}});
+  REQUIRE(m.circles.size() == 1);
+  CHECK(m.circles[0].centre == Point3{10, -30, 20});
+  CHECK(m.circles[0].axis == Point3{0, -1, 0});
+  CHECK(m.circles[0].radius == 20);
+}
+
 TEST_CASE("several models become one, their faces, wires and colours one after the other", "[scene][joined][O1]") {
   Model a = model("here/a.obj", {"plate", "bolt"}), b = model("there/b.stl", {});
   a.palette = {{255, 0, 0, 255}};

@@ -2,6 +2,8 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <random>
+#include <set>
+#include <string>
 
 #include "geometry/error.h"
 #include "hsr/lines/hidden_points.h"
@@ -71,6 +73,43 @@ TEST_CASE("fragments of what a section leaves agree with the oracle", "[section]
     for (const std::string& text : oracle.differences(visible_fragments(SceneView(mesh, scene.view)))) all += text + "\n";
     return all;
   });
+}
+
+/// The visible parts of all lines, in space.
+std::set<std::string> visible_parts(const Mesh& mesh, const View& view) {
+  const SceneView scene(mesh, view);
+  const VisibleLines lines = visible_lines(scene);
+  std::set<std::string> all;
+  for (const Line& line : lines.lines)
+    for (std::uint32_t k = 0; k < line.intervals(); ++k) {
+      if (line.hidden(k)) continue;
+      std::array<std::string, 2> ends;
+      for (std::uint32_t e = 0; e < 2; ++e)
+        for (const Rational& x : exact_point(scene, lines, line, k + e)) ends[e] += x.to_string() + " ";
+      all.insert(std::min(ends[0], ends[1]) + std::max(ends[0], ends[1]));
+    }
+  return all;
+}
+
+TEST_CASE("what a section takes away may be before the near plane, and behind the eye", "[section][X1]") {
+  const auto box = [](double top) {
+    scenes::TestScene scene;
+    scene.add_box({0, 0, 0}, {4, 4, top});
+    scene.add_box({1, 1, -2}, {9, 3, -1});
+    return scene.mesh();
+  };
+  const Mesh low = box(2.5), high = box(8);
+  const auto view = [](double near) {
+    return with_section(perspective_view({2, 1.5, 4}, {2, 2, 0}, {0, 1, 0}, near), {0, 0, 2}, {0.125, 0, 1});
+  };
+  const std::set<std::string> expected = visible_parts(low, view(0.125));
+  CHECK(expected.size() == 3);  // of the second box beside the cap
+  CHECK(visible_parts(high, view(0.125)) == expected);
+  CHECK(visible_parts(low, view(1.75)) == expected);
+  CHECK(visible_parts(high, view(1.75)) == expected);
+  // Here some of what the section leaves is before the near plane.
+  CHECK_THROWS_AS(visible_parts(high, view(2.5)), InputError);
+  CHECK_THROWS_AS(visible_parts(low, view(2.5)), InputError);
 }
 
 TEST_CASE("points behind a cap are hidden, and those in its plane, too", "[section][X2][X5]") {

@@ -83,3 +83,33 @@ TEST_CASE("A circle of coordinates that are rounded to floats is found", "[sheet
   CHECK(circles[0].radius == Approx(7).epsilon(1e-4));
   CHECK(axes_of(circles, 20).size() == 1);
 }
+
+TEST_CASE("A square with its corners cut off is no circle, an octagon is one", "[sheet][circles][L5]") {
+  const auto cut_square = [](double cut) {
+    return prism(8, 3, [&](int k) {
+      const double a = 10 - cut;
+      const Point2 corners[] = {{10, -a}, {10, a}, {a, 10}, {-a, 10}, {-10, a}, {-10, -a}, {-a, -10}, {a, -10}};
+      return corners[k];
+    });
+  };
+  CHECK(model_circles(cut_square(2), 30).empty());
+  CHECK(model_circles(cut_square(10 * (2 - std::sqrt(2.0))), 30).size() == 2);
+}
+
+TEST_CASE("A circle with corners in odd places is found", "[sheet][circles][L5]") {
+  // Beside some of them another one, as cutting solids leaves them.
+  std::vector<double> places;
+  for (int k = 0; k < 36; ++k) {
+    places.push_back(k * std::numbers::pi / 18);
+    if (k % 5 == 2) places.push_back(k * std::numbers::pi / 18 + 0.004);
+    if (k % 7 == 3) places.push_back(k * std::numbers::pi / 18 + 0.1);
+  }
+  const auto circles = model_circles(prism(static_cast<int>(places.size()), 3,
+                                           [&](int k) {
+                                             const double t = places[static_cast<std::size_t>(k)];
+                                             return Point2{7 * std::cos(t), 7 * std::sin(t)};
+                                           }),
+                                     5);
+  REQUIRE(circles.size() == 2);
+  CHECK(circles[0].edges.size() == places.size());
+}

@@ -230,6 +230,10 @@ TEST_CASE("A detail shows what is inside its circle, larger", "[sheet]") {
     if (distance > 29.999) ++on_circle;
   }
   CHECK(on_circle == 2);
+  options.details = {{"front", {500, 0, 500}, 6, 2}};
+  const Sheet beside = draw_sheet(Scene::of(mesh), options);
+  REQUIRE(beside.notes.size() == 1);
+  CHECK(beside.notes[0] == "detail A (2:1): there is no line within its circle");
   CHECK_THROWS_AS(draw_sheet(Scene::of(mesh), {.details = {{"back", {}, 1, 2}}}), InputError);
   CHECK_THROWS_AS(draw_sheet(Scene::of(mesh), {.details = {{"front", {}, 0, 2}}}), InputError);
 }
@@ -257,6 +261,18 @@ TEST_CASE("Centre lines cross at the middle of holes, and run along their axes",
   std::set<std::int64_t> across;
   for (const PaperPoint& p : points_of(sheet, "top centre lines")) across.insert(p.x);
   CHECK(across.size() == 3);
+  // Without hidden lines none of holes that are not to be seen.
+  const Sheet plain = draw_sheet(Scene::of(mesh), {.hidden = HiddenLines::none});
+  CHECK(points_of(plain, "top centre lines").empty());
+  CHECK(points_of(plain, "front centre lines").size() == points.size());
+  // A section has those that it cuts, wherever beside their axes, and no hidden ones.
+  for (const double x : {60.0, 60 + 1e-9, 60 - 1e-9, 64.0, 67.0}) {
+    CAPTURE(x);
+    const Sheet cut = draw_sheet(Scene::of(mesh), {.sections = {{{x, 0, 0}, {1, 0, 0}}}});
+    std::set<std::int64_t> heights;
+    for (const PaperPoint& p : points_of(cut, "A-A centre lines")) heights.insert(p.y);
+    CHECK(heights.size() == 2);  // of the holes at 60, of the radii 15 and 12
+  }
   CHECK_FALSE(layers_of(draw_sheet(Scene::of(mesh), {.has_centre_lines = false})).contains("front centre lines"));
   // The cutting line stands for the centre line that it runs along.
   SheetOptions cut;
@@ -281,6 +297,45 @@ TEST_CASE("What has no room, or is no view, is refused in one line", "[sheet][L3
   CHECK_THROWS_AS(draw_sheet(Scene::of(mesh), {.views = {}}), InputError);
   CHECK_THROWS_AS(sheet_format("A9"), InputError);
   CHECK_THROWS_AS(draw_sheet(Scene(Mesh()), {}), InputError);
+}
+
+TEST_CASE("Models of any size have a scale", "[sheet][L3]") {
+  for (const double size : {1e-290, 1e-30, 1e-3, 1e9, 1e30, 1e150, 1e290}) {
+    CAPTURE(size);
+    ModelMaker maker;
+    for (const auto& [x, y, z] : {std::array{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}})
+      maker.add(size * x, size * y, size * z);
+    for (const auto& face : {std::vector{0U, 2U, 1U}, {0U, 1U, 3U}, {1U, 2U, 3U}, {2U, 0U, 3U}}) maker.add_face(face);
+    const Sheet sheet = draw_sheet(Scene(maker.mesh()), {});
+    const PlacedView& front = view_named(sheet, "front");
+    CHECK(front.box.right - front.box.left > 20);
+    CHECK(front.box.right - front.box.left < 200);
+    CHECK_FALSE(points_of(sheet, "front visible").empty());
+  }
+}
+
+TEST_CASE("The grid has as many fields as ISO 5457 has for each size", "[sheet]") {
+  const std::tuple<const char*, std::size_t, std::size_t> sizes[] = {
+      {"A0", 24, 16}, {"A1", 16, 12}, {"A2", 12, 8}, {"A3", 8, 6}, {"A4", 4, 6}};
+  for (const auto& [name, across, down] : sizes) {
+    CAPTURE(name);
+    SheetOptions options;
+    options.format = sheet_format(name);
+    options.views = {"front"};
+    const Sheet sheet = draw_sheet(Scene::of(box()), options);
+    std::set<std::int64_t> x, y;
+    for (const NamedLayer& layer : sheet.drawing.layers) {
+      if (layer.name != "frame grid") continue;
+      for (std::uint32_t k = layer.first_polyline; k < layer.end_polyline; ++k) {
+        const auto p = sheet.drawing.points_of(sheet.drawing.polylines[k]);
+        if (p.size() != 2) continue;  // the border around it
+        if (p[0].x == p[1].x) x.insert(p[0].x);
+        if (p[0].y == p[1].y) y.insert(p[0].y);
+      }
+    }
+    CHECK(x.size() + 1 == across);
+    CHECK(y.size() + 1 == down);
+  }
 }
 
 TEST_CASE("Every sheet has a frame and a title block within the paper", "[sheet]") {

@@ -37,11 +37,12 @@ struct Unsupported {
   const char* name;
   const char* advice;
 };
+constexpr const char* surfaces = "STL or OBJ from the CAD program, or build hsr with Open CASCADE (HSR_STEP)";
 constexpr std::array<Unsupported, 14> unsupported = {{
-    {"step", "STEP", "STL or OBJ from the CAD program"},
-    {"stp", "STEP", "STL or OBJ from the CAD program"},
-    {"iges", "IGES", "STL or OBJ from the CAD program"},
-    {"igs", "IGES", "STL or OBJ from the CAD program"},
+    {"step", "STEP", surfaces},
+    {"stp", "STEP", surfaces},
+    {"iges", "IGES", surfaces},
+    {"igs", "IGES", surfaces},
     {"brep", "BREP", "STL or OBJ from the CAD program"},
     {"dwg", "DWG", "STL or OBJ from the CAD program"},
     {"dxf", "DXF", "STL or OBJ from the CAD program"},

@@ -24,6 +24,10 @@ Model read_model(const std::string& path);
 /// @throws InputError as above
 Model read_model(const std::string& name, std::string_view bytes);
 
+/// Adds what a file of "hsr-marks/1" says of the faces and edges of a model, in the place of what it knew (docs/conventions.md, J7).
+/// @throws InputError in one line: the file, the edge, what was found and what was expected; the model is then of no use
+void read_marks(const std::string& path, Model& model);
+
 /// A painting order by anyone.
 struct PaintingFile {
   std::vector<PaintedPolygon> far_to_near;

@@ -10,6 +10,7 @@
 #include "hsr/drawing/cut_parameter.h"
 #include "hsr/io/write/interval_places.h"
 #include "hsr/io/write/json_text.h"
+#include "hsr/io/write/section_json.h"
 #include "hsr/symbols/constructions.h"
 
 namespace hsr {
@@ -192,29 +193,6 @@ void append_fragments(std::string& out, const Mesh& mesh, const View& view, cons
   out += "\n]";
 }
 
-void append_section(std::string& out, const Section& section, Numbers numbers) {
-  out += ", \"section\": {\"open_outlines\": " + std::to_string(section.open_outlines) + ", \"caps\": [";
-  for (std::size_t k = 0; k < section.caps.size(); ++k) {
-    const SectionCap& cap = section.caps[k];
-    out += k > 0 ? ",\n" : "\n";
-    out += "{\"object\": " + std::to_string(cap.object) + ", \"face\": " + std::to_string(cap.face.value) + ", \"rings\": [";
-    for (std::uint32_t r = cap.first_ring; r < cap.end_ring; ++r) {
-      out += r > cap.first_ring ? ", [" : "[";
-      for (std::size_t i = 0; i < section.rings[r].size(); ++i) {
-        if (i > 0) out += ", ";
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          out += axis > 0 ? ", " : "[";
-          append_rational(out, section.rings[r][i][axis], numbers);
-        }
-        out += ']';
-      }
-      out += ']';
-    }
-    out += "]}";
-  }
-  out += "\n]}";
-}
-
 void append_names(std::string& out, const SceneObjects* objects) {
   if (objects == nullptr || !objects->are_told_apart()) return;
   out += ", \"objects\": [";
@@ -225,6 +203,19 @@ void append_names(std::string& out, const SceneObjects* objects) {
     append_string(out, name);
   }
   out += ']';
+}
+
+}  // namespace
+
+namespace {
+
+void append_plane(std::string& out, const char* before, const SectionPlane& plane, Numbers numbers) {
+  out += before;
+  out += "{\"point\": ";
+  append_point(out, plane.point, numbers);
+  out += ", \"normal\": ";
+  append_point(out, plane.normal, numbers);
+  out += '}';
 }
 
 }  // namespace
@@ -254,13 +245,11 @@ std::string view_json(const View& view, Numbers numbers) {
     append_number(out, view.near, numbers);
   else
     out += "null";
-  if (view.section) {
-    out += ", \"section\": {\"point\": ";
-    append_point(out, view.section->point, numbers);
-    out += ", \"normal\": ";
-    append_point(out, view.section->normal, numbers);
-    out += '}';
-  }
+  if (view.section) append_plane(out, ", \"section\": ", *view.section, numbers);
+  for (std::size_t k = 0; k < view.planes.size(); ++k)
+    append_plane(out, k == 0 ? ", \"sections\": [" : ", ", view.planes[k], numbers);
+  if (!view.planes.empty()) out += ']';
+  if (view.far) append_plane(out, ", \"far\": ", *view.far, numbers);
   out += '}';
   return out;
 }
@@ -287,7 +276,7 @@ std::string lines_json(const Mesh& mesh, const View& view, const VisibleLines& l
   }
   out += "\n]";
   if (options.fragments != nullptr) append_fragments(out, mesh, view, *options.fragments, options);
-  if (options.section != nullptr) append_section(out, *options.section, options.numbers);
+  if (options.section != nullptr) append_section(out, *options.section, options.numbers, !view.planes.empty());
   out += "}\n";
   return out;
 }

@@ -43,7 +43,8 @@ std::string view_json(const View& view, Numbers numbers = Numbers::rounded);
 /// A painting order as JSON, "hsr-order/1" (docs/conventions.md, "JSON"). A coordinate that is no double is written "p/q" with
 /// either kind of numbers, so that the order survives the file; Numbers::exact writes all of them so.
 /// @param coplanar which of coincident faces the order paints last; the file says so unless it is the first
+/// @param section its caps, which lie on all pieces, are written beside them; null: none are
 std::string order_json(const Mesh& mesh, const View& view, const PaintersOrder& order, Numbers numbers = Numbers::rounded,
-                       Coplanar coplanar = Coplanar::first);
+                       Coplanar coplanar = Coplanar::first, const Section* section = nullptr);
 
 }  // namespace hsr

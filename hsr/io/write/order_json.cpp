@@ -4,6 +4,7 @@
 
 #include "hsr/io/write/json.h"
 #include "hsr/io/write/json_text.h"
+#include "hsr/io/write/section_json.h"
 
 namespace hsr {
 
@@ -71,7 +72,8 @@ void append_wire(std::string& out, const Mesh& mesh, const OrderedWire& wire, Nu
 
 }  // namespace
 
-std::string order_json(const Mesh& mesh, const View& view, const PaintersOrder& order, Numbers numbers, Coplanar coplanar) {
+std::string order_json(const Mesh& mesh, const View& view, const PaintersOrder& order, Numbers numbers, Coplanar coplanar,
+                       const Section* section) {
   constexpr std::size_t chunk = 1024;
   // Each piece after the wires that come before it, and what comes after the last.
   std::vector<std::string> parts(order.pieces.size() / chunk + 1);
@@ -93,7 +95,9 @@ std::string order_json(const Mesh& mesh, const View& view, const PaintersOrder& 
   const std::size_t begin = out.size();
   for (const std::string& part : parts) out += part;
   if (out.size() > begin) out.erase(begin, 2);  // the comma before the first
-  out += "\n]}\n";
+  out += "\n]";
+  if (section != nullptr) append_section(out, *section, numbers);
+  out += "}\n";
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "geometry/error.h"
 
@@ -88,15 +89,14 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
+void OutputFile::close() {
+  const int file = std::exchange(file_, -1);
+  if (file >= 0 && file != STDOUT_FILENO && ::close(file) != 0 && errno != EINTR) fail(errno);
+}
+
 void OutputFile::commit() {
-  require(file_ >= 0, "OutputFile: committed twice");
-  if (file_ != STDOUT_FILENO) {
-    const int file = file_;
-    file_ = -1;
-    if (::close(file) != 0 && errno != EINTR) fail(errno);
-  } else {
-    file_ = -1;
-  }
+  require(file_ >= 0 || !temporary_.empty(), "OutputFile: committed twice");
+  close();
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();

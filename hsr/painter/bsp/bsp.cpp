@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "geometry/parallel.h"
 #include "hsr/painter/bsp/bsp_nodes.h"
+#include "hsr/painter/order_in_cells.h"
 #include "hsr/painter/wires.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/view_parts.h"
@@ -242,6 +243,7 @@ const DecisionCounts& BspTree::decisions() const { return nodes_->decisions; }
 PaintersOrder BspTree::order(const View& view) const { return order(SceneView(*nodes_->mesh, view)); }
 
 PaintersOrder BspTree::order(const SceneView& scene) const {
+  if (scene.view().has_cells()) return order_in_cells(scene, [&](const ViewParts::Cell& cell) { return order(cell.scene); });
   PaintersOrder order;
   if (!nodes_->nodes.empty()) append_far_to_near(*nodes_, scene.parts().projected(), scene.view(), order);
   order.wires = ordered_wires(scene, order);

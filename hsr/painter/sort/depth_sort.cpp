@@ -8,6 +8,7 @@
 #include "geometry/cancel.h"
 #include "geometry/error.h"
 #include "geometry/ragged.h"
+#include "hsr/painter/order_in_cells.h"
 #include "hsr/painter/sort/components.h"
 #include "hsr/painter/sort/depth_order.h"
 #include "hsr/painter/sort/image_bsp.h"
@@ -502,8 +503,38 @@ std::vector<std::array<Rational, 3>> witnesses(const Mesh& mesh, const View& vie
   return found;
 }
 
+namespace {
+
+void add(DepthSortCounts& all, const DepthSortCounts& one) {
+  for (const auto count :
+       {&DepthSortCounts::clusters, &DepthSortCounts::candidates, &DepthSortCounts::apart, &DepthSortCounts::by_depth,
+        &DepthSortCounts::by_plane, &DepthSortCounts::coplanar, &DepthSortCounts::by_overlap, &DepthSortCounts::overlapping,
+        &DepthSortCounts::piercing, &DepthSortCounts::cuts_at_intersections, &DepthSortCounts::cuts_in_cycles,
+        &DepthSortCounts::cyclic_components})
+    all.*count += one.*count;
+  all.largest_component = std::max(all.largest_component, one.largest_component);
+}
+
+/// The counts are those of all cells, and the cycles, too.
+DepthSort sorted_in_cells(const SceneView& scene, const DepthSortOptions& options) {
+  DepthSort all;
+  all.order = order_in_cells(scene, [&](const ViewParts::Cell& cell) {
+    DepthSort one = depth_sort(cell.scene, options);
+    for (PaintersCycle& cycle : one.cycles)
+      for (std::vector<MapPoint>& corners : cycle.common)
+        for (MapPoint& p : corners) p = p.by_plane(cell.cell.plane);
+    add(all.counts, one.counts);
+    std::move(one.cycles.begin(), one.cycles.end(), std::back_inserter(all.cycles));
+    return std::move(one.order);
+  });
+  return all;
+}
+
+}  // namespace
+
 DepthSort depth_sort(const SceneView& scene, const DepthSortOptions& options) {
   throw_if_stopped(options.stop);
+  if (scene.view().has_cells()) return sorted_in_cells(scene, options);
   DepthSort sorted;
   if (!scene.mesh().triangles.empty()) sorted = Sorter(scene, options).sort();
   sorted.order.wires = ordered_wires(scene, sorted.order);

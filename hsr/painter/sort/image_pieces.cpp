@@ -17,6 +17,7 @@ Cut cut_of(const MapLine& line, FacetId facet) {
     case MapLine::Kind::near:
       return {Cut::Kind::near, 0, 0, 0};
     case MapLine::Kind::meet:
+    case MapLine::Kind::fold:
       break;
   }
   return {Cut::Kind::face, 0, line.u == facet.value ? line.v : line.u, 0};

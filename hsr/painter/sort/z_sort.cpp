@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hsr/painter/order_in_cells.h"
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/painter/wires.h"
 #include "hsr/scene/view_parts.h"
@@ -10,6 +11,8 @@
 namespace hsr::internal {
 
 PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
+  if (scene.view().has_cells())
+    return order_in_cells(scene, [&](const ViewParts::Cell& cell) { return z_sort(cell.scene, key); });
   PaintersOrder order;
   order.wires = whole_wires(scene);
   if (scene.mesh().triangles.empty()) return order;

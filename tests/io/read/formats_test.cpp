@@ -56,7 +56,8 @@ TEST_CASE("Every file with one byte changed is read or refused in one line", "[r
 }
 
 TEST_CASE("A format that is not known is refused with those that are", "[read]") {
-  CHECK(refusal("part.step", "ISO-10303-21;") == "part.step: STEP is not supported: export STL or OBJ from the CAD program");
+  CHECK(refusal("part.step", "ISO-10303-21;") ==
+        "part.step: STEP is not supported: export STL or OBJ from the CAD program, or build hsr with Open CASCADE (HSR_STEP)");
   CHECK(refusal("part.FBX", "Kaydara") == "part.FBX: FBX is not supported: export OBJ or glTF");
   CHECK(refusal("a.xyz", "1 2 3") ==
         "a.xyz: found the ending \".xyz\", expected OBJ, OFF, PLY, STL, glTF or GLB, also gzipped");
