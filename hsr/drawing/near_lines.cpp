@@ -9,6 +9,7 @@
 #include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 
 namespace hsr::internal {
 
@@ -204,12 +205,21 @@ struct LineInDoubles {
         dy(static_cast<double>(line.to.y - line.from.y)),
         length(std::hypot(dx, dy)) {}
 
-  /// Whether both ends are farther than least_on_paper from the line of the other, on one side of it: then no step is near. Of
-  /// coordinates below 2^41 the roundings move the line by less than 2^-6, and steps are off theirs by less than 1.
-  bool is_certainly_beside(const LineInDoubles& other) const {
-    const double from = other.dx * (y - other.y) - other.dy * (x - other.x), to = from + (other.dx * dy - other.dy * dx);
+  /// Whether part_near() certainly finds nothing: most lines that are looked at run in another direction.
+  bool is_certainly_apart(const LineInDoubles& other) const {
+    const double turn = other.dx * dy - other.dy * dx, along = other.dx * dx + other.dy * dy;
+    if (std::fabs(turn) * slope > std::fabs(along) + 1e-12 * length * other.length) return true;
+    // Both ends are farther than least_on_paper from the line of the other, on one side of it: then no step is near. Of coordinates
+    // below 2^41 the roundings move the line by less than 2^-6, and steps are off theirs by less than 1.
+    const double u = x - other.x, v = y - other.y;
+    const double from = other.dx * v - other.dy * u, to = from + turn;
     const double most = (least_on_paper + 2) * other.length;
-    return (from > most && to > most) || (from < -most && to < -most);
+    if ((from > most && to > most) || (from < -most && to < -most)) return true;
+    // The feet of the perpendiculars from both ends are beyond one end of the other.
+    const double first = other.dx * u + other.dy * v, last = first + along;
+    const double error = 1e-12 * other.length * (std::fabs(u) + std::fabs(v) + length + other.length);
+    const double end = other.length * other.length + error;
+    return (first < -error && last < -error) || (first > end && last > end);
   }
 };
 
@@ -224,27 +234,31 @@ class Squares {
     }
   };
 
-  explicit Squares(const std::vector<PaperLine>& lines) {
+  /// A size that suits some lines.
+  static std::int64_t size_for(const std::vector<PaperLine>& lines) {
     Wide length = 0;
     for (const PaperLine& line : lines) length += Steps(line).count();
-    size_ = std::max<std::int64_t>(100, static_cast<std::int64_t>(length / std::max<std::size_t>(1, lines.size())));
-    for (std::uint32_t k = 0; k < lines.size(); ++k)
+    return std::max<std::int64_t>(100, static_cast<std::int64_t>(length / std::max<std::size_t>(1, lines.size())));
+  }
+  explicit Squares(std::int64_t size) : size_(size) {}
+
+  void add(const std::vector<PaperLine>& lines, std::span<const std::uint32_t> some) {
+    const auto before = static_cast<std::ptrdiff_t>(entries_.size());
+    for (const std::uint32_t k : some)
       if (!is_too_short(lines[k]))
         each(lines[k], [&](std::int64_t column, std::int64_t row) { entries_.push_back({column, row, k}); });
-    tbb::parallel_sort(entries_.begin(), entries_.end());
+    tbb::parallel_sort(entries_.begin() + before, entries_.end());
+    std::inplace_merge(entries_.begin(), entries_.begin() + before, entries_.end());
   }
 
-  /// Lines near which the line may be, and that are asked for, ascending.
+  /// Appends lines near which the line may be, and that are asked for; some more than once.
   template <class IsAskedFor>
   void candidates(const PaperLine& line, const IsAskedFor& is_asked_for, std::vector<std::uint32_t>& found) const {
-    found.clear();
     each(line, [&](std::int64_t column, std::int64_t row) {
       auto e = std::lower_bound(entries_.begin(), entries_.end(), Entry{column, row, 0});
       for (; e != entries_.end() && e->column == column && e->row == row; ++e)
         if (is_asked_for(e->line)) found.push_back(e->line);
     });
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
   }
 
  private:
@@ -292,43 +306,88 @@ std::vector<std::uint32_t> by_strength(const std::vector<PaperLine>& lines, cons
   return order;
 }
 
+/// Finds what of each line runs beside stronger ones, the strongest lines first, a block of them at a time. What has been left out
+/// wholly is not looked at again: where lines are dense, that is most of them.
+class BesideStronger {
+ public:
+  BesideStronger(const std::vector<PaperLine>& lines, std::vector<std::uint32_t> order)
+      : beside(lines.size()),
+        out(lines.size()),
+        lines_(lines),
+        order_(std::move(order)),
+        rank_(lines.size()),
+        in_doubles_(lines.begin(), lines.end()),
+        size_(Squares::size_for(lines)),
+        left_squares_(size_),
+        stronger_(lines.size()),
+        left_(lines.size()) {
+    for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
+    constexpr std::size_t least = 4096;  // in a block
+    for (std::size_t begin = 0, end = 0; begin < order_.size(); begin = end) {
+      end = std::min(order_.size(), begin + std::max(least, begin / 4));
+      take({order_.data() + begin, order_.data() + end});
+    }
+  }
+
+  // By line.
+  std::vector<std::vector<Beside>> beside;
+  std::vector<std::vector<Range>> out;
+
+ private:
+  void take(std::span<const std::uint32_t> block) {
+    Squares among(size_);
+    among.add(lines_, block);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, block.size(), 64), [&](const auto& range) {
+      std::vector<std::uint32_t> candidates;
+      for (std::size_t i = range.begin(); i != range.end(); ++i) find_stronger(block[i], among, candidates);
+    });
+    // Only what is left of the stronger ones leaves something out: so of many lines side by side not all vanish.
+    std::vector<std::uint32_t> remaining;
+    for (const std::uint32_t k : block) {
+      for (const std::uint32_t other : stronger_[k])
+        for (const PaperLine& part : left_[other]) {
+          const Range range = part_near(lines_[k], part);
+          if (range.first <= range.last) beside[k].push_back({range, other});
+        }
+      std::vector<std::uint32_t>().swap(stronger_[k]);
+      out[k] = united(beside[k]);
+      left_[k] = rest(lines_[k], out[k]);
+      if (!left_[k].empty()) remaining.push_back(k);
+    }
+    left_squares_.add(lines_, remaining);
+  }
+  /// @param among those of the same block
+  void find_stronger(std::uint32_t k, const Squares& among, std::vector<std::uint32_t>& candidates) {
+    const auto may_stand_for_it = [&](std::uint32_t other) {
+      return rank_[other] < rank_[k] && !in_doubles_[k].is_certainly_apart(in_doubles_[other]);
+    };
+    if (is_too_short(lines_[k])) return;
+    candidates.clear();
+    left_squares_.candidates(lines_[k], may_stand_for_it, candidates);
+    among.candidates(lines_[k], may_stand_for_it, candidates);
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    for (const std::uint32_t other : candidates) {
+      const Range part = part_near(lines_[k], lines_[other]);
+      if (part.first <= part.last) stronger_[k].push_back(other);
+    }
+  }
+
+  const std::vector<PaperLine>& lines_;
+  std::vector<std::uint32_t> order_, rank_;
+  std::vector<LineInDoubles> in_doubles_;
+  std::int64_t size_;
+  Squares left_squares_;                              // of what has something left
+  std::vector<std::vector<std::uint32_t>> stronger_;  // that it runs beside
+  std::vector<std::vector<PaperLine>> left_;
+};
+
 }  // namespace
 
 DistinctLines without_near(const std::vector<PaperLine>& lines, const Chains& chains) {
-  const std::vector<std::uint32_t> order = by_strength(lines, chains);
-  std::vector<std::uint32_t> rank(lines.size());
-  for (std::uint32_t r = 0; r < order.size(); ++r) rank[order[r]] = r;
-  const Squares squares(lines);
-  const std::vector<LineInDoubles> in_doubles(lines.begin(), lines.end());
-  std::vector<std::vector<std::uint32_t>> stronger(lines.size());  // that it runs beside
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines.size(), 512), [&](const auto& range) {
-    std::vector<std::uint32_t> candidates;
-    for (std::size_t k = range.begin(); k != range.end(); ++k) {
-      if (is_too_short(lines[k])) continue;
-      const auto may_stand_for_it = [&](std::uint32_t other) {
-        return rank[other] < rank[k] && !in_doubles[k].is_certainly_beside(in_doubles[other]);
-      };
-      squares.candidates(lines[k], may_stand_for_it, candidates);
-      for (const std::uint32_t other : candidates) {
-        const Range part = part_near(lines[k], lines[other]);
-        if (part.first <= part.last) stronger[k].push_back(other);
-      }
-    }
-  });
-
-  // Only what is left of the stronger ones leaves something out: so of many lines side by side not all vanish.
-  std::vector<std::vector<PaperLine>> left(lines.size());
-  std::vector<std::vector<Beside>> beside(lines.size());
-  std::vector<std::vector<Range>> out(lines.size());
-  for (const std::uint32_t k : order) {
-    for (const std::uint32_t other : stronger[k])
-      for (const PaperLine& part : left[other]) {
-        const Range range = part_near(lines[k], part);
-        if (range.first <= range.last) beside[k].push_back({range, other});
-      }
-    out[k] = united(beside[k]);
-    left[k] = rest(lines[k], out[k]);
-  }
+  BesideStronger found(lines, by_strength(lines, chains));
+  const std::vector<std::vector<Beside>>& beside = found.beside;
+  std::vector<std::vector<Range>>& out = found.out;
 
   // To draw more than needed never makes a gap.
   for (std::uint32_t c = 0; c < chains.passes.size(); ++c)

@@ -54,7 +54,7 @@ std::vector<EdgePart> cut_where_bodies_begin(TriangleOcclusion& occlusion, EdgeI
 /// Whether bodies touch all around a part of an edge whose faces lead to where they do: it must lie inside of bodies, since two that
 /// overlap have faces that coincide on the outside, too.
 TouchingRegions::Verdict verdict(const ProjectedMesh& projected, EdgeId id, const EdgePart& part, const CoincidentFaces& around,
-                                 const InsideBodies& inside) {
+                                 const InsideBodies& inside, InsideBodies::Place& place) {
   using Verdict = TouchingRegions::Verdict;
   const Edge& edge = projected.mesh().edges[id];
   const auto point = [&](const Cut& cut) {
@@ -62,13 +62,15 @@ TouchingRegions::Verdict verdict(const ProjectedMesh& projected, EdgeId id, cons
     return Point3{p[0].to_double(), p[1].to_double(), p[2].to_double()};
   };
   const std::size_t faces = around.sets.front().size();
-  const bool is_inside = faces % 2 == 0 && inside.contain_middle(point(part.from), point(part.to), faces / 2);
+  place.from = point(part.from);
+  place.to = point(part.to);
+  const bool is_inside = faces % 2 == 0 && inside.contain_middle(place, faces / 2);
   return is_inside ? Verdict::touch : Verdict::in_doubt;
 }
 
 /// Parts whose classes wait for the log, now that it is complete; neighbours that are alike become one.
 void decide_parts(const ProjectedMesh& projected, TriangleOcclusion& occlusion, EdgeId id, std::vector<EdgePart>& parts,
-                  const std::vector<CoincidentFaces>& log, TouchingRegions& regions, const InsideBodies& inside) {
+                  const std::vector<CoincidentFaces>& log, const TouchingRegions& regions, const InsideBodies& inside) {
   using Verdict = TouchingRegions::Verdict;
   std::vector<EdgePart> all;
   const auto add = [&](const EdgePart& p) {
@@ -88,6 +90,8 @@ void decide_parts(const ProjectedMesh& projected, TriangleOcclusion& occlusion, 
     return p;
   };
   std::optional<std::vector<TriangleId>> passed_through;
+  const Edge& edge = projected.mesh().edges[id];
+  InsideBodies::Place place{projected.mesh().points[edge.a], projected.mesh().points[edge.b], {}, {}};
   for (const EdgePart& p : parts) {
     if (!p.found.is_undecided()) {
       add(decided(p, Verdict::apart));
@@ -99,9 +103,9 @@ void decide_parts(const ProjectedMesh& projected, TriangleOcclusion& occlusion, 
       add(decided(p, by_faces));
       continue;
     }
-    if (!passed_through) passed_through = inside.passed_through(projected.mesh().edges[id]);
+    if (!passed_through) passed_through = inside.passed_through(edge);
     for (const EdgePart& piece : cut_where_bodies_begin(occlusion, id, p, *passed_through))
-      add(decided(piece, verdict(projected, id, piece, around, inside)));
+      add(decided(piece, verdict(projected, id, piece, around, inside, place)));
   }
   parts = std::move(all);
 }
@@ -131,7 +135,7 @@ struct ClassifiedEdges::Finder {
     block.undecided.emplace_back(id, std::move(parts));
     return std::nullopt;
   }
-  std::optional<EdgeClass> decide(EdgeId id, std::vector<EdgePart>& parts, TouchingRegions& regions,
+  std::optional<EdgeClass> decide(EdgeId id, std::vector<EdgePart>& parts, const TouchingRegions& regions,
                                   const InsideBodies& inside) {
     decide_parts(classifier.projected(), occlusion, id, parts, block.log, regions, inside);
     return take(id, parts);
@@ -159,9 +163,9 @@ struct ClassifiedEdges::Finder {
     if (is_whole && !first.depends_on_more()) return take_whole(id, first);
     for (const EdgePart& p : found) {
       const auto seen = wanted(p.found.seen);
-      if (!seen && !is_requested(p.found.hidden)) continue;
+      if (!seen && !is_requested(p.found.hidden) && !is_requested(p.found.behind_seen)) continue;
       // What is not wanted of it is left out when it is known what is hidden.
-      block.parts.push_back({id, seen ? *seen : *p.found.seen, false, p.found.hidden});
+      block.parts.push_back({id, seen ? *seen : *p.found.seen, false, p.found.hidden, p.found.behind_seen});
       if (is_whole) continue;
       block.parts.back().from = p.from;
       block.parts.back().to = p.to;
@@ -182,7 +186,7 @@ struct ClassifiedEdges::Finder {
       if (goes_on)
         block.parts.back().to = p.to;
       else
-        block.parts.push_back({id, *p.found.behind, true, {}, p.from, p.to});
+        block.parts.push_back({id, *p.found.behind, true, {}, {}, p.from, p.to});
     }
   }
 };
@@ -239,14 +243,15 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
   if (std::any_of(blocks.begin(), blocks.end(), [](const FoundInBlock& b) { return !b.undecided.empty(); })) {
     // What is outside the picture may be where a body ends in the open.
     if (outside != nullptr) visit(true, &Finder::only_log);
-    TouchingRegions regions(logs_of(blocks));
-    for (FoundInBlock& b : blocks) {
+    const TouchingRegions regions(logs_of(blocks));
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t k) {
+      FoundInBlock& b = blocks[k];
       Finder finder{classifier, options, occluders, with_behind, near, b};
       for (auto& [id, parts] : b.undecided)
         if (const auto c = finder.decide(id, parts, regions, *inside)) edge_classes[id.value] = static_cast<std::uint8_t>(*c);
       std::stable_sort(b.parts.begin(), b.parts.end(),
                        [](const RequestedPart& x, const RequestedPart& y) { return x.edge < y.edge; });
-    }
+    });
   }
   for (const FoundInBlock& b : blocks) decisions += b.decisions;
   if (options.crease_goes_on && options.classes[static_cast<std::size_t>(EdgeClass::sharp)]) go_on(mesh, blocks, edge_classes);
@@ -258,7 +263,8 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
   parallel_for_each(edges.size(), [&](std::size_t i) { classes[i] = static_cast<EdgeClass>(edge_classes[edges[i].value]); });
   std::vector<RequestedPart> several;
   for (const FoundInBlock& b : blocks) several.insert(several.end(), b.parts.begin(), b.parts.end());
-  has_hidden_classes = std::any_of(several.begin(), several.end(), [](const RequestedPart& p) { return p.hidden.has_value(); });
+  has_hidden_classes =
+      std::any_of(several.begin(), several.end(), [](const RequestedPart& p) { return p.hidden || p.behind_seen; });
   if (!several.empty()) list_parts(several);
   find_boxes(classifier.projected());
 }

@@ -25,8 +25,9 @@ constexpr std::size_t edges_of_block = 512;
 struct RequestedPart {
   EdgeId edge;
   EdgeClass edge_class = EdgeClass::smooth;
-  bool is_behind = false;                ///< what touches the seen surface there from behind
-  std::optional<EdgeClass> hidden = {};  ///< the class where it is hidden, if that is another
+  bool is_behind = false;                     ///< what touches the seen surface there from behind
+  std::optional<EdgeClass> hidden = {};       ///< the class where it is hidden, if that is another
+  std::optional<EdgeClass> behind_seen = {};  ///< of what is behind it where it is visible, if that is more than elsewhere
   Cut from{Cut::Kind::start}, to{Cut::Kind::end};
 };
 
@@ -37,7 +38,7 @@ struct ClassifiedEdges {
   std::vector<EdgeId> edges;
   std::vector<EdgeClass> classes;
   std::vector<ImageBox> boxes;
-  /// Whether the class of some depends on whether it is hidden there.
+  /// Whether the class of some, or what is behind them, depends on whether it is hidden there.
   bool has_hidden_classes = false;
   /// By edge of the list: 1 if it is hidden all along and its image is no point. Empty if this is known of none.
   std::vector<std::uint8_t> hidden;

@@ -29,6 +29,10 @@ bool is_pierced(const HalfPlanes& half_planes, const HalfPlane& h) {
   return goes_on && positive && negative;
 }
 
+bool is_flat(const std::optional<EdgeClass>& c) {
+  return c == EdgeClass::material || c == EdgeClass::joint || c == EdgeClass::smooth;
+}
+
 }  // namespace
 
 PartClass with_wire(const Edge& edge, PartClass found) {
@@ -157,6 +161,10 @@ PartClass EdgeClassifier::operator()(HalfPlanes& half_planes, bool only_diagonal
   if (touching != Touching::bodies) return found;
   const PartClass hidden = class_of(half_planes, only_diagonal, Contacts::left_out);
   found.behind = hidden.behind;
+  if (log != nullptr && is_flat(found.seen)) {
+    const auto behind = class_of(half_planes, only_diagonal, Contacts::only_on_top, least).behind;
+    if (behind && behind != found.behind) found.behind_seen = behind;
+  }
   // What is nothing where it is seen is nothing where it is hidden.
   if (found.seen && hidden.seen != found.seen) found.hidden = hidden.seen.value_or(EdgeClass::smooth);
   return found;

@@ -24,13 +24,16 @@ struct PartClass {
   bool may_go_on = false;
   /// The class where it is hidden, if that is another: without the half-planes in which bodies touch.
   std::optional<EdgeClass> hidden = {};
+  /// What is behind where the part is visible, if that is another: nothing is seen inside bodies, so in the half-planes that are the
+  /// nearest on their side none touch there.
+  std::optional<EdgeClass> behind_seen = {};
   /// Not 0: equally many faces coincide all around, and bodies touch there if the entry of this number of a log, from 1, says so.
   std::uint32_t alike = 0;
   /// Undecided: the class if it is in doubt whether bodies touch there.
   std::optional<EdgeClass> in_doubt = {};
 
   bool is_undecided() const { return alike != 0; }
-  bool depends_on_more() const { return behind || hidden || alike != 0; }
+  bool depends_on_more() const { return behind || hidden || behind_seen || alike != 0; }
 
   friend bool operator==(const PartClass&, const PartClass&) = default;
 };

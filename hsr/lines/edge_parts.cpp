@@ -55,6 +55,73 @@ std::vector<Contact> contacts_of(const ProjectedMesh& projected, TriangleOcclusi
   return all;
 }
 
+/// The half-planes along an edge while places are passed where triangles begin to contain it, or end to: each is told from the others
+/// once, however many places there are.
+class PassingHalfPlanes {
+ public:
+  PassingHalfPlanes(const ProjectedMesh& projected, Predicates& exact, EdgeId id, const std::vector<Contact>& contacts)
+      : planes_(projected, exact, projected.mesh().edges[id]) {
+    for (const TriangleId t : projected.mesh().triangles_at(id)) begin_half(number(planes_.half_of(t)));
+    for (const Contact& c : contacts) {
+      halves_of_.emplace_back();
+      planes_.for_each_half(c.contact, [&](const HalfPlane& h) { halves_of_.back().push_back(number(h)); });
+    }
+  }
+
+  void begin(std::size_t contact) {
+    for (const std::uint32_t half : halves_of_[contact]) begin_half(half);
+    ++contacts_;
+  }
+  void end(std::size_t contact) {
+    for (const std::uint32_t half : halves_of_[contact]) {
+      Present& p = present_[halves_[half].plane];
+      p.halves.erase(std::lower_bound(p.halves.begin(), p.halves.end(), half));
+      p.faces.erase(std::lower_bound(p.faces.begin(), p.faces.end(), halves_[half].half_plane.face));
+    }
+    --contacts_;
+  }
+  bool has_contacts() const { return contacts_ > 0; }
+  /// Those that are there now, as if each triangle were added.
+  void add_to(ExactHalfPlanes& here) const {
+    for (const Present& p : present_)
+      if (!p.halves.empty()) here.add(halves_[p.halves.front()].half_plane, p.faces);
+  }
+
+ private:
+  /// A half-plane of one triangle, and which of those that differ it coincides with.
+  struct Half {
+    HalfPlane half_plane;
+    std::size_t plane;
+  };
+  struct Present {
+    std::vector<std::uint32_t> halves;  // ascending
+    std::vector<FaceId> faces;          // theirs, ascending, each as often as it is there
+  };
+
+  std::uint32_t number(const HalfPlane& h) {
+    const std::size_t plane = planes_.place(h);
+    if (plane == present_.size()) present_.emplace_back();
+    halves_.push_back({planes_.all()[plane], plane});
+    halves_.back().half_plane.triangle = h.triangle;
+    halves_.back().half_plane.apex = h.apex;
+    halves_.back().half_plane.face = h.face;
+    halves_.back().half_plane.coincident.clear();
+    return static_cast<std::uint32_t>(halves_.size() - 1);
+  }
+  void begin_half(std::uint32_t half) {
+    const HalfPlane& h = halves_[half].half_plane;
+    Present& p = present_[halves_[half].plane];
+    p.halves.insert(std::lower_bound(p.halves.begin(), p.halves.end(), half), half);
+    p.faces.insert(std::upper_bound(p.faces.begin(), p.faces.end(), h.face), h.face);
+  }
+
+  ExactHalfPlanes planes_;  // all that differ
+  std::vector<Half> halves_;
+  std::vector<std::vector<std::uint32_t>> halves_of_;  // by contact
+  std::vector<Present> present_;                       // by half-plane
+  std::size_t contacts_ = 0;                           // that are there
+};
+
 }  // namespace
 
 EdgePart whole_edge(const EdgeClassifier& classifier, TriangleOcclusion& occlusion, EdgeId edge,
@@ -78,25 +145,40 @@ std::vector<EdgePart> edge_parts(const EdgeClassifier& classifier, TriangleOcclu
   if (!occlusion.start(edge)) return {whole_edge(classifier, occlusion, edge, nullptr)};
   const std::vector<Contact> contacts = contacts_of(classifier.projected(), occlusion, edge, occluders);
   if (contacts.empty()) return {whole_edge(classifier, occlusion, edge, log)};
-  const auto is_before = [&](const Breakpoint& x, const Breakpoint& y) { return occlusion.order(x, y) == Sign::negative; };
-  std::vector<Breakpoint> places = {occlusion.first(), occlusion.last()};
-  for (const Contact& c : contacts) {
-    places.push_back(c.from);
-    places.push_back(c.to);
+  struct Place {
+    Breakpoint at;
+    std::size_t contact;  // that begins or ends there; the number of contacts: none
+    bool is_end;
+  };
+  const auto is_before = [&](const Place& x, const Place& y) { return occlusion.order(x.at, y.at) == Sign::negative; };
+  std::vector<Place> places = {{occlusion.first(), contacts.size(), false}, {occlusion.last(), contacts.size(), false}};
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    places.push_back({contacts[k].from, k, false});
+    places.push_back({contacts[k].to, k, true});
   }
   std::stable_sort(places.begin(), places.end(), is_before);
+  PassingHalfPlanes passing(classifier.projected(), occlusion.exact(), edge, contacts);
+  const Edge& whole = classifier.projected().mesh().edges[edge];
+  const auto class_here = [&] {
+    if (!passing.has_contacts()) return classifier(occlusion.exact(), edge, {}, log);
+    ExactHalfPlanes here(classifier.projected(), occlusion.exact(), whole);
+    passing.add_to(here);
+    return with_wire(whole, classifier(here, whole.diagonal && !whole.of_face, log));
+  };
   std::vector<EdgePart> parts;
-  std::vector<EdgeContact> here;
-  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+  for (std::size_t k = 0, first = 0; k + 1 < places.size(); ++k) {
     if (!is_before(places[k], places[k + 1])) continue;
-    here.clear();
-    for (const Contact& c : contacts)
-      if (!is_before(places[k], c.from) && !is_before(c.to, places[k + 1])) here.push_back(c.contact);
-    const PartClass found = classifier(occlusion.exact(), edge, here, log);
+    for (const bool is_end : {false, true})
+      for (std::size_t i = first; i <= k; ++i) {
+        if (places[i].is_end != is_end || places[i].contact == contacts.size()) continue;
+        is_end ? passing.end(places[i].contact) : passing.begin(places[i].contact);
+      }
+    first = k + 1;
+    const PartClass found = class_here();
     if (!parts.empty() && parts.back().found == found)
-      parts.back().to = places[k + 1].cut;
+      parts.back().to = places[k + 1].at.cut;
     else
-      parts.push_back({found, places[k].cut, places[k + 1].cut});
+      parts.push_back({found, places[k].at.cut, places[k + 1].at.cut});
   }
   // The first and the last place may have been named by a contact that begins or ends there.
   parts.front().from = occlusion.first().cut;

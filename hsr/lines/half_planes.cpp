@@ -1,13 +1,14 @@
 #include "hsr/lines/half_planes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hsr/scene/facet.h"
 #include "hsr/scene/half_space.h"
 
 namespace hsr::internal {
 
-void ExactHalfPlanes::add(const EdgeContact& contact) {
+void ExactHalfPlanes::for_each_half(const EdgeContact& contact, const std::function<void(const HalfPlane&)>& f) const {
   const auto& c = projected_.mesh().triangles[contact.triangle];
   const bool edge_on = projected_.facing(contact.triangle) == Sign::zero;
   const Point3 &a = projected_.point(edge_.a), &b = projected_.point(edge_.b);
@@ -19,19 +20,27 @@ void ExactHalfPlanes::add(const EdgeContact& contact) {
     const Sign s = exact_.side(line, projected_.point(c[k]));
     if (s == Sign::zero || has[s == Sign::positive ? 0 : 1]) continue;
     has[s == Sign::positive ? 0 : 1] = true;
-    add(contact.triangle, c[k], edge_on ? Sign::zero : s);
+    f({contact.triangle, c[k], edge_on ? Sign::zero : s, false, projected_.mesh().face_of[contact.triangle]});
   }
 }
 
-void ExactHalfPlanes::add(TriangleId triangle, VertexId apex, Sign side) {
-  HalfPlane added{triangle, apex, side, false, projected_.mesh().face_of[triangle]};
-  for (HalfPlane& h : all_) {
-    if (!coincide(h, added)) continue;
-    share(h, added.face);
-    return;
-  }
-  if (side == Sign::zero) added.is_front = starts_toward_eye(added);
-  all_.push_back(added);
+std::size_t ExactHalfPlanes::place(const HalfPlane& other) {
+  for (std::size_t k = 0; k < all_.size(); ++k)
+    if (coincide(all_[k], other)) return k;
+  all_.push_back(other);
+  if (other.side == Sign::zero) all_.back().is_front = starts_toward_eye(other);
+  return all_.size() - 1;
+}
+
+void ExactHalfPlanes::add(const HalfPlane& added) {
+  const std::size_t before = all_.size(), at = place(added);
+  if (at < before) share(all_[at], added.face);
+}
+
+void ExactHalfPlanes::add(HalfPlane half_plane, std::span<const FaceId> faces) {
+  half_plane.face = ties().is_above(faces.back(), faces.front()) ? faces.back() : faces.front();
+  if (faces.size() > 1) half_plane.coincident.assign(faces.begin(), faces.end());
+  all_.push_back(std::move(half_plane));
 }
 
 bool ExactHalfPlanes::coincide(const HalfPlane& x, const HalfPlane& y) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -59,6 +60,8 @@ class HalfPlanes {
  protected:
   explicit HalfPlanes(TieRule ties) : ties_(ties) {}
 
+  const TieRule& ties() const { return ties_; }
+
   /// Another face in a half-plane that is known.
   void share(HalfPlane& known, FaceId other) const {
     if (known.coincident.empty()) known.coincident.push_back(known.face);
@@ -80,12 +83,22 @@ class ExactHalfPlanes : public HalfPlanes {
   ExactHalfPlanes(const ProjectedMesh& projected, Predicates& exact, const Edge& edge)
       : HalfPlanes(projected.ties()), projected_(projected), exact_(exact), edge_(edge) {}
 
-  /// A triangle that has the edge as its own.
-  void add(TriangleId at_edge) {
-    add(at_edge, projected_.mesh().apex(at_edge, edge_), projected_.side_of_edge(at_edge, edge_));
+  HalfPlane half_of(TriangleId at_edge) const {
+    return {at_edge, projected_.mesh().apex(at_edge, edge_), projected_.side_of_edge(at_edge, edge_), false,
+            projected_.mesh().face_of[at_edge]};
   }
+  /// A triangle that has the edge as its own.
+  void add(TriangleId at_edge) { add(half_of(at_edge)); }
   /// The halves of a triangle that the edge runs through, or the one that begins along its side.
-  void add(const EdgeContact& contact);
+  void add(const EdgeContact& contact) {
+    for_each_half(contact, [&](const HalfPlane& h) { add(h); });
+  }
+  /// The half-planes of a contact, as yet with that face only: calls f(half-plane).
+  void for_each_half(const EdgeContact& contact, const std::function<void(const HalfPlane&)>& f) const;
+  /// Adds one with all the faces that coincide in it, ascending. @pre no other coincides with it
+  void add(HalfPlane half_plane, std::span<const FaceId> faces);
+  /// Which of all coincides with another half-plane; if none does that is added.
+  std::size_t place(const HalfPlane& other);
 
   Sign side(const HalfPlane& plane, const HalfPlane& other) const override {
     return exact_.side(projected_.face_plane(plane.triangle), projected_.point(other.apex));
@@ -99,7 +112,7 @@ class ExactHalfPlanes : public HalfPlanes {
   }
 
  private:
-  void add(TriangleId triangle, VertexId apex, Sign side);
+  void add(const HalfPlane& added);
   bool coincide(const HalfPlane& x, const HalfPlane& y) const;
   bool starts_toward_eye(const HalfPlane& edge_on) const;
 

@@ -16,14 +16,6 @@ namespace {
 
 auto& coordinate(auto& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/// A part of an edge, and the double nearest to its middle.
-struct Part {
-  const Point3 &from, &to;
-  Point3 middle;
-
-  Part(const Point3& a, const Point3& b) : from(a), to(b), middle(sum(a, 0.5, minus(b, a))) {}
-};
-
 /// Where the line from p to q passes a triangle: positive, through its inside; zero, through its border. @pre it crosses its plane
 Sign place_in_triangle(Predicates& exact, const Point3& p, const Point3& q, const Point3& a, const Point3& b, const Point3& c) {
   const Sign ab = exact.side(Plane::of_face(p, q, a), b), bc = exact.side(Plane::of_face(p, q, b), c),
@@ -33,13 +25,11 @@ Sign place_in_triangle(Predicates& exact, const Point3& p, const Point3& q, cons
   return is_one_of_them(Sign::zero) ? Sign::zero : Sign::positive;
 }
 
-/// Whether the segment from the middle of a part to q, which is outside of all, crosses a triangle; nothing: it touches the border,
-/// or runs in the plane. @return false where the part lies in the plane, be its middle rounded out of it or not
-std::optional<bool> crosses(Predicates& exact, const Part& part, const Point3& q, const Point3& a, const Point3& b,
-                            const Point3& c) {
-  const Point3& p = part.middle;
+/// Whether the segment from p to q, which is outside of all, crosses a triangle; nothing: it touches the border, or runs in the plane.
+/// @param lies_in_plane whether p does, be it rounded out of it or not
+std::optional<bool> crosses(Predicates& exact, const Point3& p, const Point3& q, bool lies_in_plane, const Point3& a,
+                            const Point3& b, const Point3& c) {
   const Plane plane = Plane::of_face(a, b, c);
-  const bool lies_in_plane = exact.side(plane, part.from) == Sign::zero && exact.side(plane, part.to) == Sign::zero;
   const Sign at_p = lies_in_plane ? Sign::zero : exact.side(plane, p), at_q = exact.side(plane, q);
   if (at_p == Sign::zero) return at_q == Sign::zero ? std::nullopt : std::optional(false);
   if (at_p * at_q != Sign::negative) return false;
@@ -93,17 +83,23 @@ InsideBodies::InsideBodies(const ViewParts& parts, double tolerance) : parts_(pa
   }
 }
 
-bool InsideBodies::contain_middle(const Point3& from, const Point3& to, std::size_t copies) const {
+bool InsideBodies::contain_middle(Place& place, std::size_t copies) const {
   const View& view = parts_.view();
-  for (int axis = 0; axis < 3; ++axis)
-    for (const bool forward : {false, true}) {
-      const auto here = crossed(from, to, axis, forward);
-      const auto at_eye =
-          view.is_perspective() ? crossed(view.viewpoint.at, view.viewpoint.at, axis, forward) : std::optional<std::size_t>(0);
-      if (!here || !at_eye) return false;
-      const std::size_t faces = *here + *at_eye;
-      if (faces % copies != 0 || faces / copies % 2 == 0) return false;
-    }
+  const auto& at_eye = at_eye_.get([&] {
+    const Point3& eye = view.viewpoint.at;
+    Place of_eye{eye, eye, eye, eye, {}};
+    std::array<std::optional<std::size_t>, directions> all;
+    for (std::size_t direction = 0; direction < directions; ++direction)
+      all[direction] = view.is_perspective() ? crossed(of_eye, direction) : std::optional<std::size_t>(0);
+    return all;
+  });
+  for (std::size_t direction = 0; direction < directions; ++direction) {
+    if (!at_eye[direction]) return false;
+    const auto here = crossed(place, direction);
+    if (!here) return false;
+    const std::size_t faces = *here + *at_eye[direction];
+    if (faces % copies != 0 || faces / copies % 2 == 0) return false;
+  }
   return true;
 }
 
@@ -125,42 +121,55 @@ std::vector<TriangleId> InsideBodies::passed_through(const Edge& edge) const {
 }
 
 /// Nothing: each of some ways touches a border.
-std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point3& to, int axis, bool forward) const {
-  const Point3 start = Part(from, to).middle;
-  const double most = norm_max(minus(high_, low_));
-  const double reach = forward ? std::max(0.0, coordinate(high_, axis) - coordinate(start, axis)) + most
-                               : std::min(0.0, coordinate(low_, axis) - coordinate(start, axis)) - most;
-  for (const double slant : {0x1p-7, 0x1.8p-6, 0x1.4p-5, 0x1.cp-8}) {
-    Point3 outside = start;
-    coordinate(outside, axis) += reach;
-    coordinate(outside, (axis + 1) % 3) += slant * std::fabs(reach);
-    coordinate(outside, (axis + 2) % 3) += 0.64 * slant * std::fabs(reach);
-    if (const auto found = crossed(from, to, outside, axis)) return found;
-  }
+std::optional<std::size_t> InsideBodies::crossed(Place& place, std::size_t direction) const {
+  for (std::size_t k = 0; k < slants.size(); ++k)
+    if (const auto found = crossed(place, way(direction, k))) return found;
   return std::nullopt;
 }
 
-std::optional<std::size_t> InsideBodies::crossed(const Point3& from, const Point3& to, const Point3& outside, int axis) const {
+/// Of all directions the first slant is nearly always enough.
+const WayOut& InsideBodies::way(std::size_t direction, std::size_t slant) const {
+  return ways_[direction * slants.size() + slant].get(
+      [&] { return WayOut(parts_.mesh(), static_cast<int>(direction / 2), direction % 2 != 0, slants[slant]); });
+}
+
+/// Whether a triangle is in one plane with the edge. Exact: yes.
+bool InsideBodies::is_in_plane(Place& place, TriangleId t) const {
+  for (const auto& [known, is_in] : place.in_plane)
+    if (known == t) return is_in;
+  const auto& c = parts_.mesh().triangles[t];
+  const auto& points = parts_.mesh().points;
+  const Plane plane = Plane::of_face(points[c[0]], points[c[1]], points[c[2]]);
+  BitRange bits = bits_;
+  bits.add(place.a);
+  bits.add(place.b);
+  Predicates exact(bits);
+  const bool is_in = exact.side(plane, place.a) == Sign::zero && exact.side(plane, place.b) == Sign::zero;
+  place.in_plane.emplace_back(t, is_in);
+  return is_in;
+}
+
+std::optional<std::size_t> InsideBodies::crossed(Place& place, const WayOut& way) const {
   const Mesh& mesh = parts_.mesh();
-  const Part part(from, to);
-  const Point3& start = part.middle;
+  const Point3 start = sum(place.from, 0.5, minus(place.to, place.from));
+  const Point3 outside = way.outside(start, low_, high_);
   if (!std::isfinite(norm_max(outside))) return std::nullopt;
   BitRange bits = bits_;
-  for (const Point3& p : {from, to, start}) bits.add(p);
+  bits.add(start);
   bits.add(outside);
   Predicates exact(bits);
-  const Way way(start, outside, axis);
   std::size_t count = 0;
   bool is_clear = true;
-  parts_.space_tree().visit_near(start, outside, 0, [&](TriangleId t) {
+  way.visit(start, [&](TriangleId t, WayOut::Crossing known) {
     if (!is_clear) return;
-    const auto& c = mesh.triangles[t];
-    if (way.passes_by(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]])) return;
     if (tolerance_ > 0) {
-      const auto contact = near_contact(mesh, t, from, to, tolerance_);
+      const auto contact = near_contact(mesh, t, place.from, place.to, tolerance_);
       if (contact && contact->from <= 0.5 && 0.5 <= contact->to) return;
     }
-    const auto found = crosses(exact, part, outside, mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
+    const auto& c = mesh.triangles[t];
+    const auto found = known == WayOut::Crossing::yes ? std::optional(true)
+                                                      : crosses(exact, start, outside, is_in_plane(place, t), mesh.points[c[0]],
+                                                                mesh.points[c[1]], mesh.points[c[2]]);
     is_clear = found.has_value();
     if (found == true) ++count;
   });

@@ -340,18 +340,18 @@ VisibleLines Plan::run() const {
 
 /// Where the class of a line depends on whether it is hidden, and those of lines in which faces pierce each other.
 VisibleLines Plan::classes_by_visibility(VisibleLines all) const {
-  HiddenClasses hidden;
-  const auto set = [&](std::size_t i, EdgeClass c) {
+  ClassesByVisibility hidden;
+  const auto set = [&](std::size_t i, const ByVisibility& classes) {
     hidden.resize(all.lines.size());
-    hidden[i] = c;
+    hidden[i] = classes;
   };
   if (requested_->has_hidden_classes)
     for (std::size_t i = 0; i < requested_->edges.size(); ++i)
-      if (const auto c = (*requested_)[i].hidden) set(i, *c);
+      if (const RequestedPart p = (*requested_)[i]; p.hidden || p.behind_seen) set(i, {p.hidden, p.behind_seen});
   for (std::size_t i = requested_->edges.size(); i < all.lines.size() && !segment_classes_.empty(); ++i) {
     const SegmentClass& classes = segment_classes_[all.lines[i].intersection];
     all.lines[i].edge_class = classes.seen;
-    if (classes.hidden != classes.seen) set(i, classes.hidden);
+    if (classes.hidden != classes.seen) set(i, {classes.hidden, {}});
   }
   std::optional<NearOccluders> near;
   if (near_stretches_ && requested_->has_hidden_classes && parts_.options().hidden_lines)

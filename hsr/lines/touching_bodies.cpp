@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/disjoint_sets.h"
+
 namespace hsr::internal {
 
 namespace {
@@ -56,25 +58,26 @@ TouchingRegions::TouchingRegions(std::span<const std::span<const CoincidentFaces
   for (const auto& log : logs)
     for (const CoincidentFaces& part : log)
       for (const auto& set : part.sets) numbers_.try_emplace(set, static_cast<std::uint32_t>(numbers_.size()));
-  regions_.reset(numbers_.size());
+  DisjointSets regions(numbers_.size());
   for (const auto& log : logs)
     for (const CoincidentFaces& part : log)
       if (part.touching == Touching::alike)
-        for (const auto& set : part.sets) regions_.join(numbers_.at(part.sets.front()), numbers_.at(set));
+        for (const auto& set : part.sets) regions.join(numbers_.at(part.sets.front()), numbers_.at(set));
+  for (std::uint32_t k = 0; k < numbers_.size(); ++k) region_of_.push_back(regions.find(k));
   touches_.resize(numbers_.size(), 0);
   is_open_.resize(numbers_.size(), 0);
   for (const auto& log : logs)
     for (const CoincidentFaces& part : log)
       for (const auto& set : part.sets) {
-        if (part.touching == Touching::bodies) touches_[find(set)] = 1;
-        if (part.touching == Touching::open) is_open_[find(set)] = 1;
+        if (part.touching == Touching::bodies) touches_[region(set)] = 1;
+        if (part.touching == Touching::open) is_open_[region(set)] = 1;
       }
 }
 
-TouchingRegions::Verdict TouchingRegions::verdict(const CoincidentFaces& part) {
-  const std::uint32_t region = find(part.sets.front());
-  if (touches_[region] == 0) return Verdict::apart;
-  return is_open_[region] == 0 ? Verdict::touch : Verdict::in_doubt;
+TouchingRegions::Verdict TouchingRegions::verdict(const CoincidentFaces& part) const {
+  const std::uint32_t at = region(part.sets.front());
+  if (touches_[at] == 0) return Verdict::apart;
+  return is_open_[at] == 0 ? Verdict::touch : Verdict::in_doubt;
 }
 
 }  // namespace hsr::internal

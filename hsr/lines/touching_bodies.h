@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "geometry/disjoint_sets.h"
 #include "geometry/mesh.h"
 #include "hsr/lines/half_planes.h"
 
@@ -45,13 +44,13 @@ class TouchingRegions {
   explicit TouchingRegions(std::span<const std::span<const CoincidentFaces>> logs);
   enum class Verdict : std::uint8_t { apart, in_doubt, touch };
   /// In doubt where parts lead both to where bodies touch and to where one ends. @pre touching == Touching::alike
-  Verdict verdict(const CoincidentFaces& part);
+  Verdict verdict(const CoincidentFaces& part) const;
 
  private:
-  std::uint32_t find(const std::vector<FaceId>& set) { return regions_.find(numbers_.at(set)); }
+  std::uint32_t region(const std::vector<FaceId>& set) const { return region_of_[numbers_.at(set)]; }
 
   std::map<std::vector<FaceId>, std::uint32_t> numbers_;
-  DisjointSets regions_;
+  std::vector<std::uint32_t> region_of_;         // by number: its least member
   std::vector<std::uint8_t> touches_, is_open_;  // by least member
 };
 

@@ -203,3 +203,13 @@ TEST_CASE("Nothing is left out but beside a line that is drawn, for any number o
   }
   CHECK(left_out > 300);
 }
+
+TEST_CASE("Of many lines each hides what runs beside it, however many are taken at once", "[drawing][near]") {
+  HandMadeLines h;
+  constexpr int n = 6000;
+  for (int k = 0; k < n; ++k) h.add({0, 0, 0.05 * k}, {10, 0, 0.05 * k}, EdgeClass::sharp, false);
+  for (int k = 0; k < n; ++k) h.add({0, 0, 0.05 * k + 0.005}, {10, 0, 0.05 * k + 0.005}, EdgeClass::sharp, true);
+  const Drawing d = distinct(h);
+  CHECK(d.near_coincident == n);
+  CHECK(d.polylines.size() == n);
+}

@@ -158,6 +158,30 @@ TEST_CASE("what fills a wall from side to side makes no line, turned by any angl
   CHECK(noisy > 10);
 }
 
+TEST_CASE("what touches a single sheet from behind is dashed, turned by any angle, with a tolerance",
+          "[drawing][tolerance][T1][T5]") {
+  TestScene straight;
+  straight.points = {{0, 0, 0}, {10, 0, 0}, {10, 8, 0}, {0, 8, 0}};
+  straight.add_face({0, 1, 2, 3});
+  straight.add_box({3, 3, -1}, {6, 5, 0});
+  straight.add_box({6, 2, -2}, {7, 5, 0});
+  straight.add_box({1, 6, 0}, {2, 7, 0.5});
+  std::mt19937_64 random(1960);
+  for (const Point3& direction : {Point3{1.1, -1.37, 1}, Point3{-3.2, 1.1, 2.3}, Point3{1, 2.2, -1.3}}) {
+    straight.view = parallel_view(direction, {0, 0, 1});
+    const auto expected = drawn(straight, 0);
+    for (int k = 0; k < 10; ++k)
+      for (const auto& turn : {turned, turned_askew}) {
+        const double degrees = std::uniform_real_distribution<>(0, 360)(random);
+        TestScene scene = straight;
+        for (Point3& p : scene.points) p = turn(p, degrees);
+        scene.view = parallel_view(turn(direction, degrees), turn({0, 0, 1}, degrees));
+        INFO(degrees << " degrees" << (turn == turned ? "" : ", askew"));
+        CHECK(difference(expected, drawn(scene, 1e-9)) == "");
+      }
+  }
+}
+
 /// A wall and boxes of which most end flush with its sides, or boxes of whole numbers that overlap.
 TestScene flush_boxes(std::mt19937_64& random, bool has_wall) {
   const auto below = [&](int n) { return static_cast<double>(random() % static_cast<std::uint64_t>(n)); };

@@ -67,6 +67,8 @@ class ClassAt {
   ClassPart verdicts_in_doubt(double crease) const { return verdicts(crease, pointers(), least() / 2); }
   // What the numbers of faces tell: 'n' nothing coincides, 'b' bodies touch, 'o' they do not, 'a' all are alike.
   char touching() const;
+  // With those in which bodies touch only on top.
+  ClassPart verdicts_on_top(double crease) const { return verdicts(crease, pointers(), least()); }
   // Without the half-planes in which bodies touch.
   ClassPart verdicts_of_surfaces(double crease) const { return verdicts(crease, surfaces(), any); }
   // The faces that coincide in half-planes that are no surfaces of bodies that touch; where it is open, those that end there.
@@ -393,6 +395,10 @@ std::vector<RawPart> raw_parts(const Mesh& mesh, const std::vector<MarkedEdge>& 
     if (found.touching == 'b') {
       const ClassPart of_surfaces = here.verdicts_of_surfaces(crease);
       found.behind = of_surfaces.behind;
+      // Where what is flat is seen no bodies touch on top.
+      const auto is = [&](EdgeClass c) { return found.verdict && found.verdict->edge_class == c; };
+      const bool is_flat = is(EdgeClass::smooth) || is(EdgeClass::joint) || is(EdgeClass::material) || is(EdgeClass::wire);
+      if (is_flat || (found.verdict && found.verdict->is_near_crease)) found.behind_seen = here.verdicts_on_top(crease).behind;
       found.hidden = of_surfaces.verdict ? *of_surfaces.verdict : ClassVerdict{EdgeClass::smooth};
     }
     parts.push_back(std::move(found));
@@ -484,7 +490,7 @@ void decide_alike(const Mesh& mesh, const View& view, std::vector<std::vector<Ra
 }
 
 bool is_one(const ClassPart& x, const ClassPart& y) {
-  return x.verdict == y.verdict && x.behind == y.behind && x.hidden == y.hidden;
+  return x.verdict == y.verdict && x.behind == y.behind && x.hidden == y.hidden && x.behind_seen == y.behind_seen;
 }
 
 }  // namespace
@@ -505,6 +511,7 @@ std::vector<std::vector<ClassPart>> class_parts(const Mesh& mesh, const View& vi
         found.hidden->edge_class = EdgeClass::wire;
       if (found.hidden && found.verdict && *found.hidden == *found.verdict) found.hidden.reset();
       if (!found.verdict) found.hidden.reset();
+      if (!found.behind_seen) found.behind_seen = found.behind;
       if (!parts.empty() && is_one(parts.back(), found)) {
         parts.back().part.to = found.part.to;
         if (found.verdict && found.verdict->is_near_crease) parts.back().verdict->is_near_crease = true;

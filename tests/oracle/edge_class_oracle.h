@@ -24,8 +24,9 @@ struct ClassVerdict {
 struct ClassPart {
   Interval part;
   std::optional<ClassVerdict> verdict;
-  std::optional<ClassVerdict> behind = {};  ///< of what touches the seen surface from behind
-  std::optional<ClassVerdict> hidden = {};  ///< of what is hidden of the part, if that is another
+  std::optional<ClassVerdict> behind = {};       ///< of what touches the seen surface from behind
+  std::optional<ClassVerdict> hidden = {};       ///< of what is hidden of the part, if that is another
+  std::optional<ClassVerdict> behind_seen = {};  ///< of what is behind what is visible of the part
 };
 
 /// The classes along each edge by the definition, in rationals, from all triangles that contain a part of it, whoever's edge it is.

@@ -51,6 +51,24 @@ void fill_cuts(SeenEdge& e, const EdgeVisibility& v) {
   for (const Interval& part : all) e.cuts.push_back(part.to);
 }
 
+// What is behind each part, apart where it is visible and where it is hidden.
+std::vector<ClassPart> by_visibility(const std::vector<ClassPart>& parts, const EdgeVisibility& v) {
+  std::vector<ClassPart> all;
+  for (const ClassPart& part : parts) {
+    if (part.behind == part.behind_seen || !v.is_seen) {
+      all.push_back(part);
+      continue;
+    }
+    const EdgeVisibility of_part = within(v, part.part);
+    const std::size_t first = all.size();
+    for (const Interval& seen : of_part.visible) all.push_back({seen, part.verdict, part.behind_seen});
+    for (const Interval& hidden : of_part.hidden) all.push_back({hidden, part.verdict, part.behind});
+    std::sort(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
+              [](const ClassPart& x, const ClassPart& y) { return x.part.from < y.part.from; });
+  }
+  return all;
+}
+
 // What --why has to name: of the faces whose shadow covers the start, the one that reaches furthest, the lowest index first.
 std::string occluders_by_oracle(const Mesh& mesh, const EdgeVisibility& whole, const Interval& part) {
   const EdgeVisibility truth = within(whole, part);
@@ -186,10 +204,10 @@ std::vector<SeenEdge> seen_by_oracle(const SceneView& scene, const LineOptions& 
         }
         open.reset();
       };
-      for (const ClassPart& part : parts) {
+      for (const ClassPart& part : is_behind ? by_visibility(parts, v) : parts) {
         const auto& verdict = is_behind ? part.behind : part.verdict;
         // Parts that differ in either are parts of what is seen; what is behind goes on across what is seen.
-        if (is_behind && open && verdict && *open->verdict == *verdict) {
+        if (is_behind && open && verdict && *open->verdict == *verdict && open->part.to == part.part.from) {
           open->part.to = part.part.to;
           continue;
         }

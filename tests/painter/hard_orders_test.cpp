@@ -164,7 +164,7 @@ TEST_CASE("a tangle is refused with its bound, and left when asked to stop", "[p
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     stop.request_stop();
   });
-  CHECK_THROWS_AS(depth_sort(large_mesh, large.view, {.most_pieces = 50'000, .stop = stop.get_token()}), CancelledError);
+  CHECK_THROWS_AS(depth_sort(large_mesh, large.view, {.most_pieces = 50'000'000, .stop = stop.get_token()}), CancelledError);
   asks.join();
 }
 

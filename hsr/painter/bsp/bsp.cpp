@@ -212,6 +212,22 @@ class PieceWriter {
 
 }  // namespace
 
+void internal::append_far_to_near(const BspNodes& tree, const ProjectedMesh& projected, const View& view,
+                                  PaintersOrder& order) {
+  PieceWriter writer(projected, order);
+  std::vector<PieceCorner> ring;
+  const EyeSide side_of(*tree.mesh, view, tree.bit_range, tree.filters);
+  walk_far_to_near(tree.nodes, side_of, [&](std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t k = end; k-- > first;) {
+      const OrderedPiece& p = tree.pieces[coplanar(first, end, k, projected.ties())];
+      ring.clear();
+      for (std::uint32_t c = p.first_corner; c < p.end_corner; ++c) ring.push_back(tree.corner(tree.corners[c]));
+      writer.append(p.facet, ring);
+    }
+  });
+  order.decisions += writer.decisions();
+}
+
 BspTree::BspTree(const Mesh& mesh, const BspOptions& options) {
   BspNodes tree = build_nodes(mesh, options);
   tree.prepare_planes();
@@ -229,24 +245,7 @@ PaintersOrder BspTree::order(const View& view) const { return order(SceneView(*n
 PaintersOrder BspTree::order(const SceneView& scene) const {
   if (scene.view().has_cells()) return order_in_cells(scene, [&](const ViewParts::Cell& cell) { return order(cell.scene); });
   PaintersOrder order;
-  const BspNodes& tree = *nodes_;
-  if (tree.nodes.empty()) {
-    order.wires = ordered_wires(scene, order);
-    return order;
-  }
-  const ProjectedMesh& projected = scene.parts().projected();
-  PieceWriter writer(projected, order);
-  std::vector<PieceCorner> ring;
-  const EyeSide side_of(*tree.mesh, scene.view(), tree.bit_range, tree.filters);
-  walk_far_to_near(tree.nodes, side_of, [&](std::uint32_t first, std::uint32_t end) {
-    for (std::uint32_t k = end; k-- > first;) {
-      const OrderedPiece& p = tree.pieces[coplanar(first, end, k, projected.ties())];
-      ring.clear();
-      for (std::uint32_t c = p.first_corner; c < p.end_corner; ++c) ring.push_back(tree.corner(tree.corners[c]));
-      writer.append(p.facet, ring);
-    }
-  });
-  order.decisions = writer.decisions();
+  if (!nodes_->nodes.empty()) append_far_to_near(*nodes_, scene.parts().projected(), scene.view(), order);
   order.wires = ordered_wires(scene, order);
   return order;
 }

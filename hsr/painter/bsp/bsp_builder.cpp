@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/cancel.h"
 #include "geometry/error.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/bsp/bsp_nodes.h"
@@ -54,6 +55,7 @@ class BspBuilder {
     const std::vector<BspBounds::Side>& sides;
     std::size_t most = 0;
     std::atomic<std::size_t> pieces = 0;
+    const SomeFacets* some = nullptr;  // or all
   };
 
   BspBuilder(BspNodes& tree, Shared& shared, std::uint64_t seed)
@@ -172,6 +174,10 @@ void BspBuilder::add_facet(FacetId facet) {
 }
 
 void BspBuilder::add_facets() {
+  if (shared_.some != nullptr) {
+    for (const FacetId facet : shared_.some->facets) add_facet(facet);
+    return;
+  }
   const std::size_t n = mesh_.triangles.size();
   parts_.reserve(n, 3 * n);
   tree_.bounds.sides.reserve(3 * n);
@@ -307,9 +313,12 @@ BspBuilder::Divider BspBuilder::choose(std::span<const std::uint32_t> parts) {
 
 std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t part, const Divider& d) {
   ++tree_.splits;
+  const SomeFacets* const some = shared_.some;
+  if (some != nullptr) throw_if_stopped(some->stop);
   if (++shared_.pieces > shared_.most)
-    throw InputError("bsp: this scene takes more than " + std::to_string(shared_.most) +
-                     " pieces, expected fewer: --method depth-sort cuts less");
+    throw InputError((some != nullptr ? some->method : "bsp") +
+                     (": this scene takes more than " + std::to_string(shared_.most)) + " pieces, expected fewer" +
+                     (some != nullptr ? "" : ": --method depth-sort cuts less"));
   return parts_.split(part, d);
 }
 
@@ -541,15 +550,16 @@ void BspBuilder::take_subtree(const BspNodes& part, const Task& task, std::size_
   tree_.decisions += part.decisions;
 }
 
-BspNodes build_nodes(const Mesh& mesh, const BspOptions& options) {
+BspNodes build_nodes(const Mesh& mesh, const BspOptions& options, const SomeFacets* some) {
   BspNodes tree;
   tree.mesh = &mesh;
   if (mesh.triangles.empty()) return tree;
   const ProjectedMesh projected(mesh, any_view(), Arithmetic::staged);
   BspBuilder::Shared shared{projected, tree.bounds.sides};
+  shared.some = some;
   BspBuilder builder(tree, shared, options.seed);
   builder.add_facets();
-  shared.pieces = builder.parts();
+  shared.pieces = builder.parts() + (some != nullptr ? some->pieces_before : 0);
   shared.most = options.most_pieces > 0 ? options.most_pieces : std::max<std::size_t>(1'000'000, builder.parts() * 64);
   builder.build();
   return tree;

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <stop_token>
 #include <vector>
 
 #include "geometry/bit_range.h"
@@ -10,6 +13,8 @@
 #include "hsr/painter/painters_order.h"
 
 namespace hsr::internal {
+
+class ProjectedMesh;
 
 /// What a BspTree is made of; while it is built, also what one of its subtrees is made of.
 struct BspNodes {
@@ -38,7 +43,18 @@ struct BspNodes {
   PieceCorner corner(const BspBounds::Corner& c) const;
 };
 
-/// The tree of a mesh, without what prepare_planes() makes. @throws InputError beyond the most pieces
-BspNodes build_nodes(const Mesh& mesh, const BspOptions& options);
+/// Some facets of a mesh, for a method that orders the rest itself.
+struct SomeFacets {
+  std::span<const FacetId> facets;  ///< ascending
+  std::size_t pieces_before = 0;    ///< that the method has made, of the most that are allowed
+  const char* method = "";          ///< its name, for what is refused
+  std::stop_token stop = {};        ///< once it is asked to stop, building ends in a CancelledError
+};
+
+/// The tree of a mesh, or of some facets of it, without what prepare_planes() makes. @throws InputError beyond the most pieces
+BspNodes build_nodes(const Mesh& mesh, const BspOptions& options, const SomeFacets* some = nullptr);
+
+/// Appends the pieces of a tree as a view has them, far to near. @pre prepare_planes() was called
+void append_far_to_near(const BspNodes& tree, const ProjectedMesh& projected, const View& view, PaintersOrder& order);
 
 }  // namespace hsr::internal

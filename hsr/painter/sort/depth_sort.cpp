@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <string>
+#include <utility>
 
 #include "geometry/cancel.h"
 #include "geometry/error.h"
@@ -14,6 +15,7 @@
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/painter/sort/near_box.h"
 #include "hsr/painter/sort/overlap_graph.h"
+#include "hsr/painter/sort/tree_order.h"
 #include "hsr/painter/wires.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/symbols/constructions.h"
@@ -37,6 +39,7 @@ class Sorter {
   Sorter(const SceneView& scene, const DepthSortOptions& options)
       : options_(options),
         mesh_(scene.mesh()),
+        view_(scene.view()),
         projected_(scene.parts().projected(options.stop)),
         overlaps_(projected_, options.classic) {}
 
@@ -67,6 +70,7 @@ class Sorter {
 
   const DepthSortOptions& options_;
   const Mesh& mesh_;
+  const View& view_;
   const ProjectedMesh& projected_;
   Overlaps overlaps_;
   FacePieces faces_;
@@ -83,7 +87,7 @@ class Sorter {
   std::deque<std::array<std::uint32_t, 2>> piercing_;
   // Components that planes have ordered: they are painted as one.
   std::vector<std::uint32_t> block_of_;  // by piece, or none
-  std::vector<std::vector<PieceOfFacet>> blocks_;
+  std::vector<PaintersOrder> blocks_;
   mutable std::vector<std::uint32_t> place_;  // of a piece among some nodes
   std::size_t most_ = 0;
   DepthSort result_;
@@ -386,17 +390,32 @@ std::optional<MapHalfPlane> Sorter::parting_line(std::uint32_t piece, std::uint3
 }
 
 void Sorter::order_by_planes(const std::vector<std::uint32_t>& component) {
-  std::vector<PieceOfFacet> pieces;
-  for (const std::uint32_t p : component) {
-    pieces.push_back(shaped(p));
-    block_of_[p] = static_cast<std::uint32_t>(blocks_.size());
+  for (const std::uint32_t p : component) block_of_[p] = static_cast<std::uint32_t>(blocks_.size());
+  std::vector<std::uint32_t> ascending = component;
+  std::sort(ascending.begin(), ascending.end());
+  const bool is_compared = projected_.arithmetic() != Arithmetic::staged;
+  const std::vector<FacetId> facets = is_compared ? std::vector<FacetId>() : whole_facets(faces_, ascending);
+  if (!facets.empty()) {
+    const std::size_t before = pieces_.size() - cuts_ + cuts_by_planes_ - component.size();
+    TreeOrder found = ordered_by_tree(projected_, view_, facets, before, most_, options_.stop);
+    result_.order.decisions += found.order.decisions;
+    cuts_by_planes_ += found.splits;
+    result_.counts.cuts_in_cycles += found.splits;
+    blocks_.push_back(std::move(found.order));
+    return;
   }
-  blocks_.push_back(ordered_by_planes(overlaps_.map(), std::move(pieces), [&] {
-    throw_if_stopped(options_.stop);
-    count_pieces(1);
-    ++cuts_by_planes_;
-    ++result_.counts.cuts_in_cycles;
-  }));
+  std::vector<PieceOfFacet> pieces;
+  pieces.reserve(component.size());
+  for (const std::uint32_t p : component) pieces.push_back(shaped(p));
+  PaintersOrder order;
+  for (const PieceOfFacet& piece : ordered_by_planes(overlaps_.map(), std::move(pieces), [&] {
+         throw_if_stopped(options_.stop);
+         count_pieces(1);
+         ++cuts_by_planes_;
+         ++result_.counts.cuts_in_cycles;
+       }))
+    append(mesh_, piece, order);
+  blocks_.push_back(std::move(order));
 }
 
 void Sorter::emit() {
@@ -438,7 +457,7 @@ void Sorter::emit() {
       else
         append(mesh_, pieces_[piece], result_.order);
     } else {
-      for (const PieceOfFacet& piece : blocks_[block_at[node]]) append(mesh_, piece, result_.order);
+      append(blocks_[block_at[node]], result_.order);
     }
   }
 }
