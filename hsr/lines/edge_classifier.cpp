@@ -203,6 +203,17 @@ std::optional<PartClass> EdgeClassifier::at_a_glance(EdgeId id) const {
   return std::nullopt;
 }
 
+void EdgeClassifier::add_marks(HalfPlanes& half_planes, EdgeId id, std::span<const EdgeContact> contacts) const {
+  if (marks_.is_empty()) return;
+  const Mesh& mesh = projected_.mesh();
+  if (!mesh.triangles_at(id).empty()) half_planes.add_marks(marks_.of(mesh.edges[id].a, mesh.edges[id].b));
+  for (const EdgeContact& c : contacts) {
+    if (c.along == 3) continue;
+    const auto& corners = mesh.triangles[c.triangle];
+    half_planes.add_marks(marks_.of(corners[c.along], corners[(c.along + 1) % 3]));
+  }
+}
+
 PartClass EdgeClassifier::operator()(Predicates& exact, EdgeId id, std::span<const EdgeContact> contacts,
                                      std::vector<CoincidentFaces>* log) const {
   if (exact.arithmetic() == Arithmetic::staged && contacts.empty())
@@ -211,14 +222,7 @@ PartClass EdgeClassifier::operator()(Predicates& exact, EdgeId id, std::span<con
   ExactHalfPlanes half_planes(projected_, exact, edge);
   for (const TriangleId t : projected_.mesh().triangles_at(id)) half_planes.add(t);
   for (const EdgeContact& c : contacts) half_planes.add(c);
-  if (!marks_.is_empty()) {
-    if (!projected_.mesh().triangles_at(id).empty()) half_planes.add_marks(marks_.of(edge.a, edge.b));
-    for (const EdgeContact& c : contacts) {
-      if (c.along == 3) continue;
-      const auto& corners = projected_.mesh().triangles[c.triangle];
-      half_planes.add_marks(marks_.of(corners[c.along], corners[(c.along + 1) % 3]));
-    }
-  }
+  add_marks(half_planes, id, contacts);
   return with_wire(edge, (*this)(half_planes, edge.diagonal && !edge.of_face, log));
 }
 

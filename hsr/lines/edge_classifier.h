@@ -61,6 +61,8 @@ class EdgeClassifier {
   /// @param log takes what coincides there; nullptr: hidden parts are not wanted
   PartClass operator()(Predicates& exact, EdgeId edge, std::span<const EdgeContact> contacts = {},
                        std::vector<CoincidentFaces>* log = nullptr) const;
+  /// The marks of an edge and of those along which it has these contacts.
+  void add_marks(HalfPlanes& half_planes, EdgeId edge, std::span<const EdgeContact> contacts) const;
   /// The class of a part along which these half-planes are. @param only_diagonal of a face that is cut into triangles
   PartClass operator()(HalfPlanes& half_planes, bool only_diagonal, std::vector<CoincidentFaces>* log) const;
 

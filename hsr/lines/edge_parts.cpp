@@ -64,13 +64,16 @@ class PassingHalfPlanes {
     for (const TriangleId t : projected.mesh().triangles_at(id)) begin_half(number(planes_.half_of(t)));
     for (const Contact& c : contacts) {
       halves_of_.emplace_back();
+      contacts_.push_back(c.contact);
+      is_there_.push_back(0);
       planes_.for_each_half(c.contact, [&](const HalfPlane& h) { halves_of_.back().push_back(number(h)); });
     }
   }
 
   void begin(std::size_t contact) {
     for (const std::uint32_t half : halves_of_[contact]) begin_half(half);
-    ++contacts_;
+    is_there_[contact] = 1;
+    ++count_;
   }
   void end(std::size_t contact) {
     for (const std::uint32_t half : halves_of_[contact]) {
@@ -78,9 +81,17 @@ class PassingHalfPlanes {
       p.halves.erase(std::lower_bound(p.halves.begin(), p.halves.end(), half));
       p.faces.erase(std::lower_bound(p.faces.begin(), p.faces.end(), halves_[half].half_plane.face));
     }
-    --contacts_;
+    is_there_[contact] = 0;
+    --count_;
   }
-  bool has_contacts() const { return contacts_ > 0; }
+  bool has_contacts() const { return count_ > 0; }
+  /// By triangle.
+  std::vector<EdgeContact> contacts() const {
+    std::vector<EdgeContact> here;
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      if (is_there_[k] != 0) here.push_back(contacts_[k]);
+    return here;
+  }
   /// Those that are there now, as if each triangle were added.
   void add_to(ExactHalfPlanes& here) const {
     for (const Present& p : present_)
@@ -119,7 +130,9 @@ class PassingHalfPlanes {
   std::vector<Half> halves_;
   std::vector<std::vector<std::uint32_t>> halves_of_;  // by contact
   std::vector<Present> present_;                       // by half-plane
-  std::size_t contacts_ = 0;                           // that are there
+  std::vector<EdgeContact> contacts_;                  // all
+  std::vector<std::uint8_t> is_there_;                 // by contact
+  std::size_t count_ = 0;                              // of those that are there
 };
 
 }  // namespace
@@ -163,6 +176,7 @@ std::vector<EdgePart> edge_parts(const EdgeClassifier& classifier, TriangleOcclu
     if (!passing.has_contacts()) return classifier(occlusion.exact(), edge, {}, log);
     ExactHalfPlanes here(classifier.projected(), occlusion.exact(), whole);
     passing.add_to(here);
+    if (!classifier.marks().is_empty()) classifier.add_marks(here, edge, passing.contacts());
     return with_wire(whole, classifier(here, whole.diagonal && !whole.of_face, log));
   };
   std::vector<EdgePart> parts;
