@@ -33,7 +33,8 @@ class Model:
             count += len(ring)
         for t in (low, high):
             for ring in rings:
-                self.lines += ["v " + " ".join(repr(c + 0.0) for c in place(p, t)) for p in ring]
+                # To a millionth: no last digit of a sine makes another drawing.
+                self.lines += ["v " + " ".join(repr(round(c, 6) + 0.0) for c in place(p, t)) for p in ring]
         self.points += 2 * count
         top = self.face_with_holes(rings, indices)
         self.lines.append("f " + " ".join(str(i + count) for i in top))

@@ -1,5 +1,7 @@
 #include "hsr/cli/command_context.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -34,7 +36,10 @@ CommandContext::CommandContext(const CommonArguments& common, const std::vector<
   check_outputs(models, outputs);
   if (!common.threads) return;
   if (*common.threads < 1) throw InputError("--threads: found " + std::to_string(*common.threads) + ", expected 1 or more");
-  threads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*common.threads));
+  // For as long as the process lives: to end a limit oneTBB starts threads, and where that fails it ends the process.
+  static const auto* const limit =
+      new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*common.threads));
+  (void)limit;
 }
 
 ViewedModel CommandContext::read(const ModelArguments& models, const ViewOptions& view, double tolerance,

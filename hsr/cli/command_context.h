@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tbb/global_control.h>
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -91,7 +89,6 @@ class CommandContext {
 
  private:
   const CommonArguments& common_;
-  std::optional<tbb::global_control> threads_;
   OutputFiles outputs_;
   std::vector<std::string> written_;  // a line for each output
 };

@@ -31,7 +31,7 @@ void SheetArguments::add_to(Options& options) {
       .with_default_shown()
       .one_of({"on", "off"});
   options.add_one_each(
-      "--title", titles, "FIELD=TEXT",
+      "--title", titles, "NAME=TEXT",
       "A field of the title block: owner, title, subtitle, number, creator, approver, type, material, date, revision, language "
       "or sheet; may be repeated");
   options.add("--title-block", title_file, "FILE",

@@ -35,14 +35,22 @@ class CentreLines {
 
   void add(const Point2& from, const Point2& to) {
     const auto is_on = [](const PaperTrace& t, const Point2& p) {
-      return std::fabs((p.x - t.point.x) * t.toward.x + (p.y - t.point.y) * t.toward.y) < 0.05;
+      return std::fabs((p.x - t.point.x) * t.toward.x + (p.y - t.point.y) * t.toward.y) < near;
     };
     for (const PaperTrace& t : traces_)
       if (is_on(t, from) && is_on(t, to)) return;
-    const Point2 middle = {(from.x + to.x) / 2, (from.y + to.y) / 2};
-    for (const CentreLine& line : lines_)
-      if (is_near(line.middle, middle) && (is_near(line.end, to) || is_near(line.end, from))) return;
-    lines_.push_back({middle, to});
+    for (CentreLine& line : lines_) {
+      if (!is_on({line.middle, across(line)}, from) || !is_on({line.middle, across(line)}, to)) continue;
+      const double half = distance(line.middle, line.end);
+      const auto is_within = [&](const Point2& p) { return distance(line.middle, p) <= half + near; };
+      if (is_within(from) && is_within(to)) return;
+      const Point2 middle = between(from, to), other = {2 * line.middle.x - line.end.x, 2 * line.middle.y - line.end.y};
+      if (distance(middle, line.end) > distance(middle, to) + near || distance(middle, other) > distance(middle, to) + near)
+        continue;
+      line = {middle, to};  // it is part of the new one
+      return;
+    }
+    lines_.push_back({between(from, to), to});
   }
   void draw(Sketch& sketch, Sketch::LayerIndex layer) const {
     for (const CentreLine& line : lines_) {
@@ -52,7 +60,16 @@ class CentreLines {
   }
 
  private:
-  static bool is_near(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y) < 0.05; }
+  static constexpr double near = 0.05;  // mm
+
+  static double distance(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+  static Point2 between(const Point2& a, const Point2& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
+  /// Square to a line, of length 1.
+  static Point2 across(const CentreLine& line) {
+    const Point2 along = unit(line.middle, line.end);
+    return {-along.y, along.x};
+  }
+
   const std::vector<PaperTrace>& traces_;
   std::vector<CentreLine> lines_;
 };

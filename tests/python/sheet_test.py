@@ -85,7 +85,7 @@ class Sheets(unittest.TestCase):
         shown = subprocess.run([COMMAND, "sheet", "--help"], capture_output=True, text=True, check=True).stdout
         options = {name.replace("-", "_") for name in re.findall(r"^  (?:-\w,)?--([a-z][a-z-]+)", shown, re.M)}
         self.assertGreater(len(options), 25)
-        elsewhere = {"help", "output", "report", "quiet", "from", "only", "hide", "ghost"}
+        elsewhere = {"help", "output", "report", "quiet", "from", "only", "hide", "ghost", "chord", "marks"}
         self.assertEqual(options - set(inspect.signature(hsr.sheet).parameters) - elsewhere, set())
 
 
