@@ -32,7 +32,20 @@ JsonValue& JsonValue::operator=(JsonValue other) noexcept {
   value_ = std::move(other.value_);
   return *this;
 }
-JsonValue::~JsonValue() = default;
+namespace {
+
+/// Empties a value from its leaves on: what is nested takes memory to be destroyed otherwise, which there may not be.
+void empty(nlohmann::ordered_json& value) {
+  if (!value.is_structured()) return;
+  for (nlohmann::ordered_json& child : value) empty(child);
+  value.clear();
+}
+
+}  // namespace
+
+JsonValue::~JsonValue() {
+  if (value_) empty(*value_);
+}
 
 void JsonValue::push_back(JsonValue element) { value_->push_back(std::move(*element.value_)); }
 
