@@ -97,7 +97,12 @@ Model OpenedModels::model(std::optional<double> chord) {
   for (ModelFile& file : files_) {
     const double millimetres = unit_.empty() ? file.millimetres() : parse_unit(unit_);
     ModelToJoin part{is_asked_again ? file.model(chord ? *chord / millimetres : 0) : file.take()};
-    if (parts.size() < marks_.size()) read_marks(marks_[parts.size()], part.model);
+    if (parts.size() < marks_.size()) {
+      if (file.has_surfaces())
+        throw InputError("--marks: found with " + part.model.name +
+                         ", which says itself what its edges are, expected marks of meshes: models that have none come last");
+      read_marks(marks_[parts.size()], part.model);
+    }
     // What is given for all is no reason to convert anything: the options say it again where it is used.
     if (unit_.empty()) part.unit = name_of_unit(part.model.unit.value_or(1));
     if (up_axis_.empty()) part.is_y_up = part.model.up_axis == 'y';

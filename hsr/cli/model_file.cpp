@@ -33,10 +33,12 @@ double ModelFile::millimetres() const { return has_surfaces() ? surfaces_->brep.
 
 Model ModelFile::model(double chord) const {
   if (!has_surfaces()) return mesh_;
-  constexpr double coarse = 1.0 / 500, finest = 1e-6;  // of the size
+  constexpr double coarse = 1.0 / 500, finest = 1e-5;  // of the size
   const double size = surfaces_->brep.size();
   Model model = surfaces_->brep.tessellated(chord > 0 ? std::max(chord, size * finest) : size * coarse);
   if (!mesh_.name.empty()) model.name = mesh_.name;
+  if (chord > 0 && chord < size * finest)
+    model.notes.push_back(model.name + ": curves are drawn to a hundred-thousandth of the size of the model, and no finer");
   return model;
 }
 

@@ -83,11 +83,33 @@ void note_failures(BrepDocument& document, const XSControl_Reader& reader) {
                              std::to_string(failed.size()));
 }
 
+/// Open CASCADE goes on for ever from a coordinate that is no number.
+void expect_numbers(const std::string& path, std::string_view bytes) {
+  std::size_t line = 1;
+  bool is_in_string = false;
+  char before = ' ';
+  for (std::size_t k = 0; k < bytes.size(); ++k) {
+    const char c = bytes[k];
+    if (c == '\n') ++line;
+    if (c == '\'') is_in_string = !is_in_string;
+    const bool begins_value = before == '(' || before == ',' || before == '+' || before == '-';
+    if (!is_in_string && begins_value && (c == 'n' || c == 'N' || c == 'i' || c == 'I')) {
+      const std::string word = lower(std::string(bytes.substr(k, 3)));
+      const char after = k + 3 < bytes.size() ? bytes[k + 3] : ')';
+      if ((word == "nan" || word == "inf") && (after == ')' || after == ',' || after == ' ' || after == '\r' || after == '\n'))
+        throw InputError(path + ": line " + std::to_string(line) + ": found \"" + std::string(bytes.substr(k, 3)) +
+                         "\", expected a finite number");
+    }
+    if (c != ' ' && c != '\n' && c != '\r') before = c;
+  }
+}
+
 [[noreturn]] void refuse(const std::string& path, const std::string& what) { throw InputError(path + ": " + what); }
 
 }  // namespace
 
 BrepDocument read_step_document(const std::string& path, std::string_view bytes) {
+  expect_numbers(path, bytes);
   const std::scoped_lock lock(one_at_a_time);
   say_nothing();
   try {

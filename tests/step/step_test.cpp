@@ -303,6 +303,10 @@ TEST_CASE("files that are no STEP are refused in one line", "[step]") {
   std::ifstream file(directory.file("a.step"));
   std::string text(std::istreambuf_iterator<char>(file), {});
   CHECK(refusal("a.step", text.substr(0, text.size() / 2)) == no_step);
+  std::string no_number = text;
+  const std::size_t point = no_number.find("CARTESIAN_POINT"), number = no_number.find("(0.", point);
+  no_number.replace(number + 1, 2, "NaN");
+  CHECK(refusal("a.step", no_number).find(": found \"NaN\", expected a finite number") != std::string::npos);
   const std::string word = "CYLINDRICAL_SURFACE";
   text.replace(text.find(word), word.size(), "CYLINDRICAL_SURFAXE");
   const Model model = read_brep("a.step", text).tessellated(0.1);
