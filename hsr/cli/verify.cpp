@@ -37,7 +37,8 @@ const char* const examples = R"(Examples:
   hsr verify scene.obj --view top                  is the order of its faces right for that view?
   hsr verify order.json --limit 100 -o wrong.svg   with a picture: painted earlier blue, later red, a ring where they are wrong
 
-The faces of a model are verified with one --section, an order in a file with all that it was made with. Writes the verdict to standard output, and a picture or a report if asked. Exit status 1: the order is wrong.)";
+Writes the verdict to standard output, and a picture or a report if asked. Exit status 1: the order is wrong.
+The faces of a model are verified with one --section, an order in a file with all that it was made with.)";
 
 bool is_json(const std::string& path) { return path.size() > 5 && path.ends_with(".json"); }
 
