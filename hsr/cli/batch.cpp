@@ -199,7 +199,8 @@ class Batch {
     const std::string model = row.file[0] == '-' ? "./" + row.file : row.file;  // no option
     std::vector<std::string> words = {own_, a_.as_sheets ? "sheet" : "draw", model, "-o", path, "-q"};
     if (!a_.as_sheets) words.insert(words.end(), {"--view", row.view});
-    if (std::ranges::find(a_.options, "--threads") == a_.options.end()) words.insert(words.end(), {"--threads", "1"});
+    if (std::ranges::none_of(a_.options, [](const std::string& o) { return o.starts_with("--threads"); }))
+      words.insert(words.end(), {"--threads", "1"});
     words.insert(words.end(), a_.options.begin(), a_.options.end());
     const auto start = std::chrono::steady_clock::now();
     const Ended ended = run_program(words);

@@ -122,6 +122,7 @@ class SheetMaker {
     std::vector<Drawing> drawings(views_.size());
     cuts_.resize(views_.size());
     done_.resize(views_.size());
+    seen_edges_.resize(views_.size());
     tbb::parallel_for(std::size_t{0}, views_.size(), [&](std::size_t k) { drawings[k] = drawing_of(k); });
     Drawing& all = sheet_.drawing;
     all.width = options_.format.width;
@@ -132,7 +133,6 @@ class SheetMaker {
     if (options_.objects != nullptr && options_.objects->are_told_apart()) all.objects = options_.objects->names;
     for (std::size_t k = 0; k < views_.size(); ++k) {
       append_view(all, drawings[k], views_[k].name);
-      drawn_edges_.push_back(edges_of(drawings[k]));
       if (views_[k].detail != nullptr && drawings[k].polylines.empty())
         sheet_.notes.push_back("detail " + views_[k].label + ": there is no line within its circle");
     }
@@ -158,6 +158,7 @@ class SheetMaker {
     LineOptions line_options = options_.lines;
     if (options_.lines.progress) line_options.progress = [&, k](double done) { show_progress(k, done); };
     const VisibleLines lines = visible_lines(prepared, line_options);
+    seen_edges_[k] = seen_edges(lines);
     if (v.view.section) {
       cuts_[k] = section(prepared);
       o.section = &*cuts_[k];
@@ -224,25 +225,26 @@ class SheetMaker {
       const bool shows_hidden = views_[k].has_hidden_lines && options_.hidden != HiddenLines::none;
       std::vector<ModelCircle> shown;
       for (const ModelCircle& c : circles)
-        if (shows_hidden || paper.cuts(c) || is_drawn(c, drawn_edges_[k])) shown.push_back(c);
+        if (shows_hidden || paper.cuts(c) || is_seen(c, seen_edges_[k])) shown.push_back(c);
       draw_centre_lines(sketch, v.name, shown, reach, paper, traces, pens_);
     }
   }
 
   using Edges = std::vector<std::array<std::uint32_t, 2>>;
 
-  static Edges edges_of(const Drawing& drawing) {
+  /// Those of which some part is visible.
+  Edges seen_edges(const VisibleLines& lines) const {
     Edges edges;
-    for (const Polyline& p : drawing.polylines) {
-      const auto of_line = drawing.edges_of(p);
-      edges.insert(edges.end(), of_line.begin(), of_line.end());
+    for (const Line& line : lines.lines) {
+      if (line.is_intersection() || line.intervals() == 0 || (line.intervals() == 1 && line.hidden(0))) continue;
+      const Edge& edge = scene_.mesh().edges[line.edge];
+      edges.push_back({edge.a.value, edge.b.value});
     }
     std::ranges::sort(edges);
     return edges;
   }
-  /// Some part of it, hidden or not.
-  static bool is_drawn(const ModelCircle& circle, const Edges& drawn) {
-    return std::ranges::any_of(circle.edges, [&](const auto& edge) { return std::ranges::binary_search(drawn, edge); });
+  static bool is_seen(const ModelCircle& circle, const Edges& seen) {
+    return std::ranges::any_of(circle.edges, [&](const auto& edge) { return std::ranges::binary_search(seen, edge); });
   }
 
   const PlacedView* placed(const std::string& name) const {
@@ -327,8 +329,8 @@ class SheetMaker {
   const Scene& scene_;
   const SheetOptions& options_;
   std::vector<SheetView> views_;
-  std::vector<std::optional<Section>> cuts_;                            // by view
-  std::vector<std::vector<std::array<std::uint32_t, 2>>> drawn_edges_;  // by view, ascending
+  std::vector<std::optional<Section>> cuts_;  // by view
+  std::vector<Edges> seen_edges_;             // by view, ascending
   std::mutex progress_mutex_;
   std::vector<double> done_;  // by view
   SheetPens pens_;
