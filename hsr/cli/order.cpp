@@ -138,7 +138,6 @@ class OrderCommand {
     context_.find_section(scene_, *prepared_, request_.lines.classes, request_.drawing, section_);
     find_order();
     note_coincident_faces();
-    note_crossing_faces();
     check();
     write();
     if (!is_right_) throw CheckFailed();
@@ -150,7 +149,6 @@ class OrderCommand {
   PaintersOrder by_tree();
   bool is_opaque() const;
   void note_coincident_faces();
-  void note_crossing_faces();
   void check();
   void write();
   std::string bytes_of(Format format);
@@ -220,15 +218,6 @@ void OrderCommand::note_coincident_faces() {
     return coincident_note(*prepared_, scene_.model, is_opaque() ? Coincidence::seen : Coincidence::all);
   });
   if (!text.empty()) context_.note(text);
-}
-
-/// Their triangles are facets of their own.
-void OrderCommand::note_crossing_faces() {
-  const auto& faces = scene_.mesh.faces;
-  const auto crossing = static_cast<std::uint64_t>(std::count(faces.begin(), faces.end(), FaceUse::crosses_itself));
-  if (crossing > 0)
-    context_.note(counted(crossing, "face") + (crossing == 1 ? " crosses itself" : " cross themselves") +
-                  ": pieces may cover a place twice where the triangles overlap; hsr verify says where");
 }
 
 void OrderCommand::check() {

@@ -7,30 +7,22 @@
 
 #include "geometry/error.h"
 #include "geometry/near_value.h"
+#include "hsr/painter/piece_clipper.h"
 #include "hsr/scene/view_parts.h"
-#include "hsr/symbols/constructions.h"
-#include "hsr/symbols/cut_plane.h"
 
 namespace hsr::internal {
 
 namespace {
 
-/// A plane that pieces are cut off at, and the side of it that is kept.
-struct Border {
-  Cut cut;
-  Plane plane;
-  Sign kept;
-};
-
 class CellOrders {
  public:
-  explicit CellOrders(const SceneView& scene)
-      : mesh_(scene.mesh()), view_(scene.view()), projected_(scene.parts().projected()), exact_(projected_.predicates()) {}
+  explicit CellOrders(const SceneView& scene) : mesh_(scene.mesh()), view_(scene.view()), clipper_(scene.parts().projected()) {}
 
   void add(const ViewParts::Cell& cell, const PaintersOrder& order) {
     borders_.clear();
-    for (const CellSide& side : cell.cell.sides) add_border({Cut::Kind::fold, 0, side.u, side.v}, side.kept);
-    if (view_.far) add_border(Cut{Cut::Kind::near}.by_plane(View::far_number), Sign::negative);
+    for (const CellSide& side : cell.cell.sides)
+      borders_.push_back(clipper_.border({Cut::Kind::fold, 0, side.u, side.v}, side.kept));
+    if (view_.far) borders_.push_back(clipper_.border(Cut{Cut::Kind::near}.by_plane(View::far_number), Sign::negative));
     std::vector<std::uint32_t> place;  // where each piece, or the next that is left, is now
     for (const OrderedPiece& piece : order.pieces) {
       place.push_back(static_cast<std::uint32_t>(all_.pieces.size()));
@@ -46,13 +38,11 @@ class CellOrders {
     std::stable_sort(all_.wires.begin(), all_.wires.end(), [](const OrderedWire& x, const OrderedWire& y) {
       return std::tie(x.before, x.edge, x.from) < std::tie(y.before, y.edge, y.from);
     });
-    all_.decisions += exact_.counts();
+    all_.decisions += clipper_.decisions();
     return std::move(all_);
   }
 
  private:
-  void add_border(const Cut& cut, Sign kept) { borders_.push_back({cut, cut_plane(projected_, cut), kept}); }
-
   void add_piece(FacetId facet, std::span<const PieceCorner> given, std::uint8_t plane) {
     std::vector<PieceCorner> corners;
     for (PieceCorner c : given) {
@@ -61,52 +51,12 @@ class CellOrders {
       c.side = c.side.by_plane(plane);
       corners.push_back(c);
     }
-    for (const Border& border : borders_)
-      if (!keep(border, facet, corners)) return;
+    for (const PieceClipper::Border& border : borders_)
+      if (!clipper_.keep(border, facet, corners)) return;
     OrderedPiece piece{facet, static_cast<std::uint32_t>(all_.corners.size()), 0};
     all_.corners.insert(all_.corners.end(), corners.begin(), corners.end());
     piece.end_corner = static_cast<std::uint32_t>(all_.corners.size());
     all_.pieces.push_back(piece);
-  }
-
-  Sign side(const Border& border, FacetId facet, const PieceCorner& c) {
-    if (c.vertex.is_valid()) return projected_.side(border.plane, c.vertex, exact_) * border.kept;
-    return exact_.side(border.plane, projected_.face_plane(facet), cut_plane(projected_, c.a), cut_plane(projected_, c.b)) *
-           border.kept;
-  }
-  /// What of a convex piece is on the side that is kept; false: nothing that has an area.
-  bool keep(const Border& border, FacetId facet, std::vector<PieceCorner>& corners) {
-    std::vector<Sign> sides;
-    sides.reserve(corners.size());
-    for (const PieceCorner& c : corners) sides.push_back(side(border, facet, c));
-    if (std::find(sides.begin(), sides.end(), Sign::positive) == sides.end()) {
-      // Beside the border; but what lies in the far plane stays.
-      return border.cut.kind == Cut::Kind::near && border.cut.plane() == View::far_number &&
-             std::find(sides.begin(), sides.end(), Sign::negative) == sides.end();
-    }
-    if (std::find(sides.begin(), sides.end(), Sign::negative) == sides.end()) return true;
-    std::vector<PieceCorner> left;
-    const auto crossing = [&](const PieceCorner& from) {
-      PieceCorner c = from;
-      c.vertex = {};
-      c.a = from.side;
-      c.b = border.cut;
-      return c;
-    };
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Sign here = sides[k], next = sides[(k + 1) % corners.size()];
-      const auto along_border = [&](PieceCorner c) {
-        c.side = border.cut;
-        c.original = false;
-        return c;
-      };
-      if (here == Sign::positive) left.push_back(corners[k]);
-      if (here == Sign::zero) left.push_back(next == Sign::negative ? along_border(corners[k]) : corners[k]);
-      if (here == Sign::positive && next == Sign::negative) left.push_back(along_border(crossing(corners[k])));
-      if (here == Sign::negative && next == Sign::positive) left.push_back(crossing(corners[k]));
-    }
-    corners = std::move(left);
-    return true;
   }
 
   /// As few as wires are: in rationals.
@@ -114,7 +64,7 @@ class CellOrders {
     wire.before = before;
     const RationalVector a = rational(mesh_.points[mesh_.edges[wire.edge].a]),
                          b = rational(mesh_.points[mesh_.edges[wire.edge].b]);
-    const auto value = [&](const Border& border, const RationalVector& p) -> Rational {
+    const auto value = [&](const PieceClipper::Border& border, const RationalVector& p) -> Rational {
       const auto at = [&](std::uint8_t k) { return near_value(view_.cutting_plane(k), p); };
       if (border.cut.kind == Cut::Kind::near) return at(border.cut.plane());
       const auto at_eye = [&](std::uint8_t k) {
@@ -126,7 +76,7 @@ class CellOrders {
       if (u == v) return at(u);
       return at(u) * at_eye(v) - at_eye(u) * at(v);
     };
-    for (const Border& border : borders_) {
+    for (const PieceClipper::Border& border : borders_) {
       const Rational at_a = value(border, a), at_b = value(border, b), rise = at_b - at_a;
       const Sign way = rise.sign() * border.kept;
       if (way == Sign::zero) {
@@ -144,9 +94,8 @@ class CellOrders {
 
   const Mesh& mesh_;
   const View& view_;
-  const ProjectedMesh& projected_;
-  Predicates exact_;
-  std::vector<Border> borders_;
+  PieceClipper clipper_;
+  std::vector<PieceClipper::Border> borders_;
   PaintersOrder all_;
 };
 

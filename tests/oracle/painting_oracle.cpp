@@ -109,30 +109,77 @@ PairOrder order_of(const Image& image, const PaintedPolygon& a, const PaintedPol
 
 Vec exact_vec(const std::array<Rational, 3>& p) { return {exact(p[0]), exact(p[1]), exact(p[2])}; }
 
-/// The triangles of a facet, as far as they are beyond the near plane: twice their area in the image.
-Q twice_area_of_facet(const Mesh& mesh, const View& view, const Image& image, FacetId facet) {
-  const FaceId f = mesh.face_of[first_triangle(facet)];
-  const bool planar = mesh.faces[f] == FaceUse::planar;
-  Q sum = 0;
-  for (std::uint32_t t = facet.value; t < (planar ? mesh.first_triangle[FaceId(f.value + 1)] : facet.value + 1); ++t) {
-    std::vector<Vec> ring;
-    for (const VertexId v : mesh.triangles[TriangleId(t)]) ring.emplace_back(mesh.points[v]);
-    if (view.is_perspective()) {
-      const Vec eye(view.viewpoint.at), axis = Vec(view.target) - eye;
-      const Q near = Q(view.near) * dot(axis, axis);
-      std::vector<Vec> out;
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Vec &p = ring[k], &q = ring[(k + 1) % ring.size()];
-        const Q s = dot(p - eye, axis) - near, u = dot(q - eye, axis) - near;
-        if (s >= 0) out.push_back(p);
-        if ((s > 0 && u < 0) || (s < 0 && u > 0)) out.push_back(p + Q(s / (s - u)) * (q - p));
-      }
-      ring = std::move(out);
+/// Part of a convex ring, on the positive side of the line through a and b or on the other.
+std::vector<Place> half(const std::vector<Place>& ring, const Place& a, const Place& b, int which) {
+  const auto side = [&](const Place& p) -> Q { return Q(which) * ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)); };
+  std::vector<Place> out;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Place &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    const Q s = side(p), t = side(q);
+    if (s >= 0) out.push_back(p);
+    if ((s > 0 && t < 0) || (s < 0 && t > 0)) {
+      const Q u = s / (s - t);
+      out.push_back({p.x + u * (q.x - p.x), p.y + u * (q.y - p.y)});
     }
-    std::vector<Place> places;
-    for (const Vec& p : ring) places.push_back(image.place(p));
-    if (!places.empty()) sum += abs(twice_area(places));
   }
+  return out;
+}
+
+/// Twice the area of a convex ring outside the others.
+Q twice_area_outside(const std::vector<Place>& ring, const std::vector<std::vector<Place>>& others) {
+  std::vector<std::vector<Place>> parts = {ring};
+  for (const std::vector<Place>& other : others) {
+    if (other.empty()) continue;  // before the near plane
+    std::vector<std::vector<Place>> outside;
+    for (std::vector<Place> inside : parts)
+      for (std::size_t k = 0; k < other.size() && !inside.empty(); ++k) {
+        const Place &a = other[k], &b = other[(k + 1) % other.size()];
+        outside.push_back(half(inside, a, b, -1));
+        inside = half(inside, a, b, 1);
+      }
+    parts = std::move(outside);
+  }
+  Q sum = 0;
+  for (const std::vector<Place>& part : parts) sum += twice_area(part);
+  return sum;
+}
+
+/// A triangle as far as it is beyond the near plane, in the image.
+std::vector<Place> seen_triangle(const Mesh& mesh, const View& view, const Image& image, TriangleId t) {
+  std::vector<Vec> ring;
+  for (const VertexId v : mesh.triangles[t]) ring.emplace_back(mesh.points[v]);
+  if (view.is_perspective()) {
+    const Vec eye(view.viewpoint.at), axis = Vec(view.target) - eye;
+    const Q near = Q(view.near) * dot(axis, axis);
+    std::vector<Vec> out;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Vec &p = ring[k], &q = ring[(k + 1) % ring.size()];
+      const Q s = dot(p - eye, axis) - near, u = dot(q - eye, axis) - near;
+      if (s >= 0) out.push_back(p);
+      if ((s > 0 && u < 0) || (s < 0 && u > 0)) out.push_back(p + Q(s / (s - u)) * (q - p));
+    }
+    ring = std::move(out);
+  }
+  std::vector<Place> places;
+  for (const Vec& p : ring) places.push_back(image.place(p));
+  if (twice_area(places) < 0) std::reverse(places.begin(), places.end());
+  return places;
+}
+
+/// Twice the area in the image of a facet, as far as it is beyond the near plane; of a face that crosses itself, without what the
+/// triangles of it that are on top cover.
+Q twice_area_of_facet(const Mesh& mesh, const View& view, const Image& image, FacetId facet, Coplanar coplanar) {
+  const FaceId f = mesh.face_of[first_triangle(facet)];
+  const std::uint32_t first = mesh.first_triangle[f], end = mesh.first_triangle[FaceId(f.value + 1)];
+  const bool planar = mesh.faces[f] == FaceUse::planar;
+  std::vector<std::vector<Place>> on_top;
+  if (mesh.faces[f] == FaceUse::crosses_itself)
+    for (std::uint32_t t = first; t < end; ++t)
+      if (coplanar == Coplanar::last ? t > facet.value : t < facet.value)
+        on_top.push_back(seen_triangle(mesh, view, image, TriangleId(t)));
+  Q sum = 0;
+  for (std::uint32_t t = facet.value; t < (planar ? end : facet.value + 1); ++t)
+    sum += twice_area_outside(seen_triangle(mesh, view, image, TriangleId(t)), on_top);
   return sum;
 }
 
@@ -161,7 +208,9 @@ std::vector<std::string> wrong_with_order(const Mesh& mesh, const View& view, co
     for (std::size_t k = i + 1; k < polygons.size(); ++k) {
       const PairOrder how = order_of(image, polygons[i], polygons[k]);
       if (how == PairOrder::apart) continue;
-      if (polygons[i].rank == polygons[k].rank) say(i, k, "pieces of one face overlap");
+      const FaceId face = mesh.face_of[TriangleId(polygons[i].rank)];
+      const bool is_one_face = face == mesh.face_of[TriangleId(polygons[k].rank)] && mesh.faces[face] != FaceUse::not_coplanar;
+      if (is_one_face) say(i, k, "pieces of one face overlap");
       if (how == PairOrder::second_behind) say(i, k, "the nearer is painted first");
       if (how == PairOrder::piercing) say(i, k, "they pierce each other");
       const bool is_last = coplanar == Coplanar::last;
@@ -174,7 +223,8 @@ std::vector<std::string> wrong_with_order(const Mesh& mesh, const View& view, co
     const FacetId facet(t);
     const FaceId f = mesh.face_of[first_triangle(facet)];
     if (mesh.faces[f] == FaceUse::planar && mesh.first_triangle[f] != t) continue;
-    const Q all = twice_area_of_facet(mesh, view, image, facet), found = covered.contains(facet) ? covered[facet] : Q(0);
+    const Q all = twice_area_of_facet(mesh, view, image, facet, coplanar),
+            found = covered.contains(facet) ? covered[facet] : Q(0);
     if (all != found) wrong.push_back("triangle " + std::to_string(t) + " is not covered exactly once");
   }
   return wrong;

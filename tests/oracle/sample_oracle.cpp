@@ -88,7 +88,14 @@ Image<std::vector<TriangleId>> layers_at_samples(const Mesh& mesh, const View& v
       if (coplanar == Coplanar::last) std::reverse(layers.begin(), layers.end());
       std::stable_sort(layers.begin(), layers.end(),
                        [](const auto& a, const auto& b) { return (a.first + Q(-1) * b.first).sign() > 0; });
-      for (const auto& [nearness, t] : layers) image.at(i, j).push_back(t);
+      // A face that crosses itself covers each place of its plane once.
+      std::vector<TriangleId>& seen = image.at(i, j);
+      for (const auto& [nearness, t] : layers) {
+        const FaceId face = mesh.face_of[t];
+        const auto is_of_face = [&](TriangleId other) { return mesh.face_of[other] == face; };
+        if (mesh.faces[face] != FaceUse::crosses_itself || std::none_of(seen.begin(), seen.end(), is_of_face))
+          seen.push_back(t);
+      }
     }
   }
   return image;

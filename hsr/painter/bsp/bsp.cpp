@@ -9,6 +9,7 @@
 #include "geometry/parallel.h"
 #include "hsr/painter/bsp/bsp_nodes.h"
 #include "hsr/painter/order_in_cells.h"
+#include "hsr/painter/self_overlaps.h"
 #include "hsr/painter/wires.h"
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/scene/view_parts.h"
@@ -246,6 +247,7 @@ PaintersOrder BspTree::order(const SceneView& scene) const {
   if (scene.view().has_cells()) return order_in_cells(scene, [&](const ViewParts::Cell& cell) { return order(cell.scene); });
   PaintersOrder order;
   if (!nodes_->nodes.empty()) append_far_to_near(*nodes_, scene.parts().projected(), scene.view(), order);
+  cut_self_overlaps(scene, order);
   order.wires = ordered_wires(scene, order);
   return order;
 }

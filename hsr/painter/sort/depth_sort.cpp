@@ -9,6 +9,7 @@
 #include "geometry/error.h"
 #include "geometry/ragged.h"
 #include "hsr/painter/order_in_cells.h"
+#include "hsr/painter/self_overlaps.h"
 #include "hsr/painter/sort/components.h"
 #include "hsr/painter/sort/depth_order.h"
 #include "hsr/painter/sort/image_bsp.h"
@@ -537,6 +538,7 @@ DepthSort depth_sort(const SceneView& scene, const DepthSortOptions& options) {
   if (scene.view().has_cells()) return sorted_in_cells(scene, options);
   DepthSort sorted;
   if (!scene.mesh().triangles.empty()) sorted = Sorter(scene, options).sort();
+  cut_self_overlaps(scene, sorted.order);
   sorted.order.wires = ordered_wires(scene, sorted.order);
   return sorted;
 }
