@@ -61,7 +61,7 @@ struct FixedArithmetic {
   int lowest, direction_lowest;
 
   Number difference(const Point3& p, const Point3& q, int axis) const {
-    return Number::from_double(p[axis], lowest) - Number::from_double(q[axis], lowest);
+    return Number::difference(p[axis], q[axis], lowest);
   }
   Number direction(const Point3& d, int axis) const { return Number::from_double(d[axis], direction_lowest); }
   static Number axis(const Point3& d, int axis) { return Number(static_cast<std::int64_t>(d[axis])); }

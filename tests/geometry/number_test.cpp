@@ -100,6 +100,14 @@ TEST_CASE("fixed-width integers add and multiply as rationals do", "[geometry][f
     const auto exact = [](double x) { return FixedInteger<6>::from_double(x, 0); };
     CHECK((exact(a) * exact(b) - exact(c)).sign() == (Rational(a) * Rational(b) - Rational(c)).sign());
     CHECK((exact(a) + exact(b) - exact(c)).sign() == (Rational(a) + Rational(b) - Rational(c)).sign());
+    const double far = std::ldexp(a, static_cast<int>(random() % 150));
+    CHECK((FixedInteger<12>::difference(far, b, 0) * FixedInteger<12>::difference(c, a, 0)).sign() ==
+          ((Rational(far) - Rational(b)) * (Rational(c) - Rational(a))).sign());
+    const auto wide = [](double x) { return FixedInteger<12>::from_double(x, 0); };
+    CHECK((wide(a) * wide(b) * wide(c) - wide(far) * wide(b)).sign() ==
+          (Rational(a) * Rational(b) * Rational(c) - Rational(far) * Rational(b)).sign());
+    CHECK((exact(a) * exact(b) - exact(b) * exact(a)).sign() == Sign::zero);
+    CHECK(((exact(a) + exact(c)) * exact(b) - exact(a) * exact(b) - exact(c) * exact(b)).sign() == Sign::zero);
     CHECK(FixedInteger<6>(FixedInteger<3>::from_double(a, 0)).sign() == sign_of(a));
   }
 }
