@@ -96,6 +96,10 @@ class SelfOverlaps {
 
   /// What of a part is outside the borders, as convex parts. False: all of it is, and the part is one still.
   bool add_outside(FacetId facet, Corners part, std::vector<Corners>& all) {
+    if (is_beside(facet, part)) {
+      all.push_back(std::move(part));
+      return false;
+    }
     std::vector<Corners> outside;
     Corners inside = part;
     for (const PieceClipper::Border& border : borders_) {
@@ -108,6 +112,14 @@ class SelfOverlaps {
     }
     std::move(outside.begin(), outside.end(), std::back_inserter(all));
     return true;
+  }
+
+  /// Whether one of the borders has nothing of the part inside: so it is with most pairs.
+  bool is_beside(FacetId facet, const Corners& part) {
+    return std::any_of(borders_.begin(), borders_.end(), [&](const PieceClipper::Border& border) {
+      return std::none_of(part.begin(), part.end(),
+                          [&](const PieceCorner& c) { return clipper_.side(border, facet, c) == Sign::positive; });
+    });
   }
 
   const ProjectedMesh& projected_;

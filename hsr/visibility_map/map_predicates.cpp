@@ -111,7 +111,15 @@ Sign MapPredicates::order(const MapLine& line, const MapPoint& p, const MapPoint
   return rises * exact_.side(camera_, m, plane(p.l), plane(p.m));
 }
 
+/// The triangles of a planar face that crosses itself: dozens may cover a place, and each sign would be a zero that only exact
+/// arithmetic tells.
+bool MapPredicates::are_of_planar_face(TriangleId s, TriangleId t) const {
+  const FaceId face = mesh().face_of[s];
+  return face == mesh().face_of[t] && mesh().faces[face] != FaceUse::not_coplanar;
+}
+
 Sign MapPredicates::nearer(TriangleId s, TriangleId t, const MapPoint& p) {
+  if (are_of_planar_face(s, t)) return Sign::zero;
   const MapLine meet = MapLine::meet(s, t);
   const Sign side_of_meet = side(meet, p);
   const Sign first = projected_.facing(s) * projected_.facing(t) * side_of_meet;
@@ -119,6 +127,7 @@ Sign MapPredicates::nearer(TriangleId s, TriangleId t, const MapPoint& p) {
 }
 
 bool MapPredicates::coplanar(TriangleId s, TriangleId t) {
+  if (are_of_planar_face(s, t)) return true;
   const Plane plane = projected_.face_plane(s);
   const auto& corners = mesh().triangles[t];
   for (const VertexId v : corners)

@@ -54,6 +54,7 @@ class MapPredicates {
   std::array<Rational, 2> exact_place(const MapPoint& p) const;
 
  private:
+  bool are_of_planar_face(TriangleId s, TriangleId t) const;
   /// A line through q across `line`.
   ViewPlane across(const MapLine& line, const MapPoint& q);
   Point3 origin() const { return projected_.point(projected_.mesh().edges.front().a); }
