@@ -3,6 +3,8 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <filesystem>
 
 #include "geometry/error.h"
@@ -37,8 +39,9 @@ CommandContext::CommandContext(const CommonArguments& common, const std::vector<
   if (!common.threads) return;
   if (*common.threads < 1) throw InputError("--threads: found " + std::to_string(*common.threads) + ", expected 1 or more");
   // For as long as the process lives: to end a limit oneTBB starts threads, and where that fails it ends the process.
-  static const auto* const limit =
-      new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*common.threads));
+  alignas(tbb::global_control) static std::array<std::byte, sizeof(tbb::global_control)> place;
+  static const auto* const limit = new (place.data())
+      tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*common.threads));
   (void)limit;
 }
 
