@@ -30,6 +30,7 @@ class BuildWithCMake(build_ext):
             "HSR_BENCH": "OFF",
             "HSR_EXAMPLES": "OFF",
             "HSR_STEP": "OFF",
+            "HSR_3MF": "OFF",
         }
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         given = [f"-D{name}={value}" for name, value in options.items()] + shlex.split(os.environ.get("CMAKE_ARGS", ""))

@@ -34,6 +34,7 @@ WORDS = {
     "sheet": "views on one page",
     "io": "files in, files out",
     "step": "surfaces of STEP and IGES",
+    "three_mf": "3MF",
     "study": "methods compared",
     "cli": "the command",
 }

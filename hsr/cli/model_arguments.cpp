@@ -19,10 +19,10 @@ using namespace internal;
 void ModelArguments::add_to(Options& options) {
   options
       .add_several("MODEL", models,
-                   "OBJ, OFF, PLY, STL (each also .gz), glTF, GLB, STEP or IGES; several are one scene, - is standard input")
+                   "OBJ, OFF, PLY, STL (each also .gz), glTF, GLB, STEP, IGES or 3MF; several are one scene, - is standard input")
       .required();
   options.add("--from", from, "FORMAT", "What standard input holds, where MODEL is - [by content]")
-      .one_of({"obj", "off", "ply", "stl", "gltf", "glb", "step"});
+      .one_of({"obj", "off", "ply", "stl", "gltf", "glb", "step", "3mf"});
   options.add("--chord", chord, "MM", "STEP, IGES: how far lines may be from the curves that they stand for, on paper")
       .with_default_shown();
   options.add_one_each("--marks", marks, "FILE",
@@ -36,7 +36,7 @@ void ModelArguments::add_with_order_to(Options& options) {
                    "hsr-order/1 by anyone, or models whose faces are painted in the files' order; - is standard input")
       .required();
   options.add("--from", from, "FORMAT", "What standard input holds; json: an order [a model, by content]")
-      .one_of({"json", "obj", "off", "ply", "stl", "gltf", "glb", "step"});
+      .one_of({"json", "obj", "off", "ply", "stl", "gltf", "glb", "step", "3mf"});
 }
 
 void ModelArguments::add_choice_to(Options& options) {

@@ -2,12 +2,49 @@
 
 #include <algorithm>
 
-#include "hsr/io/read/read.h"
+#include "hsr/io/read/known_formats.h"
 #ifdef HSR_STEP
 #include "hsr/step/step.h"
 #endif
+#ifdef HSR_3MF
+#include "hsr/three_mf/three_mf.h"
+#endif
 
 namespace hsr::cli {
+
+namespace {
+
+/// The end of a message on formats that are known: what hsr is built with, and what it might be.
+std::string other_formats() {
+  std::string with, without;
+#ifdef HSR_STEP
+  with += ", STEP, IGES";
+#else
+  without += " STEP and IGES (HSR_STEP)";
+#endif
+#ifdef HSR_3MF
+  with += ", 3MF";
+#else
+  without += std::string(without.empty() ? "" : " and") + " 3MF (HSR_3MF)";
+#endif
+  return with + (without.empty() ? "" : "; hsr is built without" + without);
+}
+
+Model read_mesh(const std::string& path) {
+#ifdef HSR_3MF
+  if (is_three_mf(path)) return read_three_mf(path);
+#endif
+  return internal::read::read_model_among(path, other_formats());
+}
+
+Model read_mesh(const std::string& name, std::string_view bytes) {
+#ifdef HSR_3MF
+  if (is_three_mf(name, bytes)) return read_three_mf(name, bytes);
+#endif
+  return internal::read::read_model_among(name, bytes, other_formats());
+}
+
+}  // namespace
 
 #ifdef HSR_STEP
 
@@ -16,14 +53,14 @@ struct ModelFile::Surfaces {
 };
 
 ModelFile ModelFile::read(const std::string& path) {
-  if (!is_brep(path)) return ModelFile(read_model(path));
+  if (!is_brep(path)) return ModelFile(read_mesh(path));
   ModelFile file((Model()));
   file.surfaces_ = std::make_shared<const Surfaces>(Surfaces{read_brep(path)});
   return file;
 }
 
 ModelFile ModelFile::read(const std::string& name, std::string_view bytes) {
-  if (!is_brep(name, bytes)) return ModelFile(read_model(name, bytes));
+  if (!is_brep(name, bytes)) return ModelFile(read_mesh(name, bytes));
   ModelFile file((Model()));
   file.surfaces_ = std::make_shared<const Surfaces>(Surfaces{read_brep(name, bytes)});
   return file;
@@ -51,8 +88,8 @@ Model ModelFile::fine_model() const {
 
 struct ModelFile::Surfaces {};
 
-ModelFile ModelFile::read(const std::string& path) { return ModelFile(read_model(path)); }
-ModelFile ModelFile::read(const std::string& name, std::string_view bytes) { return ModelFile(read_model(name, bytes)); }
+ModelFile ModelFile::read(const std::string& path) { return ModelFile(read_mesh(path)); }
+ModelFile ModelFile::read(const std::string& name, std::string_view bytes) { return ModelFile(read_mesh(name, bytes)); }
 double ModelFile::millimetres() const { return mesh_.unit.value_or(1); }
 Model ModelFile::model(double) const { return mesh_; }
 Model ModelFile::fine_model() const { return mesh_; }

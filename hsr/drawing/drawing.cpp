@@ -24,6 +24,7 @@
 #include "hsr/drawing/reach.h"
 #include "hsr/drawing/section_drawing.h"
 #include "hsr/drawing/short_chains.h"
+#include "hsr/drawing/short_dashes.h"
 #include "hsr/view/frustum.h"
 
 namespace hsr {
@@ -38,6 +39,9 @@ Predicates predicates_for(const Mesh& mesh, const View& view, Arithmetic arithme
   // Signs that may be wrong give no order to sort by: a drawing is exact also of lines that are not.
   return Predicates(points, direction, arithmetic == Arithmetic::double_only ? Arithmetic::staged : arithmetic);
 }
+
+/// In widths of a line: what is shorter has no room for the dashes of ISO 128 (D16).
+constexpr double dashed_from = 9;
 
 /// The images of the ends of the edges, for those that are used.
 IndexedVector<VertexId, HomogeneousPoint> images(const Projection& projection, const VisibleLines& lines,
@@ -234,7 +238,7 @@ class Collector {
     const Stroke& first = overlay_.strokes[of_line[distinct.part_of[passes.front() / 2]]];
     p.hidden = first.hidden;
     p.edge_class = first.edge_class;
-    p.object = first.object;
+    p.object = paper[passes.front() / 2].object;
     add_sources(p, passes, distinct, of_line);
     drawing_.polylines.push_back(p);
     if (edges_of_lines_ == nullptr) return;
@@ -435,6 +439,14 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
   at = {};
 
   Chains chains = join(paper);
+  if (tells_objects && with_hidden) {
+    const double millimetre = (options.in_frame_units ? drawing.scale / options.hatch_scale : 1) * 1000;
+    const auto shortest = [&](std::uint32_t style) {
+      const Pen& pen = drawing.pens.of(style < 16, static_cast<EdgeClass>(style % 16));
+      return pen.is_dashed() ? dashed_from * pen.width * millimetre : 0.0;
+    };
+    if (share_short_dashes(paper, chains, shortest)) chains = join(paper);
+  }
   DistinctLines distinct;
   if (options.leave_out_near) distinct = without_near(paper, chains);
   drawing.near_coincident = distinct.near_coincident;

@@ -19,6 +19,10 @@
 
 namespace hsr {
 
+namespace internal {
+struct ObjectHatching;
+}
+
 struct DrawingOptions {
   Page page = {};
   std::optional<double> scale = {};  ///< paper length over model length; nothing: fit
@@ -54,6 +58,8 @@ struct DrawingOptions {
   EdgeClasses section_classes = drawn_classes;  ///< which of these are drawn
   std::vector<Colour> cap_colours = {};         ///< by cap; empty: white
   double hatch_scale = 1;  ///< with in_frame_units: millimetres of paper to a unit of the frame, for the hatching
+  const internal::ObjectHatching* hatching =
+      nullptr;  ///< where several drawings are of one scene; nullptr: as `section` has it
   /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
   const SceneObjects* objects = nullptr;
 };

@@ -14,8 +14,7 @@ using Place = std::array<double, 2>;
 
 }  // namespace
 
-/// Twice the area over the length around it is the thickness of a strip, and half the side of a square.
-Hatch hatch_for(const std::vector<std::vector<PaperPoint>>& rings, std::uint32_t style, double pen, double unit) {
+double thickness_of(const std::vector<std::vector<PaperPoint>>& rings) {
   double area = 0, length = 0;
   for (const auto& ring : rings)
     for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -24,12 +23,15 @@ Hatch hatch_for(const std::vector<std::vector<PaperPoint>>& rings, std::uint32_t
       area += (static_cast<double>(p.x - ring[0].x) * dy - static_cast<double>(p.y - ring[0].y) * dx) / 2;
       length += std::hypot(dx, dy);
     }
-  const double thickness = length > 0 ? 2 * std::fabs(area) / length / thousandths / unit : 0;
+  return length > 0 ? 2 * std::fabs(area) / length / thousandths : 0;
+}
+
+Hatch hatch_for(double thickness, double of_object, std::uint32_t style, double pen, double unit) {
   Hatch hatch;
   hatch.degrees = style % 2 == 0 ? 45 : 135;
-  hatch.spacing = std::clamp(thickness / 3, 1.0, 4.0) * (style / 2 % 2 == 0 ? 1 : 0.7);
+  hatch.spacing = std::clamp(of_object / unit / 3, 1.0, 4.0) * (style / 2 % 2 == 0 ? 1 : 0.7);
   hatch.phase = style / 4 % 2 == 0 ? 0 : 0.5;
-  if (thickness < 0.7) hatch.spacing = pen;
+  if (thickness / unit < 0.7) hatch.spacing = pen;
   hatch.spacing *= unit;
   return hatch;
 }

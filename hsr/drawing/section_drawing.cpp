@@ -1,11 +1,13 @@
 #include "hsr/drawing/section_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "geometry/error.h"
+#include "geometry/vector3.h"
 #include "hsr/drawing/hatching.h"
 #include "hsr/drawing/join.h"
 #include "hsr/drawing/paper_rings.h"
@@ -72,26 +74,21 @@ class SectionPlacer {
   const Section& section_;
 };
 
-/// Each cap has the style that its object's number asks for, or the next that no earlier cap that it touches has.
-std::vector<std::uint32_t> styles_of(const Section& section) {
-  constexpr std::uint32_t styles = 8;
-  std::map<std::uint32_t, std::set<std::uint32_t>> touching;
-  for (const SectionLine& line : section.lines) {
-    const auto [a, b] = line.objects;
-    if (a == SectionLine::none || b == SectionLine::none || a == b) continue;
-    touching[std::max(a, b)].insert(std::min(a, b));
+/// Twice the area over the length around, in space.
+double thickness_of(const Section& section, const SectionCap& cap) {
+  Point3 area = {};
+  double length = 0;
+  for (std::uint32_t r = cap.first_ring; r < cap.end_ring; ++r) {
+    std::vector<Point3> ring;
+    for (const auto& p : section.rings[r]) ring.push_back({p[0].to_double(), p[1].to_double(), p[2].to_double()});
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point3 p = minus(ring[k], ring[0]), along = minus(ring[(k + 1) % ring.size()], ring[k]);
+      const Point3 twice = cross(p, along);
+      area = {area.x + twice.x, area.y + twice.y, area.z + twice.z};
+      length += std::sqrt(dot(along, along));
+    }
   }
-  std::map<std::uint32_t, std::uint32_t> of_object;
-  std::vector<std::uint32_t> all;
-  for (const SectionCap& cap : section.caps) {
-    std::set<std::uint32_t> taken;
-    for (const std::uint32_t other : touching[cap.object])
-      if (const auto at = of_object.find(other); at != of_object.end()) taken.insert(at->second);
-    std::uint32_t style = cap.object % styles;
-    for (std::uint32_t k = 0; k < styles && taken.contains(style); ++k) style = (style + 1) % styles;
-    all.push_back(of_object[cap.object] = style);
-  }
-  return all;
+  return length > 0 ? std::sqrt(dot(area, area)) / length : 0;
 }
 
 std::uint32_t object_of(const DrawingOptions& options, FaceId face) {
@@ -125,7 +122,43 @@ void add_polylines(Drawing& drawing, const std::vector<PaperLine>& lines) {
   }
 }
 
+/// The thickness of the thickest cap of each object, on paper.
+std::map<std::uint32_t, double> thickest(const Section& section, const std::vector<double>& of_cap) {
+  std::map<std::uint32_t, double> of_object;
+  for (std::size_t k = 0; k < of_cap.size(); ++k) {
+    double& most = of_object[section.caps[k].object];
+    most = std::max(most, of_cap[k]);
+  }
+  return of_object;
+}
+
 }  // namespace
+
+ObjectHatching hatching_of(const std::vector<const Section*>& sections) {
+  constexpr std::uint32_t styles = 8;
+  ObjectHatching hatching;
+  std::map<std::uint32_t, std::set<std::uint32_t>> touching;
+  for (const Section* const section : sections) {
+    for (const SectionLine& line : section->lines) {
+      const auto [a, b] = line.objects;
+      if (a == SectionLine::none || b == SectionLine::none || a == b) continue;
+      touching[std::max(a, b)].insert(std::min(a, b));
+    }
+    for (const SectionCap& cap : section->caps) {
+      double& most = hatching.thickness[cap.object];
+      most = std::max(most, thickness_of(*section, cap));
+    }
+  }
+  for (const auto& [object, thickness] : hatching.thickness) {
+    std::set<std::uint32_t> taken;
+    for (const std::uint32_t other : touching[object])
+      if (const auto at = hatching.style.find(other); at != hatching.style.end()) taken.insert(at->second);
+    std::uint32_t style = object % styles;
+    for (std::uint32_t k = 0; k < styles && taken.contains(style); ++k) style = (style + 1) % styles;
+    hatching.style[object] = style;
+  }
+  return hatching;
+}
 
 void add_section_lines(Drawing& drawing, const Placement& placement, const DrawingOptions& options) {
   if (options.section == nullptr) return;
@@ -140,14 +173,20 @@ void add_section_lines(Drawing& drawing, const Placement& placement, const Drawi
   for (const SectionLine& line : section.lines)
     if (wants(line.edge_class)) add(placed(line.ends[0]), placed(line.ends[1]), line.edge_class, object_of(options, line.face));
   if (wants(EdgeClass::hatching)) {
-    const std::vector<std::uint32_t> styles = styles_of(section);
+    const ObjectHatching own = options.hatching == nullptr ? hatching_of({&section}) : ObjectHatching();
+    const ObjectHatching& hatching = options.hatching == nullptr ? own : *options.hatching;
     const double pen = drawing.pens.of(false, EdgeClass::hatching).width;
     // Paper and page differ where the drawing is in units of the frame.
     const double unit = options.in_frame_units ? drawing.scale / options.hatch_scale : 1;
+    std::vector<std::vector<std::vector<PaperPoint>>> rings;
+    std::vector<double> thickness;
+    for (const SectionCap& cap : section.caps) thickness.push_back(thickness_of(rings.emplace_back(placed.rings_of(cap))));
+    const std::map<std::uint32_t, double> of_object = thickest(section, thickness);
     for (std::size_t k = 0; k < section.caps.size(); ++k) {
-      const auto rings = placed.rings_of(section.caps[k]);
-      const Hatch hatch = hatch_for(rings, styles[k], pen, unit);
-      for (const auto& [from, to] : hatch_lines(rings, hatch))
+      const std::uint32_t object = section.caps[k].object;
+      const double most = options.hatching == nullptr ? of_object.at(object) : hatching.thickness.at(object) * drawing.scale;
+      const Hatch hatch = hatch_for(thickness[k], most, hatching.style.at(object), pen, unit);
+      for (const auto& [from, to] : hatch_lines(rings[k], hatch))
         add(from, to, EdgeClass::hatching, object_of(options, section.caps[k].face));
     }
   }

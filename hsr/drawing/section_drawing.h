@@ -1,13 +1,26 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <vector>
+
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/placement.h"
 
 namespace hsr::internal {
 
+/// How the objects of a scene are hatched in all drawings of it, by object.
+struct ObjectHatching {
+  std::map<std::uint32_t, std::uint32_t> style;  ///< see hatch_for(); those that touch in one of the sections have others
+  std::map<std::uint32_t, double> thickness;     ///< of its thickest cap, in units of the model
+};
+
+/// Each object has the style that its number asks for, or the next that no earlier object that it touches has.
+ObjectHatching hatching_of(const std::vector<const Section*>& sections);
+
 /// Adds the borders and the hatching of caps, which are nearest of all, after the lines that are there.
 ///
-/// Each object is hatched in one direction in all views of it, but that objects that touch are hatched differently.
+/// Each object is hatched in one direction and at one spacing in all views of it, but that objects that touch are hatched differently.
 void add_section_lines(Drawing& drawing, const Placement& placement, const DrawingOptions& options);
 
 /// Adds the faces of caps, after the fills that are there.

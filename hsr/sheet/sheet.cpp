@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "geometry/error.h"
+#include "hsr/drawing/section_drawing.h"
 #include "hsr/sheet/annotations.h"
 #include "hsr/sheet/model_circles.h"
 #include "hsr/sheet/round_part.h"
@@ -120,7 +121,7 @@ class SheetMaker {
 
   void draw_views() {
     std::vector<Drawing> drawings(views_.size());
-    cuts_.resize(views_.size());
+    cut_views();
     done_.resize(views_.size());
     seen_edges_.resize(views_.size());
     tbb::parallel_for(std::size_t{0}, views_.size(), [&](std::size_t k) { drawings[k] = drawing_of(k); });
@@ -138,6 +139,28 @@ class SheetMaker {
     }
   }
 
+  SceneView prepared(std::size_t k) const {
+    SceneOptions scene;
+    scene.coplanar = options_.coplanar;
+    scene.hidden_lines = true;  // all that pierces is then found once for all views, which takes less than once for each
+    return {scene_, views_[k].view, scene};
+  }
+
+  /// All sections before the first is drawn: an object has one hatching in all of them.
+  void cut_views() {
+    cuts_.resize(views_.size());
+    scenes_.resize(views_.size());
+    tbb::parallel_for(std::size_t{0}, views_.size(), [&](std::size_t k) {
+      if (!views_[k].view.section) return;
+      scenes_[k].emplace(prepared(k));
+      cuts_[k] = section(*scenes_[k]);
+    });
+    std::vector<const Section*> sections;
+    for (const auto& cut : cuts_)
+      if (cut) sections.push_back(&*cut);
+    hatching_ = hatching_of(sections);
+  }
+
   Drawing drawing_of(std::size_t k) {
     const SheetView& v = views_[k];
     const PlacedView& placed = sheet_.views[k];
@@ -151,17 +174,15 @@ class SheetMaker {
     o.fit_arcs = v.detail == nullptr ? options_.fit_arcs : 0;
     o.objects = options_.objects;
     o.leave_out_near = true;
-    SceneOptions scene;
-    scene.coplanar = options_.coplanar;
-    scene.hidden_lines = true;  // all that pierces is then found once for all views, which takes less than once for each
-    const SceneView prepared(scene_, v.view, scene);
+    const SceneView scene = scenes_[k] ? *std::move(scenes_[k]) : prepared(k);
+    scenes_[k].reset();
     LineOptions line_options = options_.lines;
     if (options_.lines.progress) line_options.progress = [&, k](double done) { show_progress(k, done); };
-    const VisibleLines lines = visible_lines(prepared, line_options);
+    const VisibleLines lines = visible_lines(scene, line_options);
     seen_edges_[k] = seen_edges(lines);
-    if (v.view.section) {
-      cuts_[k] = section(prepared);
+    if (cuts_[k]) {
       o.section = &*cuts_[k];
+      o.hatching = &hatching_;
       o.section_classes = options_.lines.classes;
     }
     Drawing drawing = draw(scene_.mesh(), v.view, lines, o);
@@ -191,8 +212,9 @@ class SheetMaker {
     }
     if (options_.has_dimensions) draw_dimensions(sketch);
     draw_frame(sketch, options_.format);
-    draw_title_block(sketch, sheet_.title_block, options_.title, ratio_text(sheet_.scale), options_.format.name,
-                     options_.angle);
+    for (std::string& note : draw_title_block(sketch, sheet_.title_block, options_.title, ratio_text(sheet_.scale),
+                                              options_.format.name, options_.angle))
+      sheet_.notes.push_back(std::move(note));
     sketch.append_to(sheet_.drawing);
   }
 
@@ -329,8 +351,10 @@ class SheetMaker {
   const Scene& scene_;
   const SheetOptions& options_;
   std::vector<SheetView> views_;
-  std::vector<std::optional<Section>> cuts_;  // by view
-  std::vector<Edges> seen_edges_;             // by view, ascending
+  std::vector<std::optional<Section>> cuts_;      // by view
+  std::vector<std::optional<SceneView>> scenes_;  // by view, of those that are cut, until they are drawn
+  ObjectHatching hatching_;
+  std::vector<Edges> seen_edges_;  // by view, ascending
   std::mutex progress_mutex_;
   std::vector<double> done_;  // by view
   SheetPens pens_;

@@ -78,7 +78,11 @@ class EdgeOnCaps {
     if (view_.far && !keep(before_far(view_), from, to)) return false;
     for (std::size_t number = 1; number <= view_.planes.size(); ++number) {
       const auto other = static_cast<std::uint8_t>(number);
-      if (other != k && !keep(cutting_plane_of(view_, {other, other, Sign::negative}), from, to)) return false;
+      if (other == k) continue;
+      const CuttingPlane cutter = cutting_plane_of(view_, {other, other, Sign::negative});
+      // The same plane, with the other side left: between the two nothing is taken away.
+      if (cutter.at(from).sign() == Sign::zero && cutter.at(to).sign() == Sign::zero) return false;
+      if (!keep(cutter, from, to)) return false;
     }
     return from != to;
   }

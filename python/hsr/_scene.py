@@ -74,7 +74,7 @@ class Scene:
 def scene(scene, *, only=None, hide=None, ghost=None, chord=None, marks=None):
     """Reads or converts a scene once; what the functions of hsr take as `scene` is any of these.
 
-    * the path of an OBJ, OFF, PLY, STL (each also .gz), glTF or GLB file; of STEP or IGES where hsr is built with them
+    * the path of an OBJ, OFF, PLY, STL (each also .gz), glTF or GLB file; of STEP, IGES or 3MF where hsr is built with them
     * (V, F): V (n, 3) numbers, F (m, k) whole numbers, polygons of k corners; or a list of lists of corners
     * (V, F, offsets): F (c,) the corners of all polygons, polygon k has F[offsets[k]:offsets[k + 1]]
     * an object with .vertices and .faces, as trimesh has them

@@ -33,15 +33,21 @@ TEST_CASE("hatching covers a square evenly, and no hole in it", "[section][drawi
 
 TEST_CASE("a cap is hatched by its thickness, and filled where it is thin", "[section][drawing][X7]") {
   const auto strip = [](std::int64_t width) { return Ring{{0, 0}, {0, 100000}, {width, 100000}, {width, 0}}; };
-  CHECK(hatch_for({strip(100000)}, 0, 0.25).spacing == 4);
-  CHECK(hatch_for({strip(6000)}, 0, 0.25).spacing == Approx(2).epsilon(0.1));
-  CHECK(hatch_for({strip(1500)}, 0, 0.25).spacing == 1);
-  CHECK(hatch_for({strip(600)}, 0, 0.25).spacing == 0.25);  // as wide as the pen
-  CHECK(hatch_for({strip(6000)}, 1, 0.25).degrees == 135);
+  const auto alone = [](const Ring& ring, std::uint32_t style, double pen, double unit = 1) {
+    return hatch_for(thickness_of({ring}), thickness_of({ring}), style, pen, unit);
+  };
+  CHECK(alone(strip(100000), 0, 0.25).spacing == 4);
+  CHECK(alone(strip(6000), 0, 0.25).spacing == Approx(2).epsilon(0.1));
+  CHECK(alone(strip(1500), 0, 0.25).spacing == 1);
+  CHECK(alone(strip(600), 0, 0.25).spacing == 0.25);  // as wide as the pen
+  CHECK(alone(strip(6000), 1, 0.25).degrees == 135);
+  // All caps of an object are hatched as its thickest is, but for what is filled.
+  CHECK(hatch_for(2, 6, 0, 0.25).spacing == hatch_for(6, 6, 0, 0.25).spacing);
+  CHECK(hatch_for(0.6, 6, 0, 0.25).spacing == 0.25);
   // In other units of the same paper.
   Ring larger = strip(6000);
   for (PaperPoint& p : larger) p = {10 * p.x, 10 * p.y};
-  CHECK(hatch_for({larger}, 0, 0.25, 10).spacing == Approx(10 * hatch_for({strip(6000)}, 0, 0.25).spacing));
+  CHECK(alone(larger, 0, 0.25, 10).spacing == Approx(10 * alone(strip(6000), 0, 0.25).spacing));
 }
 
 }  // namespace

@@ -300,6 +300,12 @@ TEST_CASE("a half section has no line between its halves, and one plane that is 
   CHECK(section(walls_seen({{{6, 0, 0}, {-1, 0, 0}}}, {0, -1, 0})).lines.empty());
 }
 
+TEST_CASE("two planes that leave both sides of one plane take nothing away, and have no line", "[section][planes][X9][X10]") {
+  CHECK(section(walls_seen({{{3, 0, 0}, {-1, 0, 0}}, {{3, 0, 0}, {1, 0, 0}}}, {0, -1, 0})).lines.empty());
+  CHECK(section(walls_seen({{{3, 0, 0}, {-1, 0, 0}}, {{2.5, 0, 0}, {1, 0, 0}}}, {0, -1, 0})).lines.empty());
+  CHECK(section(walls_seen({{{2.5, 0, 0}, {-1, 0, 0}}, {{3, 0, 0}, {2, 0, 0}}}, {0, -1, 0})).lines.size() == 2);
+}
+
 TEST_CASE("of parallel planes the one that takes less away is left", "[section][planes][X9]") {
   const View view = scenes::from_direction({0, 0, 1});
   const View cut = with_sections(view, {{{0, 0, 3}, {0, 0, 1}}, {{0, 0, 1}, {0, 0, -2}}, {{0, 0, 2}, {0, 0, 1}}});

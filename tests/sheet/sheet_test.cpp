@@ -359,6 +359,72 @@ TEST_CASE("Every sheet has a frame and a title block within the paper", "[sheet]
   }
 }
 
+TEST_CASE("A text that is too long for its field has smaller letters or two lines, and else a note", "[sheet][L7]") {
+  const Mesh mesh = box();
+  const Scene scene = Scene::of(mesh);
+  const auto drawn = [&](std::string TitleBlock::*field, const std::string& text) {
+    SheetOptions options;
+    options.title.*field = text;
+    return draw_sheet(scene, options);
+  };
+  const auto letters_of = [&](const Sheet& sheet) {
+    std::set<std::string> names;
+    for (const std::string& name : layers_of(sheet))
+      if (name.starts_with("title block text")) names.insert(name.substr(17));
+    return names;
+  };
+  // How many lines: the heights at which the texts end that are that high.
+  const auto bottoms_of = [&](const Sheet& sheet, const std::string& letters) {
+    std::set<std::int64_t> bottoms;
+    for (const PaperPoint& p : points_of(sheet, "title block text " + letters)) bottoms.insert(p.y / 5000);
+    return bottoms.size();
+  };
+  const Sheet one = drawn(&TitleBlock::title, "BRACKET"),
+              two = drawn(&TitleBlock::title, "BRACKET FOR THE BEARINGS OF THE SECOND SHAFT");
+  CHECK(one.notes.empty());
+  CHECK(two.notes.empty());
+  CHECK(letters_of(two) == letters_of(one));
+  CHECK(bottoms_of(two, "50") > bottoms_of(one, "50"));
+  CHECK(drawn(&TitleBlock::creator, "A. B. Creator and C. D. Draughtsman").notes.empty());
+  const std::string word(80, 'W');
+  const Sheet narrow = drawn(&TitleBlock::title, word);
+  REQUIRE(narrow.notes.size() == 1);
+  CHECK(narrow.notes[0] == "title block: \"" + word + "\" is too long for its field and is written narrower");
+}
+
+TEST_CASE("An object has one hatching in all sections of a sheet", "[sheet][section][X12]") {
+  // Long and narrow: cut across, it is thick, and cut near a side, too, but its bar is thin.
+  ModelMaker maker;
+  const auto add_box = [&](const Point3& low, const Point3& high) {
+    std::array<std::uint32_t, 8> corner;
+    for (std::size_t k = 0; k < 8; ++k)
+      corner[k] = maker.add((k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y, (k & 4) != 0 ? high.z : low.z);
+    for (const auto& f :
+         {std::array{0U, 2U, 3U, 1U}, {4U, 5U, 7U, 6U}, {0U, 1U, 5U, 4U}, {2U, 6U, 7U, 3U}, {0U, 4U, 6U, 2U}, {1U, 3U, 7U, 5U}})
+      maker.add_face({corner[f[0]], corner[f[1]], corner[f[2]], corner[f[3]]});
+  };
+  add_box({0, 0, 0}, {60, 40, 40});
+  add_box({80, 0, 0}, {140, 6, 6});
+  const Mesh mesh = maker.mesh();
+  SheetOptions options;
+  options.format = sheet_format("A1");
+  options.scale = 1;
+  options.sections = {{{30, 0, 0}, {1, 0, 0}}, {{110, 0, 0}, {1, 0, 0}}};
+  const Sheet sheet = draw_sheet(Scene::of(mesh), options);
+  // How far apart lines at 45 degrees are: by where they meet an upright.
+  const auto spacing = [&](const std::string& view) {
+    std::set<std::int64_t> feet;
+    for (const PaperPoint& p : points_of(sheet, view + " visible hatching")) feet.insert((p.x + p.y + 5) / 10);
+    REQUIRE(feet.size() > 1);
+    std::int64_t least = 1000000;
+    for (auto at = feet.begin(); std::next(at) != feet.end(); ++at)
+      if (*std::next(at) - *at > 20) least = std::min(least, *std::next(at) - *at);
+    return static_cast<double>(least) / 100 / std::sqrt(2.0);
+  };
+  CHECK(spacing("A-A") == Approx(4).epsilon(0.02));
+  CHECK(spacing("B-B") == Approx(spacing("A-A")).epsilon(0.02));
+}
+
 namespace {
 
 constexpr int dots = 10;  // to a millimetre

@@ -265,6 +265,19 @@ TEST_CASE("a pin that fills a hole pierces nothing but the plane that it passes"
   CHECK(pierced(Drawn(unknown, iso()), model) > 50);
 }
 
+TEST_CASE("the rim of a pin and that of its hole are one dashed circle", "[step][D16]") {
+  const TemporaryDirectory directory;
+  shapes::write_pin_in_block(directory.file("pin.step"));
+  const Drawn drawn(read_brep(directory.file("pin.step")).tessellated(0.004), iso());
+  const SceneObjects objects = objects_of(drawn.model, drawn.mesh);
+  DrawingOptions options;
+  options.hidden = HiddenLines::dashed;
+  options.leave_out_near = true;
+  options.objects = &objects;
+  const Drawing drawing = draw(drawn.mesh, drawn.view, drawn.lines, options);
+  CHECK(std::ranges::count_if(drawing.polylines, [](const Polyline& p) { return p.hidden; }) < 40);
+}
+
 TEST_CASE("lengths stay in the file's unit", "[step]") {
   const Model model = read_again(shapes::cylinder(), "INCH").tessellated(0.05);
   CHECK(model.unit == 25.4);

@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "hsr/io/read/formats.h"
 #include "hsr/io/read/gzip.h"
+#include "hsr/io/read/known_formats.h"
 #include "hsr/io/read/source.h"
 
 namespace hsr {
@@ -51,11 +52,12 @@ constexpr std::array<Unsupported, 14> unsupported = {{
     {"fbx", "FBX", "OBJ or glTF"},
     {"dae", "COLLADA", "OBJ or glTF"},
     {"blend", "Blender", "OBJ or glTF"},
-    {"3mf", "3MF", "STL or OBJ"},
+    {"3mf", "3MF", "STL or OBJ, or build hsr with lib3mf (HSR_3MF)"},
     {"amf", "AMF", "STL or OBJ"},
 }};
 
-Model read_by_content(Source source) {
+/// @param more how the list of known formats goes on in messages
+Model read_by_content(Source source, const std::string& more) {
   // Some programs write the byte order mark of UTF-8 before a text; it would hide the first keyword.
   if (source.bytes.starts_with(byte_order_mark) && !looks_like_binary_stl(source))
     source.bytes.remove_prefix(byte_order_mark.size());
@@ -74,14 +76,14 @@ Model read_by_content(Source source) {
     if (ending == u.ending) source.refuse("", std::string(u.name) + " is not supported: export " + u.advice);
   source.refuse(
       "", (ending.empty() ? "found no ending that tells the format" : "found the ending " + read::in_quotes("." + ending)) +
-              ", expected " + known);
+              ", expected " + known + more);
 }
 
-Model read_source(const Source& source) {
+Model read_source(const Source& source, const std::string& more) {
   try {
-    if (!read::is_gzip(source.bytes)) return read_by_content(source);
+    if (!read::is_gzip(source.bytes)) return read_by_content(source, more);
     const read::Bytes inflated = read::gunzip(source);
-    Model model = read_by_content({source.path, inflated.view()});
+    Model model = read_by_content({source.path, inflated.view()}, more);
     model.format += ", gzip";
     return model;
   } catch (const std::bad_alloc&) {
@@ -93,19 +95,27 @@ Model read_source(const Source& source) {
 
 }  // namespace
 
-Model read_model(const std::string& path) {
+Model read_model(const std::string& path) { return read::read_model_among(path, ""); }
+
+Model read_model(const std::string& name, std::string_view bytes) { return read::read_model_among(name, bytes, ""); }
+
+namespace internal::read {
+
+Model read_model_among(const std::string& path, const std::string& more) {
   try {
-    const read::Bytes bytes = read::read_file(path);
-    return read_source({path, bytes.view()});
+    const Bytes bytes = read_file(path);
+    return read_source({path, bytes.view()}, more);
   } catch (const std::bad_alloc&) {
     Source{path, {}}.refuse("", "found a file that is too large for the memory, expected a smaller one");
   }
 }
 
-Model read_model(const std::string& name, std::string_view bytes) {
-  read::Bytes copy = read::Bytes::of_size(bytes.size());
+Model read_model_among(const std::string& name, std::string_view bytes, const std::string& more) {
+  Bytes copy = Bytes::of_size(bytes.size());
   std::copy(bytes.begin(), bytes.end(), copy.data.get());
-  return read_source({name, copy.view()});
+  return read_source({name, copy.view()}, more);
 }
+
+}  // namespace internal::read
 
 }  // namespace hsr
