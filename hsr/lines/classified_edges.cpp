@@ -243,6 +243,8 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
   if (std::any_of(blocks.begin(), blocks.end(), [](const FoundInBlock& b) { return !b.undecided.empty(); })) {
     // What is outside the picture may be where a body ends in the open.
     if (outside != nullptr) visit(true, &Finder::only_log);
+    for (const FoundInBlock& b : blocks)
+      for (const auto& [id, parts] : b.undecided) in_doubt.push_back(id);
     const TouchingRegions regions(logs_of(blocks));
     tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t k) {
       FoundInBlock& b = blocks[k];
