@@ -44,8 +44,8 @@ that sees the directory, and hsr join makes the drawing of all, byte for byte th
 line with its hidden parts, is only found with --json. Sections, fills, a tolerance and surfaces (STEP) take the whole scene at once: for
 these there is hsr draw. See docs/tiles.md.)";
 
-/// What a triangle takes while its lines are found, measured on cities of boxes (docs/performance.md).
-constexpr double bytes_of_triangle = 1100;
+/// What a triangle takes while its lines are found, without hidden ones and with them, measured on cities of boxes (docs/performance.md).
+constexpr double bytes_of_triangle = 800, with_hidden = 1400;
 
 /// "2G"
 double parse_memory(const std::string& text) {
@@ -64,7 +64,8 @@ std::uint32_t count_of_tiles(const SplitArguments& a, std::size_t triangles) {
     if (*a.tiles < 1 || *a.tiles > most) throw InputError(fmt::format("--tiles: found {}, expected 1 to {}", *a.tiles, most));
     return static_cast<std::uint32_t>(*a.tiles);
   }
-  const double tiles = std::ceil(static_cast<double>(triangles) * bytes_of_triangle / parse_memory(a.memory));
+  const double tiles = std::ceil(static_cast<double>(triangles) *
+                                 (a.json || a.hidden != "none" ? with_hidden : bytes_of_triangle) / parse_memory(a.memory));
   return static_cast<std::uint32_t>(std::clamp(tiles, 1.0, most));
 }
 

@@ -193,7 +193,8 @@ TileJob read_job(const std::string& directory) {
 }
 
 void write_tile(TileJob& job, std::uint32_t tile, const ModelPart& part, UnfinishedFiles& unfinished) {
-  const std::string bytes = std::string(tile_magic) + bytes_of(part);
+  std::string bytes = bytes_of(part);
+  bytes.insert(0, tile_magic);
   write_durably(job.tile_path(tile), {bytes}, unfinished);
   job.tiles.resize(std::max<std::size_t>(job.tiles.size(), tile + 1));
   job.tiles[tile] = {part.faces.size(), bytes.size(), hash_of_text(bytes)};
@@ -217,7 +218,8 @@ ModelPart read_tile(const TileJob& job, std::uint32_t tile) {
 }
 
 void write_part(const TileJob& job, std::uint32_t tile, const TilePart& part, UnfinishedFiles& unfinished) {
-  const std::string bytes = std::string(part_magic) + job.hash + bytes_of(part);
+  std::string bytes = bytes_of(part);
+  bytes.insert(0, std::string(part_magic) + job.hash);
   write_durably(job.part_path(tile), {bytes, hash_of_text(bytes)}, unfinished);
 }
 

@@ -1,8 +1,10 @@
 #include "hsr/tiles/tile_bytes.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "geometry/error.h"
@@ -30,6 +32,26 @@ class Writer {
     add(static_cast<std::uint64_t>(text.size()));
     bytes_ += text;
   }
+  /// Ascending numbers, as how far each is from the one before, in seven bits of each byte: mostly one byte.
+  void add_ascending(const std::vector<std::uint32_t>& numbers) {
+    add(static_cast<std::uint64_t>(numbers.size()));
+    std::uint32_t last = 0;
+    for (const std::uint32_t n : numbers) {
+      std::uint32_t gap = n - std::exchange(last, n);
+      for (; gap >= 128; gap >>= 7U) add(static_cast<std::uint8_t>(gap | 128U));
+      add(static_cast<std::uint8_t>(gap));
+    }
+  }
+  /// In floats where these are the same numbers.
+  void add(const std::vector<Point3>& points) {
+    const auto is_float = [](double x) { return static_cast<double>(static_cast<float>(x)) == x; };
+    const bool are_floats = std::all_of(points.begin(), points.end(),
+                                        [&](const Point3& p) { return is_float(p.x) && is_float(p.y) && is_float(p.z); });
+    add(static_cast<std::uint64_t>(points.size()));
+    add(static_cast<std::uint8_t>(are_floats ? 1 : 0));
+    for (const Point3& p : points)
+      for (int axis = 0; axis < 3; ++axis) are_floats ? add(static_cast<float>(p[axis])) : add(p[axis]);
+  }
   std::string take() { return std::move(bytes_); }
 
  private:
@@ -53,6 +75,33 @@ class Reader {
     list.resize(count);
     const char* from = taken(count * sizeof(T));
     if (count > 0) std::memcpy(list.data(), from, count * sizeof(T));
+  }
+  void get_ascending(std::vector<std::uint32_t>& numbers) {
+    const auto count = get<std::uint64_t>();
+    if (count > bytes_.size()) refuse();
+    numbers.reserve(count);
+    std::uint32_t last = 0;
+    for (std::uint64_t k = 0; k < count; ++k) {
+      std::uint32_t gap = 0;
+      for (unsigned shift = 0;; shift += 7) {
+        const auto byte = get<std::uint8_t>();
+        if (shift > 28) refuse();
+        gap |= (byte & 127U) << shift;
+        if (byte < 128) break;
+      }
+      numbers.push_back(last += gap);
+    }
+  }
+  void get(std::vector<Point3>& points) {
+    const auto count = get<std::uint64_t>();
+    const bool are_floats = get<std::uint8_t>() != 0;
+    if (count > bytes_.size() / (are_floats ? 12 : 24)) refuse();
+    const auto number = [&] { return are_floats ? static_cast<double>(get<float>()) : get<double>(); };
+    points.reserve(count);
+    for (std::uint64_t k = 0; k < count; ++k) {
+      const double x = number(), y = number();
+      points.push_back({x, y, number()});
+    }
   }
   std::string_view text() {
     const auto size = get<std::uint64_t>();
@@ -152,6 +201,12 @@ LinePiece piece_of(Reader& in, std::vector<NamedCut>& cuts) {
   return p;
 }
 
+bool are_all_triangles(const Polygons& polygons) {
+  for (std::size_t f = 0; f < polygons.size(); ++f)
+    if (polygons[f].size() != 3) return false;
+  return true;
+}
+
 /// Whether the numbers are ascending, and what stands for them is there.
 void check(const ModelPart& part) {
   const auto ascend = [](const std::vector<std::uint32_t>& numbers) {
@@ -165,10 +220,10 @@ void check(const ModelPart& part) {
   const auto is_list_of = [](std::size_t size, std::size_t n) { return size == 0 || size == n; };
   const std::size_t faces = part.faces.size(), wires = part.segments.size();
   if (part.points.size() != part.model.points.size() || polygons.first.size() != faces + 1 ||
-      polygons.segments.size() != wires || polygons.first.back() != polygons.corners.size() ||
-      !is_list_of(polygons.is_ghost.size(), faces) || !is_list_of(part.model.face_colour.size(), faces) ||
-      !is_list_of(part.model.face_object.size(), faces) || !is_list_of(part.model.face_material.size(), faces) ||
-      !is_list_of(part.model.segment_object.size(), wires))
+      !std::is_sorted(polygons.first.begin(), polygons.first.end()) || polygons.segments.size() != wires ||
+      polygons.first.back() != polygons.corners.size() || !is_list_of(polygons.is_ghost.size(), faces) ||
+      !is_list_of(part.model.face_colour.size(), faces) || !is_list_of(part.model.face_object.size(), faces) ||
+      !is_list_of(part.model.face_material.size(), faces) || !is_list_of(part.model.segment_object.size(), wires))
     Reader::refuse();
 }
 
@@ -177,16 +232,18 @@ void check(const ModelPart& part) {
 std::string bytes_of(const ModelPart& part) {
   Writer out;
   const Polygons& polygons = part.model.polygons;
-  out.add(part.points);
+  out.add_ascending(part.points);
   out.add(part.model.points);
-  out.add(part.faces);
-  out.add(polygons.first);
+  out.add_ascending(part.faces);
+  const bool are_triangles = are_all_triangles(polygons);
+  out.add(static_cast<std::uint8_t>(are_triangles ? 1 : 0));
+  if (!are_triangles) out.add_ascending(polygons.first);
   out.add(polygons.corners);
   out.add(polygons.is_ghost);
   out.add(part.model.face_colour);
   out.add(part.model.face_object);
   out.add(part.model.face_material);
-  out.add(part.segments);
+  out.add_ascending(part.segments);
   out.add(polygons.segments);
   out.add(part.model.segment_object);
   return out.take();
@@ -196,16 +253,22 @@ ModelPart model_part_of(std::string_view bytes) {
   Reader in(bytes);
   ModelPart part;
   Polygons& polygons = part.model.polygons;
-  in.get(part.points);
+  in.get_ascending(part.points);
   in.get(part.model.points);
-  in.get(part.faces);
-  in.get(polygons.first);
+  in.get_ascending(part.faces);
+  if (in.get<std::uint8_t>() != 0) {
+    polygons.first.resize(part.faces.size() + 1);
+    for (std::uint32_t f = 0; f < polygons.first.size(); ++f) polygons.first[f] = 3 * f;
+  } else {
+    polygons.first.clear();
+    in.get_ascending(polygons.first);
+  }
   in.get(polygons.corners);
   in.get(polygons.is_ghost);
   in.get(part.model.face_colour);
   in.get(part.model.face_object);
   in.get(part.model.face_material);
-  in.get(part.segments);
+  in.get_ascending(part.segments);
   in.get(polygons.segments);
   in.get(part.model.segment_object);
   in.end();
