@@ -32,6 +32,7 @@ WORDS = {
     "check": "results against results",
     "coordinates": "results as numbers",
     "sheet": "views on one page",
+    "tiles": "one scene in parts",
     "io": "files in, files out",
     "step": "surfaces of STEP and IGES",
     "three_mf": "3MF",

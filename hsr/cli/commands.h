@@ -16,9 +16,12 @@ void add_batch(CommandLine& command, UnfinishedFiles& unfinished);
 void add_compare(CommandLine& command, UnfinishedFiles& unfinished);
 void add_draw(CommandLine& command, UnfinishedFiles& unfinished);
 void add_info(CommandLine& command, UnfinishedFiles& unfinished);
+void add_join(CommandLine& command, UnfinishedFiles& unfinished);
 void add_order(CommandLine& command, UnfinishedFiles& unfinished);
 void add_sheet(CommandLine& command, UnfinishedFiles& unfinished);
+void add_split(CommandLine& command, UnfinishedFiles& unfinished);
 void add_stability(CommandLine& command, UnfinishedFiles& unfinished);
+void add_tile(CommandLine& command, UnfinishedFiles& unfinished);
 void add_verify(CommandLine& command, UnfinishedFiles& unfinished);
 
 /// Verbs of the build that --help does not name: `manual` prints the manual page, `completion bash` a script for that shell.

@@ -37,7 +37,7 @@ int fail(const std::string& message) {
 std::string with_dashes(const std::string& message) {
   for (const std::string option :
        {"page", "pen",   "scale",  "unit",    "margin", "size", "fov",   "near",   "up",      "direction", "eye",     "target",
-        "view", "views", "family", "oblique", "only",   "hide", "ghost", "detail", "section", "depth",     "overhead"})
+        "view", "views", "family", "oblique", "only",   "hide", "ghost", "detail", "section", "depth",     "overhead", "tolerance", "crease", "edges"})
     if (message.rfind(option + ":", 0) == 0) return "--" + message;
   return message;
 }
@@ -52,6 +52,9 @@ void run(int argc, char** argv) {
   hsr::cli::add_draw(command, unfinished);
   hsr::cli::add_sheet(command, unfinished);
   hsr::cli::add_batch(command, unfinished);
+  hsr::cli::add_split(command, unfinished);
+  hsr::cli::add_tile(command, unfinished);
+  hsr::cli::add_join(command, unfinished);
   hsr::cli::add_info(command, unfinished);
   hsr::cli::add_order(command, unfinished);
   hsr::cli::add_verify(command, unfinished);

@@ -25,6 +25,7 @@
 #include "hsr/drawing/section_drawing.h"
 #include "hsr/drawing/short_chains.h"
 #include "hsr/drawing/short_dashes.h"
+#include "hsr/drawing/visible_by_class.h"
 #include "hsr/view/frustum.h"
 
 namespace hsr {
@@ -81,6 +82,22 @@ void tell_apart(Fills& fills, const SceneObjects& objects) {
     fill.object = objects.object_of(faces);
   }
   std::stable_sort(fills.fills.begin(), fills.fills.end(), [](const Fill& a, const Fill& b) { return a.object < b.object; });
+}
+
+/// Lines whose image is not a point, and that neither the near plane nor the frame leaves out.
+std::vector<std::uint32_t> seen_lines(const Mesh& mesh, const View& view, const VisibleLines& lines,
+                                      const DrawingOptions& options) {
+  std::vector<std::uint32_t> seen;
+  for (std::uint32_t i = 0; i < lines.lines.size(); ++i)
+    if (lines.lines[i].intervals() > 0) seen.push_back(i);
+  if (const auto frame = frame_size(view, options)) {
+    // Whether `lines` was told of the frame or not, the drawing is the same.
+    const ViewFrustum outside(mesh, view, *frame);
+    std::erase_if(seen, [&](std::uint32_t i) {
+      return !lines.lines[i].is_intersection() && outside.contains(mesh.edges[lines.lines[i].edge]);
+    });
+  }
+  return seen;
 }
 
 Overlay lay_over(const ImageLines& groups, const Projection& projection, const VisibleLines& lines,
@@ -362,24 +379,15 @@ Drawing draw(const Mesh& mesh, const View& view, const VisibleLines& lines, cons
 
 namespace internal {
 
-Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& lines, const VisibleLines* bounds,
+Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& given, const VisibleLines* bounds,
                         const DrawingOptions& options, const std::function<Fills(const Placement&)>& fills,
                         const Ragged<MapCorner>* rings) {
-  std::vector<std::uint32_t> seen;  // lines whose image is not a point, and that the near plane does not cut away
-  for (std::uint32_t i = 0; i < lines.lines.size(); ++i)
-    if (lines.lines[i].intervals() > 0) seen.push_back(i);
-  if (const auto frame = frame_size(view, options)) {
-    // Whether `lines` was told of the frame or not, the drawing is the same.
-    const ViewFrustum outside(mesh, view, *frame);
-    std::erase_if(seen, [&](std::uint32_t i) {
-      return !lines.lines[i].is_intersection() && outside.contains(mesh.edges[lines.lines[i].edge]);
-    });
-  }
+  std::vector<std::uint32_t> seen = seen_lines(mesh, view, given, options);
 
   std::vector<std::uint32_t> bounding(bounds == nullptr ? 0 : bounds->lines.size());
   std::iota(bounding.begin(), bounding.end(), 0U);
   const Placement place =
-      bounds == nullptr ? placement(mesh, view, lines, seen, options) : placement(mesh, view, *bounds, bounding, options);
+      bounds == nullptr ? placement(mesh, view, given, seen, options) : placement(mesh, view, *bounds, bounding, options);
   Drawing drawing;
   drawing.width = place.width;
   drawing.height = place.height;
@@ -395,12 +403,15 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
     finish(drawing, options, place.projection, edges, unit);
     return drawing;
   }
+  const bool with_hidden = options.hidden != HiddenLines::none;
+  const std::optional<VisibleLines> merged = with_hidden ? std::nullopt : visible_by_class(mesh, view, given);
+  const VisibleLines& lines = merged ? *merged : given;
+  if (merged) seen = seen_lines(mesh, view, lines, options);
   const std::vector<std::uint32_t> object_of_line = objects_of_lines(mesh, lines, options.objects);
   const bool tells_objects = options.objects != nullptr && options.objects->are_told_apart();
   if (tells_objects) drawing.objects = options.objects->names;
   if (fills) drawing.fills = fills(place);
 
-  const bool with_hidden = options.hidden != HiddenLines::none;
   if (!with_hidden)
     std::erase_if(seen, [&](std::uint32_t i) { return lines.lines[i].starts_hidden && lines.lines[i].intervals() == 1; });
 

@@ -4,8 +4,10 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "geometry/error.h"
@@ -121,16 +123,22 @@ Box rounded(Box box) {
   return box;
 }
 
-/// A point in front of the eye.
-Point3 anchor_of(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
+/// Of the lines, the first that has an end of its edge, and so a point in front of the eye.
+std::optional<std::uint32_t> anchor_line(const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
   for (const std::uint32_t i : drawn) {
     const Line& line = lines.lines[i];
     if (line.is_intersection()) continue;
-    const Edge& edge = mesh.edges[line.edge];
-    if (lines.cuts[line.first_cut].kind == Cut::Kind::start) return mesh.points[edge.a];
-    if (lines.cuts[line.end_cut - 1].kind == Cut::Kind::end) return mesh.points[edge.b];
+    if (lines.cuts[line.first_cut].kind == Cut::Kind::start || lines.cuts[line.end_cut - 1].kind == Cut::Kind::end) return i;
   }
-  return view.frame.origin;
+  return {};
+}
+
+/// A point in front of the eye.
+Point3 anchor_of(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
+  const auto i = anchor_line(lines, drawn);
+  if (!i) return view.frame.origin;
+  const Edge& edge = mesh.edges[lines.lines[*i].edge];
+  return mesh.points[lines.cuts[lines.lines[*i].first_cut].kind == Cut::Kind::start ? edge.a : edge.b];
 }
 
 /// Half the angle's tangent times the distance of the frame.
@@ -210,6 +218,30 @@ std::optional<FrameSize> frame_size(const View& view, const DrawingOptions& opti
   check_margin(options.page);
   const HalfPicture half = half_picture(view, framed_page(options.page), *options.field_of_view);
   return FrameSize{static_cast<double>(half.width), static_cast<double>(half.height)};
+}
+
+std::vector<std::uint32_t> internal::bounding_lines(const Mesh& mesh, const View& view, const VisibleLines& lines,
+                                                    std::span<const std::uint32_t> drawn) {
+  const Projection projection(mesh, view, anchor_of(mesh, view, lines, drawn));
+  Box all;
+  std::array<std::optional<std::uint32_t>, 5> farthest;
+  farthest[4] = anchor_line(lines, drawn);
+  for (const std::uint32_t i : drawn) {
+    Box one;
+    add_line(one, projection, lines, lines.lines[i]);
+    for (int k = 0; k < 2; ++k) {
+      const auto at = static_cast<std::size_t>(2 * k);
+      if (one.low[k] < all.low[k]) farthest[at] = i;
+      if (one.high[k] > all.high[k]) farthest[at + 1] = i;
+    }
+    all.add(one);
+  }
+  std::vector<std::uint32_t> found;
+  for (const auto& i : farthest)
+    if (i) found.push_back(*i);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 Placement internal::placement(const Mesh& mesh, const View& view, const VisibleLines& lines,

@@ -68,6 +68,19 @@ TouchingRegions::Verdict verdict(const ProjectedMesh& projected, EdgeId id, cons
   return is_inside ? Verdict::touch : Verdict::in_doubt;
 }
 
+/// A part by what is all around it.
+EdgePart decided(const ProjectedMesh& projected, EdgeId id, EdgePart p, TouchingRegions::Verdict around) {
+  using Verdict = TouchingRegions::Verdict;
+  const std::optional<EdgeClass> in_doubt = std::exchange(p.found.in_doubt, std::nullopt);
+  p.found.alike = 0;
+  if (around == Verdict::apart) return p;
+  p.found.behind.reset();
+  if (around == Verdict::in_doubt) p.found.seen = in_doubt;
+  if (around == Verdict::touch && p.found.seen) p.found.hidden = EdgeClass::smooth;
+  p.found = with_wire(projected.mesh().edges[id], p.found);
+  return p;
+}
+
 /// Parts whose classes wait for the log, now that it is complete; neighbours that are alike become one.
 void decide_parts(const ProjectedMesh& projected, TriangleOcclusion& occlusion, EdgeId id, std::vector<EdgePart>& parts,
                   const std::vector<CoincidentFaces>& log, const TouchingRegions& regions, const InsideBodies& inside) {
@@ -79,16 +92,7 @@ void decide_parts(const ProjectedMesh& projected, TriangleOcclusion& occlusion, 
     else
       all.push_back(p);
   };
-  const auto decided = [&](EdgePart p, Verdict around) {
-    const std::optional<EdgeClass> in_doubt = std::exchange(p.found.in_doubt, std::nullopt);
-    p.found.alike = 0;
-    if (around == Verdict::apart) return p;
-    p.found.behind.reset();
-    if (around == Verdict::in_doubt) p.found.seen = in_doubt;
-    if (around == Verdict::touch && p.found.seen) p.found.hidden = EdgeClass::smooth;
-    p.found = with_wire(projected.mesh().edges[id], p.found);
-    return p;
-  };
+  const auto decided = [&](const EdgePart& p, Verdict around) { return hsr::internal::decided(projected, id, p, around); };
   std::optional<std::vector<TriangleId>> passed_through;
   const Edge& edge = projected.mesh().edges[id];
   InsideBodies::Place place{projected.mesh().points[edge.a], projected.mesh().points[edge.b], {}, {}};
@@ -139,6 +143,22 @@ struct ClassifiedEdges::Finder {
                                   const InsideBodies& inside) {
     decide_parts(classifier.projected(), occlusion, id, parts, block.log, regions, inside);
     return take(id, parts);
+  }
+  /// Whether what is elsewhere makes a difference to what is listed of an edge.
+  bool depends_on_far_faces(EdgeId id, const std::vector<EdgePart>& parts) const {
+    using Verdict = TouchingRegions::Verdict;
+    const auto listed = [&](const EdgePart& p) {
+      PartClass c = p.found;
+      const auto seen = wanted(c.seen);
+      if (!seen && !is_requested(c.hidden) && !is_requested(c.behind_seen)) c = {{}, c.behind};
+      if (!is_requested(c.behind)) c.behind.reset();
+      return c;
+    };
+    return std::any_of(parts.begin(), parts.end(), [&](const EdgePart& p) {
+      if (!p.found.is_undecided()) return false;
+      const auto by = [&](Verdict v) { return listed(decided(classifier.projected(), id, p, v)); };
+      return !(by(Verdict::apart) == by(Verdict::in_doubt) && by(Verdict::apart) == by(Verdict::touch));
+    });
   }
   /// Logs what coincides along an edge, and no more.
   std::optional<EdgeClass> only_log(EdgeId id, bool has_contact) {
@@ -243,6 +263,11 @@ ClassifiedEdges::ClassifiedEdges(const EdgeClassifier& classifier, const LineOpt
   if (std::any_of(blocks.begin(), blocks.end(), [](const FoundInBlock& b) { return !b.undecided.empty(); })) {
     // What is outside the picture may be where a body ends in the open.
     if (outside != nullptr) visit(true, &Finder::only_log);
+    for (FoundInBlock& b : blocks) {
+      const Finder finder{classifier, options, occluders, with_behind, near, b};
+      for (const auto& [id, parts] : b.undecided)
+        if (finder.depends_on_far_faces(id, parts)) in_doubt.push_back(id);
+    }
     const TouchingRegions regions(logs_of(blocks));
     tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t k) {
       FoundInBlock& b = blocks[k];

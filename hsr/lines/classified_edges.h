@@ -40,6 +40,8 @@ struct ClassifiedEdges {
   std::vector<ImageBox> boxes;
   /// Whether the class of some, or what is behind them, depends on whether it is hidden there.
   bool has_hidden_classes = false;
+  /// Edges of which what is listed depended on more than the faces there, ascending.
+  std::vector<EdgeId> in_doubt;
   /// By edge of the list: 1 if it is hidden all along and its image is no point. Empty if this is known of none.
   std::vector<std::uint8_t> hidden;
   DecisionCounts decisions;

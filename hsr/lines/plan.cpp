@@ -50,6 +50,7 @@ class Plan {
 
   VisibleLines run() const;
   const LinePlan& outcome() const { return outcome_; }
+  const std::vector<EdgeId>& in_doubt() const { return requested_->in_doubt; }
 
  private:
   void find_intersections();
@@ -364,6 +365,13 @@ VisibleLines Plan::classes_by_visibility(VisibleLines all) const {
 LinePlan internal::plan_lines(const SceneView& scene, const LineOptions& options) {
   if (scene.view().has_cells()) return plan_lines(scene.parts().cells().front().scene, options);
   return Plan(scene, options).outcome();
+}
+
+VisibleLines internal::visible_lines_and_doubts(const SceneView& scene, const LineOptions& options,
+                                                std::vector<EdgeId>& in_doubt) {
+  const Plan plan(scene, options);
+  in_doubt = plan.in_doubt();
+  return plan.run();
 }
 
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options) {

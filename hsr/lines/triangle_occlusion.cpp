@@ -50,7 +50,8 @@ Breakpoint TriangleOcclusion::bound(const Cut& cut, const Value& at_a, const Val
   const double least = std::fabs(at_a.x.value) + std::fabs(at_b.x.value) - loss;
   const double t = at_a.x.value / fall;
   const bool known = least > 0 && std::isfinite(t);
-  return {cut, known ? t : 0.5, known ? loss / least * 1.01 + 8 * ErrorBounded::u : HUGE_VAL, at_a.sign};
+  const Sign fall_sign = at_a.sign != Sign::zero ? at_a.sign : -at_b.sign;  // at the very end it falls from there
+  return {cut, known ? t : 0.5, known ? loss / least * 1.01 + 8 * ErrorBounded::u : HUGE_VAL, fall_sign};
 }
 
 Breakpoint TriangleOcclusion::place(const Cut& cut) {

@@ -1,13 +1,16 @@
-"""Many drawings on many machines: a batch of `hsr batch` on dask.distributed.
+"""Many drawings, or one of a large scene, on many machines: what `hsr batch` and `hsr split` begin, on dask.distributed.
 
     python3 -m hsr.cluster LIST -o DIR --scheduler tcp://HOST:8786 [--views front,top,right,iso] ... [-- options of hsr draw]
     python3 -m hsr.cluster LIST -o DIR --workers 4 ...             on this machine
 
-What follows -- are options of hsr draw, or with --sheet of hsr sheet.
+    python3 -m hsr.cluster JOB -o city.svg --workers 4 [-- options of hsr join]
+
+What follows -- are options of hsr draw, or with --sheet of hsr sheet. JOB is a directory that `hsr split` has made: its tiles are found on
+the workers, and joined here.
 
 LIST, DIR and the models are on a file system that all workers see, and the command `hsr` is installed there. A task is the drawing of
 some models, all their views; one that a worker loses is done again elsewhere, and what it had finished is not. Whatever happens, the
-same command run again does what is missing. Exit status 1: some model could not be drawn.
+same command run again does what is missing. Exit status 1: some model could not be drawn, or a part of a scene is wrong.
 """
 
 import argparse
@@ -17,6 +20,7 @@ import subprocess
 import sys
 import time
 
+from . import _cluster_tiles
 from .__main__ import _command
 
 BUSY = "another hsr batch at work"
@@ -66,8 +70,8 @@ def count_of_models(path):
 
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="python3 -m hsr.cluster", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("list", metavar="LIST", help="a file with a model to a line")
-    parser.add_argument("-o", "--output", metavar="DIR", required=True, help="the directory of the drawings")
+    parser.add_argument("list", metavar="LIST|JOB", help="a file with a model to a line, or a directory of hsr split")
+    parser.add_argument("-o", "--output", metavar="DIR|FILE", required=True, action="append", help="the directory of the drawings; of JOB the drawing, more than one")
     where = parser.add_mutually_exclusive_group(required=True)
     where.add_argument("--scheduler", metavar="ADDRESS", help="of a scheduler of dask.distributed that runs, tcp://HOST:PORT")
     where.add_argument("--workers", type=int, metavar="N", help="so many workers on this machine")
@@ -90,22 +94,45 @@ def main(arguments=None):
     command = a.command or _command()
     if command is None or shutil.which(command) is None:
         return refuse("the command is not installed: found neither bin/hsr beside this module nor hsr on PATH")
+    if _cluster_tiles.is_job(a.list):
+        return on_workers(a, tiles_of(a, command))
+    if len(a.output) > 1:
+        return refuse("-o: found twice, expected one directory for the drawings of a list")
     try:
         models = count_of_models(a.list)
     except OSError as error:
         return refuse(f"{a.list}: {error.strerror}, expected a file with a model to a line")
     if models == 0:
         return refuse(f"{a.list}: found no model, expected one to a line")
-    try:
-        import distributed
-    except ImportError:
-        return refuse("dask.distributed is missing: in Debian it is the package python3-distributed")
-    words = [os.path.abspath(a.list), "-o", os.path.abspath(a.output)]
+    words = [os.path.abspath(a.list), "-o", os.path.abspath(a.output[0])]
     words += ["--views", a.views] if a.views else []
     words += ["--format", a.format] if a.format else []
     words += ["--sheet"] if a.sheet else []
     options = ["--", *a.options] if a.options else []
-    work = (words, options, models, a.models, command, lambda text: print(text, file=sys.stderr))
+    return on_workers(a, lambda client: run(client, words, options, models, a.models, command, tell))
+
+
+def tiles_of(a, command):
+    """What to do with a client for a job of hsr split."""
+    job = os.path.abspath(a.list)
+    words = [word for output in a.output for word in ("-o", output)] + a.options
+
+    def work(client):
+        try:
+            tiles = _cluster_tiles.count_of_tiles(job)
+        except (ValueError, KeyError, OSError):
+            return refuse(f"{a.list}/job.json: found no job, expected it as hsr split has written it")
+        return _cluster_tiles.run(client, command, job, tiles, words, tell)
+
+    return work
+
+
+def on_workers(a, work):
+    """Does the work with a client of the workers that were asked for. Returns the exit status."""
+    try:
+        import distributed
+    except ImportError:
+        return refuse("dask.distributed is missing: in Debian it is the package python3-distributed")
     try:
         if a.scheduler:
             try:
@@ -113,12 +140,16 @@ def main(arguments=None):
             except (OSError, ValueError) as error:
                 return refuse(f"--scheduler: found {a.scheduler}, expected a scheduler that answers ({str(error).splitlines()[0]})")
             with client:
-                return run(client, *work)
+                return work(client)
         with distributed.LocalCluster(n_workers=a.workers, threads_per_worker=1, dashboard_address=None, silence_logs=50) as cluster:
             with distributed.Client(cluster) as client:
-                return run(client, *work)
+                return work(client)
     except RuntimeError as error:
         return refuse(str(error).removeprefix("hsr: "))
+
+
+def tell(text):
+    print(text, file=sys.stderr)
 
 
 def refuse(text):

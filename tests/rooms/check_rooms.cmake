@@ -19,11 +19,12 @@ set(rooms
   "raster painter hsr"
   "check drawing raster"
   "sheet drawing"            # several views on one page
+  "tiles drawing hsr"        # one scene in tiles of the image
   "io coordinates"
   "study io check sheet"
   "step io"
   "three_mf io"
-  "cli study step three_mf")
+  "cli study step three_mf tiles")
 
 # From the bottom up, so that what is below a room is known when the room is reached.
 foreach(line IN LISTS rooms)

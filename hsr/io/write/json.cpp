@@ -35,6 +35,8 @@ class LineWriter {
         lines_(lines),
         objects_(options.objects),
         numbers_(options.numbers),
+        point_numbers_(options.point_numbers),
+        face_numbers_(options.face_numbers),
         why_(options.why),
         places_(mesh, view, options.numbers) {}
 
@@ -42,9 +44,9 @@ class LineWriter {
     support_ = supporting_line_of(mesh_, lines_, line);
     if (support_.is_edge()) {
       out += "{\"edge\": [";
-      append_integer(out, support_.a.value);
+      append_integer(out, number(point_numbers_, support_.a.value));
       out += ", ";
-      append_integer(out, support_.b.value);
+      append_integer(out, number(point_numbers_, support_.b.value));
     } else {
       out += "{\"points\": [";
       append_point(out, exact_point(mesh_, view_, support_, support_.meet.from));
@@ -71,7 +73,7 @@ class LineWriter {
         out += comma;
         comma = ", ";
         out += '[';
-        append_integer(out, o.face.value);
+        append_integer(out, number(face_numbers_, o.face.value));
         out += ", ";
         append_parameter(out, o.from);
         out += ", ";
@@ -92,12 +94,15 @@ class LineWriter {
     out += ']';
   }
 
-  static void append_faces(std::string& out, std::span<const FaceId> faces) {
+  static std::uint32_t number(std::span<const std::uint32_t> numbers, std::uint32_t i) {
+    return numbers.empty() ? i : numbers[i];
+  }
+  void append_faces(std::string& out, std::span<const FaceId> faces) const {
     const char* comma = "";
     for (const FaceId f : faces) {
       out += comma;
       comma = ", ";
-      append_integer(out, f.value);
+      append_integer(out, number(face_numbers_, f.value));
     }
   }
 
@@ -132,6 +137,7 @@ class LineWriter {
   const VisibleLines& lines_;
   const SceneObjects* objects_;
   Numbers numbers_;
+  std::span<const std::uint32_t> point_numbers_, face_numbers_;
   bool why_;
   IntervalPlaces places_;
   SupportingLine support_;  // of the line at hand

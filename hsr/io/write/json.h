@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include "hsr/face_labels.h"
@@ -25,6 +27,8 @@ struct JsonOptions {
   /// than two: none of this is written.
   const SceneObjects* objects = nullptr;
   const Section* section = nullptr;  ///< the caps are written beside the lines
+  /// What points and faces are called, where the mesh is of a part of a model; empty: as they are numbered.
+  std::span<const std::uint32_t> point_numbers = {}, face_numbers = {};
 };
 
 /// Visible lines as JSON, "hsr-lines/1" (docs/conventions.md, "JSON").

@@ -89,6 +89,10 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
+void OutputFile::sync() {
+  if (file_ >= 0 && ::fsync(file_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);  // a pipe has no disk
+}
+
 void OutputFile::close() {
   const int file = std::exchange(file_, -1);
   if (file >= 0 && file != STDOUT_FILENO && ::close(file) != 0 && errno != EINTR) fail(errno);

@@ -41,6 +41,8 @@ class OutputFile {
   ~OutputFile();
 
   void write(std::string_view bytes);
+  /// What has been written is on the disk when this returns.
+  void sync();
   /// All is written, and nothing but the name is missing: of several files none is in place before all are complete.
   void close();
   void commit();

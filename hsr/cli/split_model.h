@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "hsr/model.h"
+#include "hsr/tiles/image_tiles.h"
+#include "hsr/view/view.h"
+
+namespace hsr::cli {
+
+using namespace internal;
+
+/// By point the lowest of those that are bit for bit the same, -0 being 0: what a Mesh has as `merged`. Changes -0 to 0.
+std::vector<std::uint32_t> merged_points(Model& model);
+
+/// A few wires whose bounding box is that of all edges of the model's mesh, without that mesh being made.
+Mesh bounding_mesh(const Model& model);
+
+/// Tiles with about as many faces each.
+ImageTiles tiles_of(const Model& model, const View& view, std::uint32_t count);
+
+/// The faces and wires that may reach into each tile, ascending.
+struct TileContents {
+  std::vector<std::vector<std::uint32_t>> faces, segments;
+};
+TileContents contents_of_tiles(const Model& model, const View& view, const ImageTiles& tiles);
+
+}  // namespace hsr::cli
