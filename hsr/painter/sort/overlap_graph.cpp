@@ -14,8 +14,9 @@ namespace {
 /// Finds the overlapping pairs of some clusters.
 class Finder {
  public:
-  Finder(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images, bool classic)
-      : pieces_(pieces), relations_(projected, pieces, images, classic) {}
+  Finder(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images, bool classic,
+         SortObserver* observer)
+      : pieces_(pieces), relations_(projected, pieces, images, classic, observer) {}
 
   void look_at(std::uint32_t i, std::uint32_t k) {
     if (pieces_.facet[i] == pieces_.facet[k]) return;
@@ -60,7 +61,7 @@ void OverlapGraph::add(OverlapGraph&& more) {
 }
 
 OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
-                           const ImageTriangles& images, bool classic, const std::stop_token& stop) {
+                           const ImageTriangles& images, bool classic, const std::stop_token& stop, SortObserver* observer) {
   constexpr std::size_t block = 64, leaves = 64;  // block: of small clusters
   const Clusters& clusters = boxes.clusters();
   const bool touching = boxes.looked_for() == InDepth::touching;
@@ -76,11 +77,11 @@ OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pie
       work.push_back({c, c + 1, tree, leaf, std::min<std::uint32_t>(leaf + leaves, tree->leaf_count())});
   }
   std::vector<OverlapGraph> parts(work.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), 1), [&](const auto& range) {
+  const auto find = [&](const auto& range) {
     for (std::size_t part = range.begin(); part != range.end(); ++part) {
       throw_if_stopped(stop);
       const Work& w = work[part];
-      Finder finder(projected, pieces, images, classic);
+      Finder finder(projected, pieces, images, classic, observer);
       const auto look_at = [&](std::size_t i, std::size_t k) { finder.look_at(clusters.values()[i], clusters.values()[k]); };
       BoxTree::PairSearch search;
       const std::size_t first = clusters.begin(w.first_cluster);
@@ -99,7 +100,12 @@ OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pie
             if (touch_in_image(boxes[i], boxes[k]) && touch_in_depth(boxes[i], boxes[k]) == touching) look_at(i, k);
       parts[part] = finder.take();
     }
-  });
+  };
+  const tbb::blocked_range<std::size_t> all_parts(0, parts.size(), 1);
+  if (observer == nullptr)
+    tbb::parallel_for(all_parts, find);
+  else
+    find(all_parts);
   OverlapGraph all;
   for (OverlapGraph& part : parts) all.add(std::move(part));
   return all;

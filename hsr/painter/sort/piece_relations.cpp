@@ -2,12 +2,33 @@
 
 namespace hsr::internal {
 
-Overlap PieceRelations::relation(std::uint32_t i, std::uint32_t k) {
+Overlap PieceRelations::related(std::uint32_t i, std::uint32_t k) {
   if (i != first_) turn_to(i);
   if (is_whole_ && !pieces_.rings[k].empty())
     if (const auto how = whole_.relation(k)) return *how;
   if (shape_.shape.points.empty()) shape_ = shape(i);
   return overlaps_.relation(shape_, shape(k));
+}
+
+namespace {
+
+/// The one that counted since.
+SortTest decided(const OverlapCounts& before, const OverlapCounts& now) {
+  return now.image_sides > before.image_sides       ? SortTest::image_sides
+         : now.depths > before.depths               ? SortTest::depths
+         : now.first_planes > before.first_planes   ? SortTest::plane_of_first
+         : now.second_planes > before.second_planes ? SortTest::plane_of_second
+         : now.coplanar > before.coplanar           ? SortTest::coplanar
+                                                    : SortTest::common_part;
+}
+
+}  // namespace
+
+Overlap PieceRelations::watched(std::uint32_t i, std::uint32_t k) {
+  const OverlapCounts before = counts();
+  const Overlap how = related(i, k);
+  observer_->compared(i, k, decided(before, counts()), how);
+  return how;
 }
 
 OverlapCounts PieceRelations::counts() const {

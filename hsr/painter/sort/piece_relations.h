@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "hsr/painter/sort/sort_observer.h"
 #include "hsr/painter/sort/whole_overlap.h"
 
 namespace hsr::internal {
@@ -10,15 +11,22 @@ namespace hsr::internal {
 /// per thread.
 class PieceRelations {
  public:
-  PieceRelations(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images, bool classic)
-      : projected_(projected), pieces_(pieces), overlaps_(projected, classic), whole_(projected, pieces, images) {}
+  PieceRelations(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images, bool classic,
+                 SortObserver* observer = nullptr)
+      : projected_(projected),
+        pieces_(pieces),
+        overlaps_(projected, classic),
+        whole_(projected, pieces, images),
+        observer_(observer) {}
 
-  Overlap relation(std::uint32_t i, std::uint32_t k);
+  Overlap relation(std::uint32_t i, std::uint32_t k) { return observer_ == nullptr ? related(i, k) : watched(i, k); }
 
   OverlapCounts counts() const;
   DecisionCounts decisions();
 
  private:
+  Overlap related(std::uint32_t i, std::uint32_t k);
+  Overlap watched(std::uint32_t i, std::uint32_t k);
   void turn_to(std::uint32_t i);
   PieceOfFacet shape(std::uint32_t i) const;
 
@@ -26,6 +34,7 @@ class PieceRelations {
   const FacePieces& pieces_;
   Overlaps overlaps_;
   WholeOverlaps whole_;
+  SortObserver* observer_;
   std::uint32_t first_ = 0xffffffffU;
   bool is_whole_ = false;
   PieceOfFacet shape_;  // of the first, where it is asked for
