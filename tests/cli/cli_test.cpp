@@ -92,7 +92,7 @@ TEST_CASE("what was written is told on standard error, and with -q not at all", 
 
 TEST_CASE("help of each verb has examples, and says what is written", "[cli]") {
   const std::string all = run("--help").text;
-  for (const std::string verb : {"draw", "info", "order", "verify", "compare", "stability"}) {
+  for (const std::string verb : {"draw", "info", "order", "verify", "compare", "stability", "explain"}) {
     INFO(verb);
     CHECK(count(all, "\n  " + verb + " ") == 1);
     const Outcome help = run(verb + " --help");
