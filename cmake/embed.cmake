@@ -1,9 +1,9 @@
 # Files that become part of a program: `hsr_embed(target files...)` makes a source of them, again whenever one of them changes, and
-# adds it to the target. It defines std::string_view page_text(std::string_view name) of study/explain/page_texts.h.
+# adds it to the target. It defines std::string_view page_text(std::string_view name) of study/page_texts.h.
 #
 # The same file is the script that makes the source: cmake -DOUT=... -DDIRECTORY=... -DFILES=a;b -P embed.cmake
 if(CMAKE_SCRIPT_MODE_FILE)
-  set(source "// Made by cmake/embed.cmake.\n#include \"study/explain/page_texts.h\"\n\n#include <string>\n\n#include \"geometry/error.h\"\n\n")
+  set(source "// Made by cmake/embed.cmake.\n#include \"study/page_texts.h\"\n\n#include <string>\n\n#include \"geometry/error.h\"\n\n")
   string(APPEND source "namespace hsr::internal {\n\nstd::string_view page_text(std::string_view name) {\n")
   foreach(file IN LISTS FILES)
     file(READ ${DIRECTORY}/${file} text HEX)

@@ -8,10 +8,7 @@
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/directory.h"
-#include "study/explain/example_scenes.h"
-#include "study/explain/explain_pages.h"
-#include "study/explain/explained_methods.h"
-#include "study/explain/lessons.h"
+#include "hsr/cli/explained_pages.h"
 
 namespace hsr::cli {
 
@@ -95,25 +92,12 @@ void run(ExplainArguments& a, UnfinishedFiles& unfinished) {
     model = scene_of_model(a, context);
     check_explainable(*model);
   }
-  const std::string made = fmt::format("Made by hsr {}.", HSR_VERSION);
   std::vector<ExplainedMethod> shown;
   if (a.method == "all")
     shown = explained_methods();
   else
     shown.push_back(*find_method(a.method));
-  for (const ExplainedMethod& m : shown) {
-    context.progress.stage(m.name);
-    const ExplainedScene scene = model ? *model : example_scene(m.scene);
-    Trace trace = m.explain(scene, a.size);
-    trace.method = m.name;
-    trace.title = m.title;
-    trace.view = scene.title;
-    directory.write(m.name + ".json", trace_json(trace));
-    directory.write(m.name + ".html", explain_page(m, trace, made));
-  }
-  const std::vector<Lesson> lessons = a.method == "all" ? all_lessons(made) : std::vector<Lesson>();
-  for (const Lesson& lesson : lessons) directory.write(lesson.name + ".html", lesson.page);
-  directory.write("index.html", explain_index(shown, lessons, made));
+  write_explained(directory, "", shown, model ? &*model : nullptr, a.size, a.method == "all");
   context.say_written(directory, a.method == "all" ? "index.html" : a.method + ".html");
 }
 

@@ -7,7 +7,7 @@
 #include "hsr/painter/bsp/bsp_observer.h"
 #include "hsr/scene/view_parts.h"
 #include "study/explain/explained_methods.h"
-#include "study/explain/page_texts.h"
+#include "study/page_texts.h"
 
 namespace hsr::internal {
 

@@ -7,7 +7,7 @@
 #include "hsr/scene/view_parts.h"
 #include "hsr/symbols/constructions.h"
 #include "study/explain/explained_methods.h"
-#include "study/explain/page_texts.h"
+#include "study/page_texts.h"
 
 namespace hsr::internal {
 

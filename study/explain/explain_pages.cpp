@@ -1,7 +1,7 @@
 #include "study/explain/explain_pages.h"
 
 #include "geometry/error.h"
-#include "study/explain/page_texts.h"
+#include "study/page_texts.h"
 #include "study/html_page.h"
 
 namespace hsr::internal {

@@ -4,7 +4,7 @@
 #include "hsr/io/write/json_text.h"
 #include "hsr/lines/shadow_observer.h"
 #include "study/explain/explained_methods.h"
-#include "study/explain/page_texts.h"
+#include "study/page_texts.h"
 
 namespace hsr::internal {
 

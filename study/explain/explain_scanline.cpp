@@ -3,7 +3,7 @@
 
 #include "hsr/raster/scanline_observer.h"
 #include "study/explain/explained_methods.h"
-#include "study/explain/page_texts.h"
+#include "study/page_texts.h"
 
 namespace hsr::internal {
 

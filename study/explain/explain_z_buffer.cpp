@@ -5,7 +5,7 @@
 #include "hsr/io/write/json_text.h"
 #include "hsr/raster/depth_observer.h"
 #include "study/explain/explained_methods.h"
-#include "study/explain/page_texts.h"
+#include "study/page_texts.h"
 #include "study/explain/z_buffer_run.h"
 
 namespace hsr::internal {

@@ -9,7 +9,7 @@
 #include "study/explain/example_scenes.h"
 #include "study/explain/explain_pages.h"
 #include "study/explain/explained_methods.h"
-#include "study/explain/page_texts.h"
+#include "study/page_texts.h"
 #include "study/explain/z_buffer_run.h"
 #include "study/html_page.h"
 
