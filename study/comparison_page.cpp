@@ -101,13 +101,15 @@ void add_methods(HtmlPage& page, const Comparison& c) {
       "sort within "
       "the groups.");
   const auto group_of = [](const ComparedMethod& m) {
-    return m.is_object_space && m.is_exact                ? 0U
-           : m.is_object_space                            ? 1U
-           : m.method.find("buffer") != std::string::npos ? 2U
-                                                          : 3U;
+    return m.is_object_space && m.is_exact                                                    ? 0U
+           : m.is_object_space                                                                ? 1U
+           : m.method.find("buffer") != std::string::npos || m.method.rfind("OpenGL", 0) == 0 ? 2U
+                                                                                              : 3U;
   };
-  std::vector<HtmlGroup> groups = {
-      {"Object space, exact", {}}, {"Object space, in doubles", {}}, {"z-buffers", {}}, {"Other methods of image space", {}}};
+  std::vector<HtmlGroup> groups = {{"Object space, exact", {}},
+                                   {"Object space, in doubles", {}},
+                                   {"z-buffers, the last of them the driver's", {}},
+                                   {"Other methods of image space", {}}};
   std::vector<const ComparedMethod*> fastest(groups.size(), nullptr);
   for (const ComparedMethod& m : c.methods)
     if (const std::size_t g = group_of(m); m.picture >= 0 && (fastest[g] == nullptr || m.median() < fastest[g]->median()))
