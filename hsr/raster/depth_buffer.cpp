@@ -166,22 +166,21 @@ class Buffer {
     for (int i = begin; i < end; ++i) {
       Real d = depth_at(i);
       if (is_biased) d = format_.biased(d + Format::away * bias_, options_.bias);
-      const bool is_within = format_.is_within(d);
-      if constexpr (Watch::is_watched)
-        if (!is_within) tell(i, j, Stored{}, stored[i], false, false);
-      if (!is_within) continue;
+      if constexpr (Watch::is_watched) tell(i, j, d, stored[i]);
+      if (!format_.is_within(d)) continue;
       const Stored s = format_.stored(d);
-      const bool is_shown = is_less ? Format::nearer(s, stored[i]) : passes(s, stored[i]);
-      if constexpr (Watch::is_watched) tell(i, j, s, stored[i], true, is_shown);
-      if (!is_shown) continue;
+      if (is_less ? !Format::nearer(s, stored[i]) : !passes(s, stored[i])) continue;
       stored[i] = s;
       shown[i] = t;
     }
   }
 
-  void tell(int i, int j, Stored s, Stored held, bool is_within, bool is_shown) const {
-    watch_.observer->sample(
-        {i, j, format_.depth(s), static_cast<double>(s), format_.depth(held), static_cast<double>(held), is_within, is_shown});
+  /// What is going to happen at a sample.
+  void tell(int i, int j, Real d, Stored held) const {
+    const bool is_within = format_.is_within(d);
+    const Stored s = is_within ? format_.stored(d) : Stored{};
+    watch_.observer->sample({i, j, format_.depth(s), static_cast<double>(s), format_.depth(held), static_cast<double>(held),
+                             is_within, is_within && passes(s, held)});
   }
 
   void draw_by_plane(TriangleId t, const ScannedTriangle<Real>& scanned) {

@@ -52,7 +52,7 @@ class Search {
       : pieces_(pieces),
         boxes_(boxes),
         clusters_(boxes.clusters()),
-        relations_(projected, pieces, images, false, observer),
+        relations_(projected, pieces, images, false),
         observer_(observer),
         behind_(make_graph(pieces.size(),
                            [&](const auto& visit) {
@@ -112,7 +112,9 @@ void Search::find_behind(std::uint32_t piece) {
     if (!(boxes_[place].nearest < box.farthest) || state_[other] == State::done) return;
     if (pieces_.facet[other] == pieces_.facet[piece]) return;
     ++compared_;
-    if (relations_.relation(piece, other) == Overlap::none) return;
+    const Overlap how =
+        observer_ == nullptr ? relations_.relation(piece, other) : relations_.relation(piece, other, *observer_);
+    if (how == Overlap::none) return;
     ++overlapping_;
     found_.push_back(other);
   };

@@ -2,7 +2,7 @@
 
 namespace hsr::internal {
 
-Overlap PieceRelations::related(std::uint32_t i, std::uint32_t k) {
+Overlap PieceRelations::relation(std::uint32_t i, std::uint32_t k) {
   if (i != first_) turn_to(i);
   if (is_whole_ && !pieces_.rings[k].empty())
     if (const auto how = whole_.relation(k)) return *how;
@@ -24,10 +24,10 @@ SortTest decided(const OverlapCounts& before, const OverlapCounts& now) {
 
 }  // namespace
 
-Overlap PieceRelations::watched(std::uint32_t i, std::uint32_t k) {
+Overlap PieceRelations::relation(std::uint32_t i, std::uint32_t k, SortObserver& observer) {
   const OverlapCounts before = counts();
-  const Overlap how = related(i, k);
-  observer_->compared(i, k, decided(before, counts()), how);
+  const Overlap how = relation(i, k);
+  observer.compared(i, k, decided(before, counts()), how);
   return how;
 }
 

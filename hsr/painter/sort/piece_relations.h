@@ -11,22 +11,17 @@ namespace hsr::internal {
 /// per thread.
 class PieceRelations {
  public:
-  PieceRelations(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images, bool classic,
-                 SortObserver* observer = nullptr)
-      : projected_(projected),
-        pieces_(pieces),
-        overlaps_(projected, classic),
-        whole_(projected, pieces, images),
-        observer_(observer) {}
+  PieceRelations(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images, bool classic)
+      : projected_(projected), pieces_(pieces), overlaps_(projected, classic), whole_(projected, pieces, images) {}
 
-  Overlap relation(std::uint32_t i, std::uint32_t k) { return observer_ == nullptr ? related(i, k) : watched(i, k); }
+  Overlap relation(std::uint32_t i, std::uint32_t k);
+  /// The same, told.
+  Overlap relation(std::uint32_t i, std::uint32_t k, SortObserver& observer);
 
   OverlapCounts counts() const;
   DecisionCounts decisions();
 
  private:
-  Overlap related(std::uint32_t i, std::uint32_t k);
-  Overlap watched(std::uint32_t i, std::uint32_t k);
   void turn_to(std::uint32_t i);
   PieceOfFacet shape(std::uint32_t i) const;
 
@@ -34,7 +29,6 @@ class PieceRelations {
   const FacePieces& pieces_;
   Overlaps overlaps_;
   WholeOverlaps whole_;
-  SortObserver* observer_;
   std::uint32_t first_ = 0xffffffffU;
   bool is_whole_ = false;
   PieceOfFacet shape_;  // of the first, where it is asked for
