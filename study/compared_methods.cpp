@@ -17,6 +17,7 @@
 #include "hsr/raster/z_buffer.h"
 #include "hsr/surfaces/roberts_surfaces.h"
 #include "hsr/surfaces/visible_fragments.h"
+#include "study/opengl_buffer.h"
 
 namespace hsr::internal {
 
@@ -185,6 +186,35 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
       },
       [](const AlphaBuffer& b) { return std::to_string(b.layers) + " layers; " + working_storage(b.bytes); }));
   methods.back().resolution = resolution(DepthFormat::float64);
+  return methods;
+}
+
+std::vector<RunnableMethod> opengl_methods(const Mesh& mesh, const View& view, const SampleGrid& grid, Coplanar coplanar,
+                                           std::string* why) {
+  // To ask for a driver takes longer than most pictures: once.
+  static const std::unique_ptr<OpenGl> driver = OpenGl::make();
+  if (driver == nullptr) {
+    if (why != nullptr) *why = OpenGl::why();
+    return {};
+  }
+  std::vector<RunnableMethod> methods;
+  const DepthRange range = depth_range(mesh, view, grid);
+  OpenGl* const gl = driver.get();
+  for (const DepthFormat format :
+       {DepthFormat::fixed16, DepthFormat::fixed24, DepthFormat::float32, DepthFormat::reversed_float32}) {
+    methods.push_back(runnable<Image<TriangleId>>(
+        "OpenGL, " + driver->driver(), std::string(name(format)),
+        [&mesh, &view, grid, range, format, coplanar, gl] {
+          return gl->draw(mesh, view, grid, range, {.format = format, .ties = coplanar});
+        },
+        [](const Image<TriangleId>& image) {
+          return ShownPicture{image, {}};
+        }));
+    // Corners are rounded to floats, and by the driver to a part of a sample.
+    methods.back().resolution =
+        DepthResolution{format, range, std::ldexp(1.0, -driver->subpixel_bits()) + 0x1p-22 * std::max(grid.width, grid.height)};
+    methods.back().is_variant = format != DepthFormat::fixed24;
+  }
   return methods;
 }
 

@@ -41,4 +41,9 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
 std::vector<RunnableMethod> object_space_methods(const Mesh& mesh, const View& view, const SampleGrid& grid,
                                                  Coplanar coplanar = Coplanar::first);
 
+/// The z-buffers of the driver's OpenGL, by format; none where there is no driver.
+/// @param why is told why there are none; may be null
+std::vector<RunnableMethod> opengl_methods(const Mesh& mesh, const View& view, const SampleGrid& grid,
+                                           Coplanar coplanar = Coplanar::first, std::string* why = nullptr);
+
 }  // namespace hsr::internal

@@ -70,6 +70,9 @@ class Comparer {
     const bool is_shown = size == options_.size;
     if (is_shown) result_.pictures.push_back({nearest, Image<Mistake>(size, size, Mistake::none), {}});
     std::vector<RunnableMethod> methods = image_space_methods(mesh_, view_, grid, options_.coplanar);
+    std::string no_driver;
+    for (RunnableMethod& m : opengl_methods(mesh_, view_, grid, options_.coplanar, &no_driver)) methods.push_back(std::move(m));
+    if (is_shown && !no_driver.empty()) result_.left_out.push_back({"OpenGL", no_driver});
     if (is_shown) {
       std::vector<RunnableMethod> more = object_space_methods(mesh_, view_, grid, options_.coplanar);
       std::move(more.begin(), more.end(), std::back_inserter(methods));

@@ -5,6 +5,7 @@
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/svg_text.h"
 #include "study/comparison_plots.h"
+#include "study/page_texts.h"
 
 namespace hsr::internal {
 
@@ -12,50 +13,10 @@ namespace {
 
 std::string milliseconds(double s) { return html_number(1000 * s).text + " ms"; }
 
-constexpr std::string_view slider_style = R"(<style>
-.pick{display:flex;gap:.5rem 1.5rem;flex-wrap:wrap;align-items:center;margin:.5rem 0}
-.pick label{display:flex;gap:.4rem;align-items:center}
-.pair{position:relative;width:min(100%,640px);aspect-ratio:1;border:1px solid var(--faint);background:#fff;overflow:hidden;isolation:isolate}
-.pair img{position:absolute;inset:0;width:100%;height:100%;image-rendering:auto}
-.pair .bar{position:absolute;top:0;bottom:0;width:2px;background:#e0006c;z-index:3}
-.pair.pale .truth{opacity:.25}
-#position{width:min(100%,640px)}
-.says{display:flex;justify-content:space-between;gap:1rem;max-width:640px;font-size:13.5px}
-.says div:last-child{text-align:right}
-.key span{display:inline-block;width:.8em;height:.8em;border-radius:2px;margin:0 .3em 0 1em}
-</style>)";
-
-constexpr std::string_view slider_markup = R"(
-<div class="pick">
-<label>left <select id="left"></select></label><label>right <select id="right"></select></label>
-<label><input type="radio" name="what" value="picture" checked> picture</label>
-<label><input type="radio" name="what" value="mistakes"> difference to exact</label>
-<label><input type="radio" name="what" value="depth"> depth</label>
-</div>
-<div class="pair" id="pair"><img class="truth" id="truth" alt="What is visible, exactly"><img id="l" alt=""><img id="r" alt=""><div class="bar" id="bar"></div></div>
-<input type="range" id="position" min="0" max="100" value="50" aria-label="Where the left method ends and the right one begins">
-<div class="says"><div id="says-l"></div><div id="says-r"></div></div>
-)";
-
-constexpr std::string_view slider_script = R"(
-const get=id=>document.getElementById(id),left=get('left'),right=get('right'),empty='data:image/gif;base64,R0lGODlhAQABAAAAACH5BAEKAAEALAAAAAABAAEAAAICTAEAOw==';
-shown.forEach((m,k)=>{for(const s of [left,right])s.add(new Option(m.name,k))});
-left.value=Math.min(1,shown.length-1);right.value=0;get('truth').src=shown[0].picture;
-function draw(){const what=document.querySelector('input[name=what]:checked').value,at=get('position').value;
-get('pair').classList.toggle('pale',what=='mistakes');
-[['l',left],['r',right]].forEach(([id,s])=>{const m=shown[s.value];
-get(id).src=what=='picture'?m.changes||empty:what=='mistakes'?m.mistakes||empty:m.depth||empty;
-get('says-'+id).textContent=m.says+(what=='depth'&&!m.depth?' (has no depths)':'')});
-get('l').style.clipPath='inset(0 '+(100-at)+'% 0 0)';get('r').style.clipPath='inset(0 0 0 '+at+'%)';get('bar').style.left='calc('+at+'% - 1px)'}
-for(const e of [left,right,get('position'),...document.querySelectorAll('input[name=what]')])e.addEventListener('input',draw);
-get('pair').addEventListener('pointermove',e=>{if(e.buttons){const b=get('pair').getBoundingClientRect();get('position').value=100*(e.clientX-b.left)/b.width;draw();e.preventDefault()}});
-draw();
-)";
-
 void add_slider(HtmlPage& page, const Comparison& c, const std::vector<ComparisonImages>& images) {
   page.heading("Two methods beside each other");
-  page.html(slider_style);
-  page.html(slider_markup);
+  page.style(page_text("compare.css"));
+  page.html(page_text("compare.html"));
   std::string legend = "<p class=\"key\">Differences:";
   for (const auto& [mistake, words] :
        {std::pair(Mistake::edge, "edge misplaced"), std::pair(Mistake::tie, "tie within the depth format"),
@@ -66,8 +27,12 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
   }
   page.html(legend + "</p>\n");
   std::string data = "const shown=[";
-  const auto add = [&](const std::string& name, const std::string& says, const ComparisonImages& i, bool is_truth) {
-    data += "{name:";
+  const auto add = [&](const std::string& name, const std::string& says, const ComparisonImages& i,
+                       const ComparedMethod* method) {
+    const bool is_truth = method == nullptr;
+    data += "{wrong:" + std::to_string(is_truth ? 0 : method->wrong) +
+            ",covered:" + std::to_string(is_truth ? c.methods.empty() ? 0 : c.methods.front().covered : method->covered) +
+            ",name:";
     append_string(data, name);
     data += ",says:";
     append_string(data, says);
@@ -80,15 +45,15 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
     url("depth", i.depth);
     data += "},\n";
   };
-  if (!images.empty()) add("exact", "exact", images[0], true);
+  if (!images.empty()) add("exact", "exact", images[0], nullptr);
   for (const ComparedMethod& m : c.methods)
     if (m.picture >= 0)
       add(m.name(),
           m.name() + ": " + std::to_string(m.wrong) + " of " + std::to_string(m.covered) + " samples wrong, " +
               milliseconds(m.median()),
-          images[static_cast<std::size_t>(m.picture)], false);
+          images[static_cast<std::size_t>(m.picture)], &m);
   page.script(data + "];\n");
-  page.script(slider_script);
+  page.script(page_text("compare.js"));
 }
 
 void add_colours(HtmlPage& page, const std::vector<ComparedColours>& compared) {
@@ -105,29 +70,75 @@ void add_colours(HtmlPage& page, const std::vector<ComparedColours>& compared) {
   page.table({"method", "samples to a pixel", "seconds", "working storage", "mean difference", "largest", "changed"}, rows);
 }
 
-}  // namespace
+/// The page of hsr explain that shows the method; empty: there is none.
+std::string explained_by(const std::string& method) {
+  const auto begins = [&](const char* with) { return method.rfind(with, 0) == 0; };
+  const char* const page = begins("scanline")                                                       ? "scanline"
+                           : begins("painter, by")                                                  ? "painter"
+                           : begins("depth sort")                                                   ? "depth-sort"
+                           : begins("BSP")                                                          ? "bsp"
+                           : method.find("z-buffer") != std::string::npos || begins("depth buffer") ? "z-buffer"
+                                                                                                    : nullptr;
+  return page == nullptr ? std::string() : std::string("explain/") + page + ".html";
+}
 
-std::string comparison_page(const Comparison& c, const std::vector<ComparisonImages>& images, const PageText& text) {
-  HtmlPage page(text.title);
-  page.list(text.facts);
-  add_slider(page, c, images);
+/// How long against the fastest of a group; where the runs of the two overlap, noise may be the difference.
+HtmlCell against(const ComparedMethod& m, const ComparedMethod& fastest) {
+  const double ratio = fastest.median() > 0 ? m.median() / fastest.median() : 1;
+  if (&m == &fastest) return {"fastest", ratio, true};
+  if (m.seconds.size() > 1 && fastest.seconds.size() > 1 && m.seconds.front() <= fastest.seconds.back())
+    return {"within noise", ratio, true};
+  return {rounded_text(ratio, 3) + " times", ratio, true};
+}
 
-  page.heading("Error against run time");
+/// At the size of the pictures, in groups: what matters of each method.
+void add_methods(HtmlPage& page, const Comparison& c) {
+  page.heading("The methods, " + std::to_string(c.size) + " x " + std::to_string(c.size));
   page.paragraph(
-      "Both axes by powers of ten. A point is a method at one resolution; exact methods have no error and stand on the line "
-      "below the diagram. Wrong area: each pixel is taken as a square of what its sample shows, and compared with the exact "
-      "fragments in it. One thread each unless said otherwise. Methods whose points would lie on others' are in the table "
-      "alone.");
-  page.html("<div class=\"plots\">");
-  for (const NamedPlot& p : comparison_plots(c)) page.html(plot_svg(p.plot));
-  page.html("</div>");
+      "Seconds: the median of the runs, and the least of them. Against the fastest of its group a method is within noise where "
+      "its least is not "
+      "above the fastest's most. A name leads to a page that shows the method step by step. Click or press Enter on a head to "
+      "sort within "
+      "the groups.");
+  const auto group_of = [](const ComparedMethod& m) {
+    return m.is_object_space && m.is_exact                                                    ? 0U
+           : m.is_object_space                                                                ? 1U
+           : m.method.find("buffer") != std::string::npos || m.method.rfind("OpenGL", 0) == 0 ? 2U
+                                                                                              : 3U;
+  };
+  std::vector<HtmlGroup> groups = {{"Object space, exact", {}},
+                                   {"Object space, in doubles", {}},
+                                   {"z-buffers, the last of them the driver's", {}},
+                                   {"Other methods of image space", {}}};
+  std::vector<const ComparedMethod*> fastest(groups.size(), nullptr);
+  for (const ComparedMethod& m : c.methods)
+    if (const std::size_t g = group_of(m); m.picture >= 0 && (fastest[g] == nullptr || m.median() < fastest[g]->median()))
+      fastest[g] = &m;
+  const auto count = [](std::uint64_t n) { return HtmlCell{std::to_string(n), static_cast<double>(n), true}; };
+  for (const ComparedMethod& m : c.methods) {
+    if (m.picture < 0) continue;
+    const std::size_t g = group_of(m);
+    HtmlCell name{m.name()};
+    name.link = explained_by(m.method);
+    groups[g].rows.push_back({std::move(name),
+                              count(m.wrong),
+                              html_share(m.wrong_area_share),
+                              html_number(m.median()),
+                              html_number(m.seconds.front()),
+                              against(m, *fastest[g]),
+                              html_bytes(static_cast<double>(m.peak_bytes)),
+                              {m.note}});
+  }
+  std::erase_if(groups, [](const HtmlGroup& g) { return g.rows.empty(); });
+  page.table({"method", "wrong samples", "wrong area", "seconds", "least", "against the fastest", "memory", "note"}, groups);
+}
 
-  page.heading("All figures");
+void add_all_figures(HtmlPage& page, const Comparison& c) {
+  page.html("<details><summary>All sizes, all figures</summary>\n");
   page.paragraph(
       "Seconds by the clock: the median of the runs, which were shuffled, the least and the most. Memory: the most that was "
-      "taken during the first run. Edge error: wrong area over the length of all visible edges, in pixels. Click or press "
-      "Enter "
-      "on a head to sort.");
+      "taken during the "
+      "first run. Edge error: wrong area over the length of all visible edges, in pixels.");
   std::vector<std::vector<HtmlCell>> rows;
   for (const ComparedMethod& m : c.methods) {
     const auto count = [](std::uint64_t n) { return HtmlCell{std::to_string(n), static_cast<double>(n), true}; };
@@ -152,9 +163,31 @@ std::string comparison_page(const Comparison& c, const std::vector<ComparisonIma
   page.table({"method", "numbers", "space", "samples each way", "seconds", "least", "most", "runs", "memory", "wrong samples",
               "of covered", "edge", "tie", "order", "wrong area", "edge error", "note"},
              rows);
+  page.html("</details>\n");
+}
 
+}  // namespace
+
+std::string comparison_page(const Comparison& c, const std::vector<ComparisonImages>& images, const PageText& text) {
+  HtmlPage page(text.title);
+  page.list(text.facts);
+  add_slider(page, c, images);
+  add_methods(page, c);
+
+  page.heading("Error against run time");
+  page.paragraph(
+      "Both axes by powers of ten. A point is a method at one resolution; exact methods have no error and stand on the line "
+      "below the diagram. Wrong area: each pixel is taken as a square of what its sample shows, and compared with the exact "
+      "fragments in it. One thread each unless said otherwise. Methods whose points would lie on others' are in the table "
+      "alone.");
+  page.html("<div class=\"plots\">");
+  for (const NamedPlot& p : comparison_plots(c)) page.html(plot_svg(p.plot));
+  page.html("</div>");
+
+  add_all_figures(page, c);
+
+  std::vector<std::vector<HtmlCell>> rows;
   page.heading("Stages: what they cost and save");
-  rows.clear();
   for (const ComparedStage& s : c.stages)
     rows.push_back(
         {{s.stage}, {s.kind}, html_number(s.seconds), html_number(s.without), html_number(s.without - s.seconds), {s.result}});

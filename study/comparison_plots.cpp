@@ -100,6 +100,12 @@ std::vector<NamedPlot> comparison_plots(const Comparison& c) {
   const std::string n = "against the number of triangles n (the first n, shuffled)";
   plots.push_back({"time-against-faces", {"Run time " + n, "triangles", "seconds", growth, "0"}});
   plots.push_back({"samples-against-faces", {"Wrong samples " + n, "triangles", "share of the covered samples", errors, "0"}});
+  // A diagram of nothing, or of nothing but zeros, says nothing.
+  std::erase_if(plots, [](const NamedPlot& p) {
+    return std::none_of(p.plot.series.begin(), p.plot.series.end(), [](const PlotSeries& s) {
+      return !s.is_theory && std::any_of(s.points.begin(), s.points.end(), [](const auto& at) { return at[1] > 0; });
+    });
+  });
   return plots;
 }
 

@@ -19,6 +19,13 @@ struct HtmlCell {
   std::string text;
   double value = 0;
   bool is_number = false;
+  std::string link = {};  ///< where it leads; empty: nowhere
+};
+
+/// Rows of a table below a heading of their own; they are sorted by themselves.
+struct HtmlGroup {
+  std::string name;
+  std::vector<std::vector<HtmlCell>> rows;
 };
 /// With as many digits as a reader needs.
 HtmlCell html_number(double x);
@@ -42,12 +49,16 @@ class HtmlPage {
   void paragraph(const std::string& text);
   void list(const std::vector<std::string>& items);
   void table(const std::vector<std::string>& columns, const std::vector<std::vector<HtmlCell>>& rows);
+  void table(const std::vector<std::string>& columns, const std::vector<HtmlGroup>& groups);
+  void style(std::string_view text) { html("<style>\n"), html(text), html("</style>\n"); }
   void html(std::string_view markup) { body_ += markup; }
   void script(std::string_view text) { script_ += text; }
 
   std::string text() const;
 
  private:
+  void add_row(const std::vector<HtmlCell>& row);
+
   std::string title_, body_, script_;
 };
 

@@ -10,8 +10,9 @@ namespace hsr::internal {
 namespace {
 
 constexpr double width = 800, height = 440, left = 70, right = 500, top = 36, bottom = 370, zero_line = 392;
-constexpr std::array<const char*, 8> colours = {"#3566c4", "#c4472b", "#2b8a57", "#8a4fbf",
-                                                "#b07a10", "#15879b", "#b8397f", "#6b6f76"};
+constexpr std::array<const char*, 20> colours = {"#3566c4", "#c4472b", "#2b8a57", "#8a4fbf", "#b07a10", "#15879b", "#b8397f",
+                                                 "#6b6f76", "#7a8a1c", "#1f3f8f", "#8c2a1a", "#14532f", "#57308a", "#7a5406",
+                                                 "#0b5563", "#7a1f52", "#4c7fb8", "#d2691e", "#5c8f3a", "#9a6a8f"};
 
 std::string number(double x, int digits = 4) { return rounded_text(x, digits); }
 

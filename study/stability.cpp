@@ -19,6 +19,7 @@ namespace {
 
 std::vector<RunnableMethod> all_methods(const Mesh& mesh, const View& view, const SampleGrid& grid) {
   std::vector<RunnableMethod> all = image_space_methods(mesh, view, grid), more = object_space_methods(mesh, view, grid);
+  for (RunnableMethod& m : opengl_methods(mesh, view, grid)) all.push_back(std::move(m));
   std::move(more.begin(), more.end(), std::back_inserter(all));
   return all;
 }
@@ -82,7 +83,8 @@ class FamilyRunner {
     }
     for (std::size_t k = 0; k < methods.size(); ++k) {
       StabilityRow& row = result_.rows[k];
-      if (scene.closest && methods[k].resolution && methods[k].method == "depth buffer")
+      if (scene.closest && methods[k].resolution &&
+          (methods[k].method == "depth buffer" || methods[k].method.rfind("OpenGL", 0) == 0))
         predict(row, steps_[k], steps_apart(*scene.closest, *methods[k].resolution), value);
       row.points.push_back(run_method(methods[k], row, scene, mesh, nearest));
     }

@@ -4,21 +4,13 @@
 
 #include "hsr/io/write/image_png.h"
 #include "hsr/model.h"
+#include "study/page_texts.h"
 #include "study/stability_csv.h"
 #include "study/stability_plots.h"
 
 namespace hsr::internal {
 
 namespace {
-
-constexpr std::string_view family_style = R"(<style>
-.family{display:grid;grid-template-columns:minmax(16rem,1fr) minmax(0,2.4fr);gap:1.5rem;align-items:start}
-.family img{width:200px;height:auto}.family p{margin:.2rem 0 .6rem}
-.family>svg{width:100%;height:auto;border:1px solid var(--faint);border-radius:4px}
-@media(max-width:52rem){.family{grid-template-columns:1fr}}
-.summary td,.summary th{padding:.2rem .36rem;font-size:12.5px}
-summary{cursor:pointer;margin:.5rem 0}
-</style>)";
 
 /// Each face in a colour of its own, with dark edges; transparent where nothing is.
 std::string sketch_png(const Image<FaceId>& faces) {
@@ -198,7 +190,7 @@ void add_remedies(HtmlPage& page, const Stability& stability) {
 std::string stability_page(const Stability& stability, const PageText& text) {
   HtmlPage page(text.title);
   page.list(text.facts);
-  page.html(family_style);
+  page.style(page_text("stability.css"));
   add_summary(page, stability);
   const std::vector<NamedPlot> plots = stability_plots(stability);
   for (std::size_t k = 0; k < stability.families.size(); ++k) {

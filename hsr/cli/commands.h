@@ -15,6 +15,7 @@ struct CheckFailed {};
 void add_batch(CommandLine& command, UnfinishedFiles& unfinished);
 void add_compare(CommandLine& command, UnfinishedFiles& unfinished);
 void add_draw(CommandLine& command, UnfinishedFiles& unfinished);
+void add_explain(CommandLine& command, UnfinishedFiles& unfinished);
 void add_info(CommandLine& command, UnfinishedFiles& unfinished);
 void add_join(CommandLine& command, UnfinishedFiles& unfinished);
 void add_order(CommandLine& command, UnfinishedFiles& unfinished);

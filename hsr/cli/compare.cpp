@@ -7,10 +7,12 @@
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
 #include "hsr/cli/directory.h"
+#include "hsr/cli/explained_pages.h"
 #include "hsr/cli/messages.h"
 #include "hsr/cli/page_arguments.h"
 #include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/shading.h"
+#include "study/attempt.h"
 #include "study/comparison.h"
 #include "study/comparison_csv.h"
 #include "study/comparison_page.h"
@@ -37,7 +39,8 @@ const char* const examples = R"(Examples:
   hsr compare part.stl -o part_compared --view front
   hsr compare city.ply -o city --eye 20,-30,15 --size 512
 
-Writes index.html (needs nothing else), table.csv, report.json, plots/*.svg and pictures/*.png. Exit status 1: an exact
+Writes index.html (needs nothing else), table.csv, report.json, plots/*.svg, pictures/*.png and explain/*.html (the methods step by step, on
+this model if it has at most 200 faces). Exit status 1: an exact
 method was wrong.)";
 
 Report::Json json_of(const ComparedMethod& m) {
@@ -137,6 +140,14 @@ void write_pictures(const Comparison& comparison, const std::vector<ComparisonIm
   }
 }
 
+/// The pages to which the names of methods lead: of this scene where it can be followed, else of examples.
+void explain_methods(const ViewedModel& viewed, OutputDirectory& directory) {
+  const ExplainedScene scene{viewed.model, viewed.mesh, viewed.view(), viewed.name() + ", view " + viewed.chosen.title};
+  constexpr int size = 16;
+  const Attempt tried = attempt([&] { check_explainable(scene); });
+  write_explained(directory, "explain/", explained_methods(), tried.ending == Ending::done ? &scene : nullptr, size, false);
+}
+
 /// What the page says of its making.
 PageText page_text(const CompareArguments& a, const ViewedModel& viewed, const Comparison& comparison) {
   PageText text;
@@ -168,6 +179,7 @@ void run(const CompareArguments& a, UnfinishedFiles& unfinished) {
   write_pictures(comparison, images, directory);
   for (const NamedPlot& p : comparison_plots(comparison)) directory.write("plots/" + p.name + ".svg", plot_file(p.plot));
   directory.write("table.csv", comparison_csv(comparison));
+  explain_methods(viewed, directory);
   directory.write("index.html", comparison_page(comparison, images, page_text(a, viewed, comparison)));
   describe(context.report, comparison);
   context.report.set("view", viewed.chosen.title);

@@ -60,6 +60,7 @@ void run(int argc, char** argv) {
   hsr::cli::add_verify(command, unfinished);
   hsr::cli::add_compare(command, unfinished);
   hsr::cli::add_stability(command, unfinished);
+  hsr::cli::add_explain(command, unfinished);
   hsr::cli::add_manual(command);
   command.run(argc, argv);
   std::cout.flush();

@@ -13,6 +13,7 @@
 #include "geometry/error.h"
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/line_progress.h"
+#include "hsr/lines/shadow_observer.h"
 
 namespace hsr::internal {
 
@@ -87,6 +88,7 @@ void HiddenIntervals::end(Line line) {
   line.end_cut = static_cast<std::uint32_t>(result_.cuts.size());
   line.end_occluder = static_cast<std::uint32_t>(result_.occluders.size());
   result_.lines.push_back(line);
+  if (observer_ != nullptr) observer_->ended(line, result_.cuts_of(line));
 }
 
 void HiddenIntervals::add_nothing(const LineTask& tiled) { end(begun(tiled)); }
@@ -100,7 +102,10 @@ void HiddenIntervals::add_whole(const LineTask& tiled, bool is_hidden) {
 }
 
 void HiddenIntervals::add(const LineTask& tiled, std::vector<HiddenInterval>& cast) {
-  unite(occlusion_, cast);
+  if (observer_ == nullptr)
+    unite(occlusion_, cast);
+  else
+    unite(occlusion_, cast, *observer_);
   check_ascending(cast);
   Line line = begun(tiled);
   if (options_.why) name_occluders(cast, by_face_);
@@ -166,9 +171,25 @@ void HiddenIntervals::cast_on(const Stretch& stretch, const ImageBox& box, const
   });
 }
 
+/// The same along all of the line, each shadow told.
+void HiddenIntervals::cast_watched(const ImageBox& box, const Occluders& occluders) {
+  occluders.tree.visit_boxes<BoxTree::Depth::hiding>(box, [&](std::uint32_t i, std::uint32_t /*at*/) {
+    ++result_.pairs;
+    const std::size_t before = cast_.size();
+    occlusion_.cast(occluders.triangles[i], cast_);
+    observer_->cast(occluders.triangles[i], std::span(cast_).subspan(before));
+    return true;
+  });
+}
+
 void HiddenIntervals::cast_all(const LineTask& line, const ImageBox& box, const Occluders& occluders) {
   cast_.clear();
-  cast_on({-HUGE_VAL, HUGE_VAL}, box, occluders);
+  if (observer_ == nullptr) {
+    cast_on({-HUGE_VAL, HUGE_VAL}, box, occluders);
+  } else {
+    observer_->began(line, occlusion_.first(), occlusion_.last());
+    cast_watched(box, occluders);
+  }
   if (options_.why) sort_by_face();
   add(line, cast_);
 }
@@ -271,14 +292,14 @@ bool HiddenIntervals::close_gaps() {
 
 VisibleLines intervals_in_blocks(const ProjectedMesh& projected, const LineOptions& options,
                                  std::span<const std::uint32_t> order,
-                                 const std::function<void(HiddenIntervals&, std::uint32_t)>& add) {
+                                 const std::function<void(HiddenIntervals&, std::uint32_t)>& add, ShadowObserver* observer) {
   std::vector<VisibleLines> parts((order.size() + edges_of_block - 1) / edges_of_block);
   std::vector<std::array<std::uint32_t, 2>> place(order.size());
   LineProgress progress(options.progress, options.stop, order.size());
   using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
+  const auto find = [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
-      HiddenIntervals intervals(projected, options);
+      HiddenIntervals intervals(projected, options, observer);
       const std::size_t begin = part * edges_of_block, end = std::min(begin + edges_of_block, order.size());
       for (std::size_t k = begin; k < end; ++k) {
         place[order[k]] = {static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(k - begin)};
@@ -287,7 +308,11 @@ VisibleLines intervals_in_blocks(const ProjectedMesh& projected, const LineOptio
       parts[part] = intervals.take();
       progress.advance(end - begin);
     }
-  });
+  };
+  if (observer == nullptr)
+    tbb::parallel_for(Range(0, parts.size(), 1), find);
+  else
+    find(Range(0, parts.size(), 1));
   return joined(parts, place);
 }
 

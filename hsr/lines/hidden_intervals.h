@@ -44,8 +44,9 @@ struct LineTask {
 /// block of lines.
 class HiddenIntervals {
  public:
-  HiddenIntervals(const ProjectedMesh& projected, const LineOptions& options)
-      : projected_(projected), options_(options), occlusion_(projected) {}
+  /// @param observer is told of each shadow that is cast; null: nobody is
+  HiddenIntervals(const ProjectedMesh& projected, const LineOptions& options, ShadowObserver* observer = nullptr)
+      : projected_(projected), options_(options), occlusion_(projected), observer_(observer) {}
 
   /// The line as all the triangles that overlap it in the image leave it. @param pyramid what is known to be hidden, or nullptr
   void add_by_casting(const RequestedPart& part, const ImageBox& box, const Occluders& occluders,
@@ -80,6 +81,7 @@ class HiddenIntervals {
   void cast_all(const LineTask& line, const ImageBox& box, const Occluders& occluders);
   Stretch stretch(const Edge& edge, double from_share, double to_share) const;
   ImageBox box_of(const Edge& edge, const Stretch& stretch) const;
+  void cast_watched(const ImageBox& box, const Occluders& occluders);
   void cast_on(const Stretch& stretch, const ImageBox& box, const Occluders& occluders);
   bool covers(const HiddenInterval& s, const Stretch& stretch) const;
   bool cast_unhidden(const LineTask& line, const Occluders& occluders, const OcclusionPyramid& pyramid);
@@ -93,13 +95,15 @@ class HiddenIntervals {
   std::vector<UnhiddenInterval> unhidden_;
   std::vector<Stretch> unhidden_stretches_, looked_at_;  // what may be seen; each a little longer
   VisibleLines result_;
+  ShadowObserver* observer_;
 };
 
 /// The lines of edges that do not depend on one another, in blocks in parallel. @param order the edges to tile, near ones near
-/// @param add tiles one of them
+/// @param add tiles one of them @param observer is told, in one thread; null: nobody is
 VisibleLines intervals_in_blocks(const ProjectedMesh& projected, const LineOptions& options,
                                  std::span<const std::uint32_t> order,
-                                 const std::function<void(HiddenIntervals&, std::uint32_t)>& add);
+                                 const std::function<void(HiddenIntervals&, std::uint32_t)>& add,
+                                 ShadowObserver* observer = nullptr);
 
 /// The lines of all parts in order. @param place where each line is: part, and line in it
 /// @throws InputError beyond 2^32 - 1 interval ends

@@ -21,6 +21,7 @@
 #include "hsr/lines/lines_in_cells.h"
 #include "hsr/lines/near_parts.h"
 #include "hsr/lines/roberts.h"
+#include "hsr/lines/shadow_observer.h"
 #include "hsr/scene/line_filter.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/view/frustum.h"
@@ -48,7 +49,8 @@ class Plan {
  public:
   Plan(const SceneView& scene, const LineOptions& options);
 
-  VisibleLines run() const;
+  /// @param observer of roberts, or null
+  VisibleLines run(ShadowObserver* observer = nullptr) const;
   const LinePlan& outcome() const { return outcome_; }
   const std::vector<EdgeId>& in_doubt() const { return requested_->in_doubt; }
 
@@ -317,7 +319,7 @@ void append(VisibleLines& all, const VisibleLines& more) {
   all.decisions += more.decisions;
 }
 
-VisibleLines Plan::run() const {
+VisibleLines Plan::run(ShadowObserver* observer) const {
   VisibleLines all;
   if (!method_) {
     all = lines_of_convex_body(projected_, *requested_, *parts_.bodies(options_.stop), options_);
@@ -325,9 +327,10 @@ VisibleLines Plan::run() const {
     const Occluders& occluders = near_request_ ? *near_request_ : parts_.occluders(excluded_, options_.stop);
     all = *method_ == LineMethod::appel
               ? appel(projected_, *requested_, parts_.occluding_edges(excluded_, options_.stop), occluders, options_)
-              : roberts(projected_, *requested_, occluders, options_, options_.why ? nullptr : parts_.pyramid(options_.stop));
+              : roberts(projected_, *requested_, occluders, options_, options_.why ? nullptr : parts_.pyramid(options_.stop),
+                        observer);
     if (!merged_segments_.empty())
-      append(all, lines_of_intersections(projected_, merged_segments_, meet_boxes_, occluders, options_));
+      append(all, lines_of_intersections(projected_, merged_segments_, meet_boxes_, occluders, options_, observer));
   }
   if (parts_.mesh().ghosts != nullptr)
     for (std::size_t i = 0; i < requested_->edges.size(); ++i) all.lines[i].is_ghost = requested_->is_ghost(i);
@@ -372,6 +375,12 @@ VisibleLines internal::visible_lines_and_doubts(const SceneView& scene, const Li
   const Plan plan(scene, options);
   in_doubt = plan.in_doubt();
   return plan.run();
+}
+
+VisibleLines internal::visible_lines(const SceneView& scene, const LineOptions& options, ShadowObserver& observer) {
+  require(options.method == LineMethod::roberts && options.why,
+          "visible_lines: watched are the shadows that roberts casts, all of them");
+  return Plan(scene, options).run(&observer);
 }
 
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/constructed_point.h"
+#include "hsr/lines/shadow_observer.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/line_filter.h"
 #include "hsr/symbols/cut_plane.h"
@@ -337,8 +338,10 @@ void TriangleOcclusion::edge_on(TriangleId triangle, std::vector<HiddenInterval>
   add();
 }
 
-void unite(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows) {
-  if (shadows.size() < 2) return;
+namespace {
+
+/// By where they begin.
+void sort_shadows(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows) {
   const auto before = [&](const HiddenInterval& x, const HiddenInterval& y) {
     return occlusion.order(x.from, y.from) == Sign::negative;
   };
@@ -353,14 +356,42 @@ void unite(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows) {
   } else {
     std::stable_sort(shadows.begin(), shadows.end(), before);
   }
+}
+
+/// @param tell of each but the first: the shadow, how it joins, the last interval then
+template <class Tell>
+void unite_sorted(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows, const Tell& tell) {
   std::size_t last = 0;
   for (std::size_t i = 1; i < shadows.size(); ++i) {
-    if (occlusion.order(shadows[i].from, shadows[last].to) == Sign::positive)
-      shadows[++last] = shadows[i];
-    else if (occlusion.order(shadows[last].to, shadows[i].to) == Sign::negative)
-      shadows[last].to = shadows[i].to;
+    const HiddenInterval shadow = shadows[i];
+    Uniting how = Uniting::within;
+    if (occlusion.order(shadow.from, shadows[last].to) == Sign::positive) {
+      shadows[++last] = shadow;
+      how = Uniting::begins;
+    } else if (occlusion.order(shadows[last].to, shadow.to) == Sign::negative) {
+      shadows[last].to = shadow.to;
+      how = Uniting::reaches;
+    }
+    tell(shadow, how, shadows[last]);
   }
   shadows.resize(last + 1);
+}
+
+}  // namespace
+
+void unite(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows) {
+  if (shadows.size() < 2) return;
+  sort_shadows(occlusion, shadows);
+  unite_sorted(occlusion, shadows, [](const HiddenInterval&, Uniting, const HiddenInterval&) {});
+}
+
+void unite(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows, ShadowObserver& observer) {
+  if (shadows.empty()) return;
+  sort_shadows(occlusion, shadows);
+  observer.joined(shadows.front(), Uniting::begins, shadows.front());
+  unite_sorted(occlusion, shadows, [&](const HiddenInterval& shadow, Uniting how, const HiddenInterval& last) {
+    observer.joined(shadow, how, last);
+  });
 }
 
 }  // namespace hsr::internal

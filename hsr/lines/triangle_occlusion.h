@@ -12,6 +12,8 @@
 
 namespace hsr::internal {
 
+class ShadowObserver;
+
 /// A place on a line with its approximate parameter, for sorting: the exact order is computed only where the errors overlap.
 struct Breakpoint {
   Cut cut;
@@ -115,5 +117,7 @@ class TriangleOcclusion {
 
 /// Sorts the shadows along the line that was turned to, and replaces what overlaps or touches by its union.
 void unite(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows);
+/// The same, told.
+void unite(TriangleOcclusion& occlusion, std::vector<HiddenInterval>& shadows, ShadowObserver& observer);
 
 }  // namespace hsr::internal

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/error.h"
+#include "hsr/raster/depth_observer.h"
 #include "hsr/raster/drawn_triangles.h"
 
 namespace hsr::internal {
@@ -86,19 +87,35 @@ struct Logarithmic {
   float least_, factor_;
 };
 
-template <class Format>
+/// Who draws unwatched: this is asked where the code is made, and costs nothing when it runs.
+struct Unwatched {
+  static constexpr bool is_watched = false;
+};
+
+struct Watched {
+  static constexpr bool is_watched = true;
+  DepthObserver* observer;
+};
+
+template <class Format, class Watch>
 class Buffer {
   using Real = typename Format::Real;
   using Stored = typename Format::Stored;
 
  public:
-  Buffer(const SampleGrid& samples, const DepthRange& range, const DepthBufferOptions& options)
-      : range_(range),
+  Buffer(const SampleGrid& samples, const DepthRange& range, const DepthBufferOptions& options, Watch watch)
+      : watch_(watch),
+        range_(range),
         options_(options),
         format_(range),
         triangles_(samples.width, samples.height),
         stored_(samples.width, samples.height,
-                format_.first(options.function != DepthFunction::greater && options.function != DepthFunction::gequal)) {}
+                format_.first(options.function != DepthFunction::greater && options.function != DepthFunction::gequal)) {
+    if constexpr (Watch::is_watched) {
+      const Stored first = stored_.pixels.front();
+      watch_.observer->began(samples.width, samples.height, format_.depth(first), static_cast<double>(first));
+    }
+  }
 
   void draw(TriangleId t, Seen<Real> a, Seen<Real> b, Seen<Real> c) {
     ScannedTriangle<Real> scanned;
@@ -106,6 +123,7 @@ class Buffer {
     bias_ = options_.slope_bias == 0
                 ? 0
                 : static_cast<Real>(options_.slope_bias) * std::max(std::fabs(scanned.step()), std::fabs(scanned.step_down()));
+    if constexpr (Watch::is_watched) tell(t, scanned, a, b, c);
     switch (options_.interpolation) {
       case DepthInterpolation::plane:
         return draw_by_plane(t, scanned);
@@ -129,6 +147,14 @@ class Buffer {
   Real interpolated(double nearness) const { return format_.interpolated(range_, nearness); }
 
  private:
+  void tell(TriangleId t, const ScannedTriangle<Real>& scanned, const Seen<Real>& a, const Seen<Real>& b, const Seen<Real>& c) {
+    const auto corner = [](const Seen<Real>& p) {
+      return DepthCorner{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.nearness)};
+    };
+    watch_.observer->triangle(t, {corner(a), corner(b), corner(c)}, static_cast<double>(scanned.step()),
+                              static_cast<double>(scanned.step_down()));
+  }
+
   /// Of samples begin ... end - 1 of a row; depth_at(i) is called once for each, from the left.
   template <class DepthAt>
   void draw_span(TriangleId t, int j, int begin, int end, const DepthAt& depth_at) {
@@ -136,15 +162,25 @@ class Buffer {
     Stored* const stored = stored_.row(j);
     const bool is_biased = bias_ != 0 || options_.bias != 0;
     const bool is_less = options_.function == DepthFunction::less;
+    if constexpr (Watch::is_watched) watch_.observer->span(j, begin, end);
     for (int i = begin; i < end; ++i) {
       Real d = depth_at(i);
       if (is_biased) d = format_.biased(d + Format::away * bias_, options_.bias);
+      if constexpr (Watch::is_watched) tell(i, j, d, stored[i]);
       if (!format_.is_within(d)) continue;
       const Stored s = format_.stored(d);
       if (is_less ? !Format::nearer(s, stored[i]) : !passes(s, stored[i])) continue;
       stored[i] = s;
       shown[i] = t;
     }
+  }
+
+  /// What is going to happen at a sample.
+  void tell(int i, int j, Real d, Stored held) const {
+    const bool is_within = format_.is_within(d);
+    const Stored s = is_within ? format_.stored(d) : Stored{};
+    watch_.observer->sample({i, j, format_.depth(s), static_cast<double>(s), format_.depth(held), static_cast<double>(held),
+                             is_within, is_within && passes(s, held)});
   }
 
   void draw_by_plane(TriangleId t, const ScannedTriangle<Real>& scanned) {
@@ -247,6 +283,7 @@ class Buffer {
     return false;
   }
 
+  [[no_unique_address]] Watch watch_;
   DepthRange range_;
   DepthBufferOptions options_;
   Format format_;
@@ -255,11 +292,11 @@ class Buffer {
   Real bias_ = 0;
 };
 
-template <class Format>
+template <class Format, class Watch>
 DepthBuffer drawn(const Mesh& mesh, const View& view, const SampleGrid& samples, const DepthRange& range,
-                  const DepthBufferOptions& options) {
+                  const DepthBufferOptions& options, Watch watch) {
   using Real = typename Format::Real;
-  Buffer<Format> buffer(samples, range, options);
+  Buffer<Format, Watch> buffer(samples, range, options, watch);
   const auto depth_of = [&](double nearness) { return buffer.interpolated(nearness); };
   const DrawnTriangles<Real, decltype(depth_of)> triangles(mesh, view, samples, depth_of);
   for (std::size_t k = 0; k < triangles.size(); ++k) {
@@ -269,30 +306,41 @@ DepthBuffer drawn(const Mesh& mesh, const View& view, const SampleGrid& samples,
   return std::move(buffer).result();
 }
 
+template <class Watch>
+DepthBuffer drawn_in_format(const Mesh& mesh, const View& view, const SampleGrid& samples, const DepthRange& range,
+                            const DepthBufferOptions& options, Watch watch) {
+  switch (options.format) {
+    case DepthFormat::fixed8:
+      return drawn<Fixed<8>>(mesh, view, samples, range, options, watch);
+    case DepthFormat::fixed16:
+      return drawn<Fixed<16>>(mesh, view, samples, range, options, watch);
+    case DepthFormat::fixed24:
+      return drawn<Fixed<24>>(mesh, view, samples, range, options, watch);
+    case DepthFormat::fixed32:
+      return drawn<Fixed<32>>(mesh, view, samples, range, options, watch);
+    case DepthFormat::float32:
+      return drawn<Floating<float>>(mesh, view, samples, range, options, watch);
+    case DepthFormat::float64:
+      return drawn<Floating<double>>(mesh, view, samples, range, options, watch);
+    case DepthFormat::reversed_float32:
+      return drawn<Reversed>(mesh, view, samples, range, options, watch);
+    case DepthFormat::logarithmic_float32:
+      if (!range.is_perspective) throw InputError("logarithmic depths: found a parallel view, expected a perspective");
+      return drawn<Logarithmic>(mesh, view, samples, range, options, watch);
+  }
+  throw InputError("depth format: found no known one");
+}
+
 }  // namespace
 
 DepthBuffer depth_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const DepthRange& range,
                          const DepthBufferOptions& options) {
-  switch (options.format) {
-    case DepthFormat::fixed8:
-      return drawn<Fixed<8>>(mesh, view, samples, range, options);
-    case DepthFormat::fixed16:
-      return drawn<Fixed<16>>(mesh, view, samples, range, options);
-    case DepthFormat::fixed24:
-      return drawn<Fixed<24>>(mesh, view, samples, range, options);
-    case DepthFormat::fixed32:
-      return drawn<Fixed<32>>(mesh, view, samples, range, options);
-    case DepthFormat::float32:
-      return drawn<Floating<float>>(mesh, view, samples, range, options);
-    case DepthFormat::float64:
-      return drawn<Floating<double>>(mesh, view, samples, range, options);
-    case DepthFormat::reversed_float32:
-      return drawn<Reversed>(mesh, view, samples, range, options);
-    case DepthFormat::logarithmic_float32:
-      if (!range.is_perspective) throw InputError("logarithmic depths: found a parallel view, expected a perspective");
-      return drawn<Logarithmic>(mesh, view, samples, range, options);
-  }
-  throw InputError("depth format: found no known one");
+  return drawn_in_format(mesh, view, samples, range, options, Unwatched{});
+}
+
+DepthBuffer depth_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const DepthRange& range,
+                         const DepthBufferOptions& options, DepthObserver& observer) {
+  return drawn_in_format(mesh, view, samples, range, options, Watched{&observer});
 }
 
 }  // namespace hsr::internal

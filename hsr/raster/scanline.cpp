@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hsr/raster/drawn_triangles.h"
+#include "hsr/raster/scanline_observer.h"
 
 namespace hsr::internal {
 
@@ -22,23 +23,24 @@ struct Face {
   double at(int i, int j) const { return nearness + (j - y) * down + (i - x) * right; }
 };
 
-/// An entry of the edge table, from its upper end.
-struct FaceEdge {
-  double x, y, columns_a_row;
-  int first_row, end_row;
-  std::uint32_t face;
-  bool is_left;
+using FaceEdge = ScannedEdge;
+using Crossing = ScannedCrossing;
+
+/// Who scans unwatched: this is asked where the code is made, and costs nothing when it runs.
+struct Unwatched {
+  static constexpr bool is_watched = false;
 };
 
-struct Crossing {
-  int column;
-  std::uint32_t face;
-  bool is_left;
+struct Watched {
+  static constexpr bool is_watched = true;
+  ScanlineObserver* observer;
 };
 
+template <class Watch = Unwatched>
 class Scanner {
  public:
-  Scanner(const SampleGrid& samples, TieRule ties) : ties_(ties), width_(samples.width), height_(samples.height) {}
+  Scanner(const SampleGrid& samples, TieRule ties, Watch watch = {})
+      : watch_(watch), ties_(ties), width_(samples.width), height_(samples.height) {}
 
   void add_triangle(TriangleId t, Corner a, Corner b, Corner c) {
     Drawn scanned;
@@ -80,6 +82,7 @@ class Scanner {
     result_.triangles = Image<TriangleId>(width_, height_);
     std::stable_sort(edges_.begin(), edges_.end(),
                      [](const FaceEdge& a, const FaceEdge& b) { return a.first_row < b.first_row; });
+    if constexpr (Watch::is_watched) watch_.observer->began(edges_);
     std::size_t next = 0;
     for (int j = 0; j < height_; ++j) {
       for (; next < edges_.size() && edges_[next].first_row == j; ++next) active_.push_back(edges_[next]);
@@ -95,7 +98,10 @@ class Scanner {
  private:
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  void begin_face(const Face& face) { faces_.push_back(face); }
+  void begin_face(const Face& face) {
+    faces_.push_back(face);
+    if constexpr (Watch::is_watched) watch_.observer->added_face(static_cast<std::uint32_t>(faces_.size() - 1), face.shown);
+  }
 
   void add_edge(const Corner& upper, const Corner& lower, bool is_left) {
     const int first = Drawn::first_sample(upper.y, height_), end = Drawn::first_sample(lower.y, height_);
@@ -114,6 +120,7 @@ class Scanner {
       if (!e.is_left) face.row_end = column;
     }
     std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) { return a.column < b.column; });
+    if constexpr (Watch::is_watched) watch_.observer->row(j, active_, crossings_);
     std::uint32_t shown = none;
     for (std::size_t k = 0; k < crossings_.size();) {
       const int column = crossings_[k].column;
@@ -121,6 +128,8 @@ class Scanner {
       for (; k < crossings_.size() && crossings_[k].column == column; ++k) pass(crossings_[k]);
       const int end = k < crossings_.size() ? crossings_[k].column : column;
       shown = nearest(shown, column, j);
+      if constexpr (Watch::is_watched)
+        if (column != end) watch_.observer->shown(j, column, end, shown);
       if (shown == none || column == end) continue;
       ++result_.spans;
       std::fill(result_.triangles.row(j) + column, result_.triangles.row(j) + end, faces_[shown].shown);
@@ -137,6 +146,7 @@ class Scanner {
     } else if (was_inside && face.inside <= 0) {
       inside_.erase(std::find(inside_.begin(), inside_.end(), c.face));
     }
+    if constexpr (Watch::is_watched) watch_.observer->passed(c, inside_);
   }
 
   /// What to show from a sample on, where `before` was shown up to it.
@@ -151,7 +161,9 @@ class Scanner {
         continue;
       }
       ++result_.depth_comparisons;
-      if (is_nearer(faces_[f], faces_[best], i, j)) best = f;
+      const bool is_the_nearer = is_nearer(faces_[f], faces_[best], i, j);
+      if constexpr (Watch::is_watched) tell(f, best, i, j, is_the_nearer);
+      if (is_the_nearer) best = f;
     }
     return best;
   }
@@ -169,6 +181,13 @@ class Scanner {
     return ties_.is_above(f.shown, g.shown);
   }
 
+  void tell(std::uint32_t f, std::uint32_t shown, int i, int j, bool is_the_nearer) const {
+    const Face &a = faces_[f], &b = faces_[shown];
+    const int last = std::max(i, std::min(a.row_end, b.row_end) - 1);
+    watch_.observer->compared({f, shown, i, last, a.at(i, j), b.at(i, j), a.at(last, j), b.at(last, j), is_the_nearer});
+  }
+
+  [[no_unique_address]] Watch watch_;
   TieRule ties_;
   int width_, height_;
   std::vector<Face> faces_;
@@ -198,8 +217,10 @@ std::array<double, 3> depth_plane(const Mesh& mesh, const View& view, const Samp
 
 }  // namespace
 
-Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties) {
-  Scanner scanner(samples, ties);
+namespace {
+
+template <class Watch>
+Scanline scanned(const Mesh& mesh, const View& view, const SampleGrid& samples, Scanner<Watch> scanner) {
   const DrawnTriangles<double> triangles(mesh, view, samples);
   for (std::size_t k = 0; k < triangles.size(); ++k)
     triangles.visit(TriangleId(k),
@@ -207,8 +228,18 @@ Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples,
   return std::move(scanner).scanned();
 }
 
+}  // namespace
+
+Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties) {
+  return scanned(mesh, view, samples, Scanner<>(samples, ties));
+}
+
+Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties, ScanlineObserver& observer) {
+  return scanned(mesh, view, samples, Scanner<Watched>(samples, ties, {&observer}));
+}
+
 Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, const PaintersOrder& pieces, TieRule ties) {
-  Scanner scanner(samples, ties);
+  Scanner<> scanner(samples, ties);
   const SampleProjection<double> project(view, samples);
   std::vector<Corner> corners;
   for (const OrderedPiece& piece : pieces.pieces) {

@@ -92,7 +92,7 @@ TEST_CASE("what was written is told on standard error, and with -q not at all", 
 
 TEST_CASE("help of each verb has examples, and says what is written", "[cli]") {
   const std::string all = run("--help").text;
-  for (const std::string verb : {"draw", "info", "order", "verify", "compare", "stability"}) {
+  for (const std::string verb : {"draw", "info", "order", "verify", "compare", "stability", "explain"}) {
     INFO(verb);
     CHECK(count(all, "\n  " + verb + " ") == 1);
     const Outcome help = run(verb + " --help");
@@ -200,8 +200,15 @@ TEST_CASE("compare writes a page that needs nothing else, a table, a report, pic
   const std::string page = contents(d / "out/cube/index.html");
   CHECK(page.find("<!DOCTYPE html>") == 0);
   CHECK(page.find("src=\"http") == std::string::npos);
-  CHECK(page.find("href=") == std::string::npos);
+  CHECK(page.find("href=\"http") == std::string::npos);
   CHECK(page.size() < 5'000'000);
+  // What names of methods lead to is there.
+  std::size_t links = 0;
+  for (std::size_t at = page.find("href=\""); at != std::string::npos; at = page.find("href=\"", at + 1), ++links) {
+    const std::size_t from = at + 6;
+    CHECK(fs::exists(d / ("out/cube/" + page.substr(from, page.find('"', from) - from))));
+  }
+  CHECK(links > 10);
   const auto report = nlohmann::json::parse(contents(d / "out/cube/report.json"));
   std::size_t exact = 0;
   for (const auto& m : report["methods"]) {

@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "geometry/parallel.h"
 #include "hsr/painter/bsp/bsp_nodes.h"
+#include "hsr/painter/bsp/bsp_observer.h"
 #include "hsr/painter/order_in_cells.h"
 #include "hsr/painter/self_overlaps.h"
 #include "hsr/painter/wires.h"
@@ -90,10 +91,15 @@ std::uint32_t coplanar(std::uint32_t first, std::uint32_t end, std::uint32_t k, 
   return first + static_cast<std::uint32_t>(ties.from_top(k - first, end - first));
 }
 
+/// Who walks unwatched.
+struct Unwatched {
+  void operator()(std::uint32_t /*node*/, bool /*is_leaf*/, bool /*viewer_is_before*/) const {}
+};
+
 /// Visits the pieces of nodes from far to near, those of one node as a range. The sides of all planes are asked first, in the
 /// order of memory: on the way through the tree each would be waited for.
-template <class Nodes, class Visit>
-void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
+template <class Nodes, class Visit, class Watch = Unwatched>
+void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit, const Watch& watch = {}) {
   if (nodes.empty()) return;
   std::vector<std::uint8_t> eye_is_before(nodes.size(), 0);
   for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -106,6 +112,7 @@ void walk_far_to_near(const Nodes& nodes, EyeSide side_of, const Visit& visit) {
   std::uint32_t at = 0;
   while (true) {
     const auto& node = nodes[at];
+    watch(at, node.is_leaf(), eye_is_before[at] != 0);
     if (node.is_leaf()) {
       visit(node.first_piece, node.end_piece);
       at = 0;
@@ -213,19 +220,30 @@ class PieceWriter {
 
 }  // namespace
 
-void internal::append_far_to_near(const BspNodes& tree, const ProjectedMesh& projected, const View& view,
-                                  PaintersOrder& order) {
+void internal::append_far_to_near(const BspNodes& tree, const ProjectedMesh& projected, const View& view, PaintersOrder& order,
+                                  BspObserver* observer) {
   PieceWriter writer(projected, order);
   std::vector<PieceCorner> ring;
   const EyeSide side_of(*tree.mesh, view, tree.bit_range, tree.filters);
-  walk_far_to_near(tree.nodes, side_of, [&](std::uint32_t first, std::uint32_t end) {
+  const auto append = [&](std::uint32_t first, std::uint32_t end) {
     for (std::uint32_t k = end; k-- > first;) {
       const OrderedPiece& p = tree.pieces[coplanar(first, end, k, projected.ties())];
       ring.clear();
       for (std::uint32_t c = p.first_corner; c < p.end_corner; ++c) ring.push_back(tree.corner(tree.corners[c]));
       writer.append(p.facet, ring);
     }
-  });
+  };
+  if (observer == nullptr) {
+    walk_far_to_near(tree.nodes, side_of, append);
+  } else {
+    const auto told = [&](std::uint32_t first, std::uint32_t end) {
+      observer->visited(first, end);
+      append(first, end);
+    };
+    walk_far_to_near(tree.nodes, side_of, told, [&](std::uint32_t node, bool is_leaf, bool viewer_is_before) {
+      observer->walked(node, is_leaf, viewer_is_before);
+    });
+  }
   order.decisions += writer.decisions();
 }
 

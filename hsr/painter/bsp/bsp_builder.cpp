@@ -12,6 +12,7 @@
 #include "geometry/error.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/bsp/bsp_nodes.h"
+#include "hsr/painter/bsp/bsp_observer.h"
 #include "hsr/painter/bsp/bsp_parts.h"
 #include "hsr/painter/bsp/side_bits.h"
 #include "hsr/scene/facet.h"
@@ -56,6 +57,7 @@ class BspBuilder {
     std::size_t most = 0;
     std::atomic<std::size_t> pieces = 0;
     const SomeFacets* some = nullptr;  // or all
+    BspObserver* observer = nullptr;   // or nobody
   };
 
   BspBuilder(BspNodes& tree, Shared& shared, std::uint64_t seed)
@@ -101,6 +103,8 @@ class BspBuilder {
   std::size_t choose_small(std::uint64_t parts);
   std::array<std::uint32_t, 2> split(std::uint32_t part, const Divider& d);
   std::uint32_t add_node(const Cut& plane, const Task& task, std::span<std::uint32_t> inside);
+  std::vector<PieceCorner> ring_of(std::uint32_t part) const;
+  std::vector<std::uint32_t> parts_in(std::uint64_t places) const;
   std::uint64_t random() {  // splitmix64, Steele, Lea & Flood 2014
     std::uint64_t z = (seed_ += 0x9e3779b97f4a7c15U);
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -145,6 +149,19 @@ class BspBuilder {
   Sample sample_;
 };
 
+/// For an observer.
+std::vector<PieceCorner> BspBuilder::ring_of(std::uint32_t part) const {
+  std::vector<PieceCorner> ring;
+  for (const BspParts::Corner& c : parts_.corners(parts_[part])) ring.push_back(tree_.corner(c.bounds));
+  return ring;
+}
+
+std::vector<std::uint32_t> BspBuilder::parts_in(std::uint64_t places) const {
+  std::vector<std::uint32_t> parts;
+  for_each_bit(places, [&](std::size_t place) { parts.push_back(small_.part[place]); });
+  return parts;
+}
+
 /// The sides of a facet as planes parallel to an axis: they do not depend on a view.
 void BspBuilder::add_part(FacetId facet, std::span<const VertexId> ring, int axis, const std::vector<std::uint8_t>& original) {
   std::vector<BspBounds::Corner> corners;
@@ -153,7 +170,9 @@ void BspBuilder::add_part(FacetId facet, std::span<const VertexId> ring, int axi
     corners.push_back({u.value, BspBounds::none,
                        tree_.bounds.add({std::min(u, v), std::max(u, v), static_cast<std::uint8_t>(axis), original[k] != 0})});
   }
-  parts_.find_box(parts_.add(facet, corners));
+  const std::uint32_t part = parts_.add(facet, corners);
+  parts_.find_box(part);
+  if (shared_.observer != nullptr) shared_.observer->added_part(part, facet, ring_of(part));
 }
 
 void BspBuilder::add_facet(FacetId facet) {
@@ -319,7 +338,9 @@ std::array<std::uint32_t, 2> BspBuilder::split(std::uint32_t part, const Divider
     throw InputError((some != nullptr ? some->method : "bsp") +
                      (": this scene takes more than " + std::to_string(shared_.most)) + " pieces, expected fewer" +
                      (some != nullptr ? "" : ": --method depth-sort cuts less"));
-  return parts_.split(part, d);
+  const auto halves = parts_.split(part, d);
+  if (shared_.observer != nullptr) shared_.observer->split(part, halves[0], ring_of(halves[0]), halves[1], ring_of(halves[1]));
+  return halves;
 }
 
 /// False: nothing is divided.
@@ -365,6 +386,7 @@ std::uint32_t BspBuilder::add_node(const Cut& plane, const Task& task, std::span
     tree_.pieces.push_back({part.facet, corner, static_cast<std::uint32_t>(tree_.corners.size())});
   }
   tree_.nodes.push_back({plane, 0, 0, first, static_cast<std::uint32_t>(tree_.pieces.size())});
+  if (shared_.observer != nullptr) shared_.observer->added_node(node, task.parent, task.is_before, plane, inside);
   return node;
 }
 
@@ -372,6 +394,7 @@ std::uint32_t BspBuilder::add_node(const Cut& plane, const Task& task, std::span
 void BspBuilder::divide(const Task& task) {
   now_.assign(waiting_.begin() + static_cast<std::ptrdiff_t>(task.first), waiting_.end());
   waiting_.resize(task.first);
+  if (shared_.observer != nullptr) shared_.observer->opened(now_, task.parent, task.is_before);
   Divider d = choose(now_);
   if (!sort_parts(d, now_)) {
     // Floats were mistaken about a plane across an axis. The plane of a face always has that face in it.
@@ -403,6 +426,7 @@ void BspBuilder::divide_small(const Task& task) {
   while (!small_open_.empty()) {
     const SmallNode node = small_open_.back();
     small_open_.pop_back();
+    if (shared_.observer != nullptr) shared_.observer->opened(parts_in(node.parts), node.task.parent, node.task.is_before);
     const std::size_t best = choose_small(node.parts);
     // A plane has its own part in it.
     const auto row = number_of(node.parts) == 1 ? SideBits<small_node>::Row() : small_row(best, node.parts);
@@ -459,6 +483,9 @@ std::size_t BspBuilder::choose_small(std::uint64_t parts) {
     const SideBits<small_node>::Row& row = small_row(place, parts);
     const std::uint64_t behind = parts & row.behind, before = parts & row.before;
     const std::size_t s = score(number_of(behind & ~before), number_of(before & ~behind), number_of(behind & before));
+    if (shared_.observer != nullptr)
+      shared_.observer->tried({Cut::Kind::face, 0, parts_[small_.part[place]].facet.value, 0},
+                              {number_of(behind), number_of(before), number_of(behind & before), s});
     if (s < least) {
       least = s;
       best = place;
@@ -550,13 +577,14 @@ void BspBuilder::take_subtree(const BspNodes& part, const Task& task, std::size_
   tree_.decisions += part.decisions;
 }
 
-BspNodes build_nodes(const Mesh& mesh, const BspOptions& options, const SomeFacets* some) {
+BspNodes build_nodes(const Mesh& mesh, const BspOptions& options, const SomeFacets* some, BspObserver* observer) {
   BspNodes tree;
   tree.mesh = &mesh;
   if (mesh.triangles.empty()) return tree;
   const ProjectedMesh projected(mesh, any_view(), Arithmetic::staged);
   BspBuilder::Shared shared{projected, tree.bounds.sides};
   shared.some = some;
+  shared.observer = observer;
   BspBuilder builder(tree, shared, options.seed);
   builder.add_facets();
   shared.pieces = builder.parts() + (some != nullptr ? some->pieces_before : 0);

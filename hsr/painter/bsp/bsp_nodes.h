@@ -14,6 +14,7 @@
 
 namespace hsr::internal {
 
+class BspObserver;
 class ProjectedMesh;
 
 /// What a BspTree is made of; while it is built, also what one of its subtrees is made of.
@@ -52,9 +53,12 @@ struct SomeFacets {
 };
 
 /// The tree of a mesh, or of some facets of it, without what prepare_planes() makes. @throws InputError beyond the most pieces
-BspNodes build_nodes(const Mesh& mesh, const BspOptions& options, const SomeFacets* some = nullptr);
+/// @param observer is told how; null: nobody is
+BspNodes build_nodes(const Mesh& mesh, const BspOptions& options, const SomeFacets* some = nullptr,
+                     BspObserver* observer = nullptr);
 
 /// Appends the pieces of a tree as a view has them, far to near. @pre prepare_planes() was called
-void append_far_to_near(const BspNodes& tree, const ProjectedMesh& projected, const View& view, PaintersOrder& order);
+void append_far_to_near(const BspNodes& tree, const ProjectedMesh& projected, const View& view, PaintersOrder& order,
+                        BspObserver* observer = nullptr);
 
 }  // namespace hsr::internal

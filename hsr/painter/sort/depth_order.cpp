@@ -48,11 +48,12 @@ std::vector<std::uint32_t> sorted_by_key(const ClusterBoxes& boxes, std::size_t 
 class Search {
  public:
   Search(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes, const ImageTriangles& images,
-         const OverlapGraph& found)
+         const OverlapGraph& found, SortObserver* observer)
       : pieces_(pieces),
         boxes_(boxes),
         clusters_(boxes.clusters()),
         relations_(projected, pieces, images, false),
+        observer_(observer),
         behind_(make_graph(pieces.size(),
                            [&](const auto& visit) {
                              found.for_each_pair([&](std::uint32_t first, std::uint32_t second) { visit(second, first); });
@@ -80,11 +81,13 @@ class Search {
   void open(std::uint32_t piece, bool is_early);
   bool finish(std::uint32_t piece);
   void find_behind(std::uint32_t piece);
+  void tell_order(const std::vector<std::uint32_t>& places);
 
   const FacePieces& pieces_;
   const ClusterBoxes& boxes_;
   const Clusters& clusters_;
   PieceRelations relations_;
+  SortObserver* observer_;
   Graph behind_;  // by piece
   std::vector<std::uint32_t> cluster_of_, place_of_;
   std::vector<State> state_;
@@ -109,7 +112,9 @@ void Search::find_behind(std::uint32_t piece) {
     if (!(boxes_[place].nearest < box.farthest) || state_[other] == State::done) return;
     if (pieces_.facet[other] == pieces_.facet[piece]) return;
     ++compared_;
-    if (relations_.relation(piece, other) == Overlap::none) return;
+    const Overlap how =
+        observer_ == nullptr ? relations_.relation(piece, other) : relations_.relation(piece, other, *observer_);
+    if (how == Overlap::none) return;
     ++overlapping_;
     found_.push_back(other);
   };
@@ -129,6 +134,7 @@ void Search::find_behind(std::uint32_t piece) {
 
 void Search::open(std::uint32_t piece, bool is_early) {
   state_[piece] = State::open;
+  if (observer_ != nullptr) observer_->opened(piece, is_early);
   steps_.push_back({piece, 0, static_cast<std::uint32_t>(found_.size())});
   if (!is_early) return;
   ++early_;
@@ -145,20 +151,32 @@ bool Search::finish(std::uint32_t root) {
     if (next == end) {
       state_[step.piece] = State::done;
       order_.push_back(step.piece);
+      if (observer_ != nullptr) observer_->painted(step.piece);
       found_.resize(step.first_found);
       steps_.pop_back();
       continue;
     }
     const std::uint32_t other = next < known.size() ? known[next] : found_[step.first_found + (next - known.size())];
-    if (state_[other] == State::open) return false;
+    if (state_[other] == State::open) {
+      if (observer_ != nullptr) observer_->met_again(other);
+      return false;
+    }
     if (state_[other] == State::waiting) open(other, true);
     if (early_ > most_early_) return false;
   }
   return true;
 }
 
+void Search::tell_order(const std::vector<std::uint32_t>& places) {
+  std::vector<std::uint32_t> pieces;
+  for (const std::uint32_t place : places) pieces.push_back(clusters_.values()[place]);
+  observer_->sorted(pieces);
+}
+
 std::optional<std::vector<std::uint32_t>> Search::order() {
-  for (const std::uint32_t place : sorted_by_key(boxes_, pieces_.size())) {
+  const std::vector<std::uint32_t> places = sorted_by_key(boxes_, pieces_.size());
+  if (observer_ != nullptr) tell_order(places);
+  for (const std::uint32_t place : places) {
     const std::uint32_t piece = clusters_.values()[place];
     if (state_[piece] == State::waiting && !finish(piece)) return std::nullopt;
   }
@@ -169,8 +187,8 @@ std::optional<std::vector<std::uint32_t>> Search::order() {
 
 std::optional<std::vector<std::uint32_t>> depth_order(const ProjectedMesh& projected, const FacePieces& pieces,
                                                       const ClusterBoxes& boxes, const ImageTriangles& images,
-                                                      OverlapGraph& found) {
-  Search search(projected, pieces, boxes, images, found);
+                                                      OverlapGraph& found, SortObserver* observer) {
+  Search search(projected, pieces, boxes, images, found, observer);
   auto order = search.order();
   if (order) search.count(found);
   return order;

@@ -21,6 +21,6 @@ namespace hsr::internal {
 /// threads. Source: depth-first search for an order, Tarjan 1976; the key: Newell, Newell & Sancha 1972.
 std::optional<std::vector<std::uint32_t>> depth_order(const ProjectedMesh& projected, const FacePieces& pieces,
                                                       const ClusterBoxes& boxes, const ImageTriangles& images,
-                                                      OverlapGraph& found);
+                                                      OverlapGraph& found, SortObserver* observer = nullptr);
 
 }  // namespace hsr::internal

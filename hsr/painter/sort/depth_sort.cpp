@@ -16,6 +16,7 @@
 #include "hsr/painter/sort/image_pieces.h"
 #include "hsr/painter/sort/near_box.h"
 #include "hsr/painter/sort/overlap_graph.h"
+#include "hsr/painter/sort/sort_observer.h"
 #include "hsr/painter/sort/tree_order.h"
 #include "hsr/painter/wires.h"
 #include "hsr/scene/view_parts.h"
@@ -37,8 +38,9 @@ struct Neighbour {
 
 class Sorter {
  public:
-  Sorter(const SceneView& scene, const DepthSortOptions& options)
+  Sorter(const SceneView& scene, const DepthSortOptions& options, SortObserver* observer)
       : options_(options),
+        observer_(observer),
         mesh_(scene.mesh()),
         view_(scene.view()),
         projected_(scene.parts().projected(options.stop)),
@@ -68,8 +70,11 @@ class Sorter {
   void for_each_neighbour(std::uint32_t piece, const F& visit) const;
   Graph graph_of(const std::vector<std::uint32_t>& nodes) const;
   void emit();
+  void tell_order(const std::vector<std::uint32_t>& nodes, const std::vector<std::uint32_t>& piece_of,
+                  const std::vector<std::uint32_t>& block_at) const;
 
   const DepthSortOptions& options_;
+  SortObserver* const observer_;  // or null
   const Mesh& mesh_;
   const View& view_;
   const ProjectedMesh& projected_;
@@ -110,15 +115,16 @@ std::vector<std::uint32_t> by_cluster(const std::vector<std::uint32_t>& items, s
 OverlapGraph Sorter::relate_whole() {
   const ImageTriangles images = image_triangles(projected_, faces_);
   const ClusterBoxes boxes(projected_, faces_, clusters_, InDepth::touching);
-  OverlapGraph found = overlap_graph(projected_, faces_, boxes, images, options_.classic, options_.stop);
+  OverlapGraph found = overlap_graph(projected_, faces_, boxes, images, options_.classic, options_.stop, observer_);
   if (found.piercing.empty()) {
-    if (const auto order = depth_order(projected_, faces_, boxes, images, found)) {
+    if (const auto order = depth_order(projected_, faces_, boxes, images, found, observer_)) {
       order_whole(*order);
       return found;
     }
   }
+  if (observer_ != nullptr) observer_->relates_all();
   found.add(overlap_graph(projected_, faces_, ClusterBoxes(projected_, faces_, clusters_, InDepth::apart), images,
-                          options_.classic, options_.stop));
+                          options_.classic, options_.stop, observer_));
   if (!found.piercing.empty()) return found;
   const std::vector<std::uint32_t> order =
       topological_order(make_graph(faces_.size(), [&](const auto& visit) { found.for_each_pair(visit); }));
@@ -129,8 +135,10 @@ OverlapGraph Sorter::relate_whole() {
 void Sorter::order_whole(const std::vector<std::uint32_t>& order) {
   result_.order.pieces.reserve(faces_.size());
   result_.order.corners.reserve(faces_.rings.values().size());
-  for (const std::uint32_t piece : by_cluster(order, clusters_.size(), [&](std::uint32_t p) { return cluster_of_[p]; }))
-    append(projected_, faces_, piece, result_.order);
+  const std::vector<std::uint32_t> pieces =
+      by_cluster(order, clusters_.size(), [&](std::uint32_t p) { return cluster_of_[p]; });
+  if (observer_ != nullptr) observer_->ordered(pieces, none);
+  for (const std::uint32_t piece : pieces) append(projected_, faces_, piece, result_.order);
 }
 
 void Sorter::begin_cutting(const OverlapGraph& found) {
@@ -203,6 +211,11 @@ void Sorter::relate(std::uint32_t part, const Neighbour& of_whole) {
   } else if (!overlaps_.have_common_part(shaped(part), shaped(other))) {
     return;
   }
+  if (observer_ != nullptr)
+    observer_->related(part, other,
+                       now.piercing ? Overlap::piercing
+                       : now.before ? Overlap::second_behind
+                                    : Overlap::first_behind);
   if (now.piercing) piercing_.push_back({std::min(part, other), std::max(part, other)});
   more_neighbours_[part].push_back(now);
   more_neighbours_[other].push_back({part, !now.before, now.piercing});
@@ -225,6 +238,7 @@ bool Sorter::split(std::uint32_t piece, const MapHalfPlane& line) {
   pieces_.push_back(std::move(inside));
   pieces_.push_back({pieces_[piece].facet, std::move(*outside), {}});
   for (const std::uint32_t part : {first, first + 1}) pieces_[part].near.clear();  // of the whole
+  if (observer_ != nullptr) observer_->cut(piece, first, pieces_[first], pieces_[first + 1], line.line);
   is_cut_[piece] = 1;
   is_cut_.resize(pieces_.size(), 0);
   block_of_.resize(pieces_.size(), none);
@@ -274,6 +288,7 @@ void Sorter::resolve_piercing() {
     piercing_.pop_front();
     if (is_cut_[a] != 0 || is_cut_[b] != 0) continue;  // their parts have been looked at
     if (block_of_[a] != none) continue;                // and so is b: what pierces it is in one component with it
+    if (observer_ != nullptr) observer_->found_piercing(a, b);
     const MapHalfPlane line{MapLine::meet(pieces_[a].facet, pieces_[b].facet), Sign::positive};
     if (!split(a, line) && !split(b, line)) throw InvariantError("depth_sort: pieces that pierce each other are not cut");
     ++result_.counts.cuts_at_intersections;
@@ -328,6 +343,7 @@ void Sorter::resolve(std::vector<std::uint32_t> nodes) {
       if (component.size() <= largest)
         for (std::vector<std::uint32_t>& cycle : disjoint_cycles(graph, component)) {
           for (std::uint32_t& k : cycle) k = some[k];
+          if (observer_ != nullptr) observer_->found_cycle(cycle);
           if (cuts < cuts_left && cut_cycle(cycle, part)) ++cuts;
         }
       if (cuts == 0) {
@@ -403,6 +419,7 @@ void Sorter::order_by_planes(const std::vector<std::uint32_t>& component) {
     cuts_by_planes_ += found.splits;
     result_.counts.cuts_in_cycles += found.splits;
     blocks_.push_back(std::move(found.order));
+    if (observer_ != nullptr) observer_->ordered_by_planes(component, blocks_.back());
     return;
   }
   std::vector<PieceOfFacet> pieces;
@@ -417,6 +434,15 @@ void Sorter::order_by_planes(const std::vector<std::uint32_t>& component) {
        }))
     append(mesh_, piece, order);
   blocks_.push_back(std::move(order));
+  if (observer_ != nullptr) observer_->ordered_by_planes(component, blocks_.back());
+}
+
+void Sorter::tell_order(const std::vector<std::uint32_t>& nodes, const std::vector<std::uint32_t>& piece_of,
+                        const std::vector<std::uint32_t>& block_at) const {
+  const auto blocks_from = static_cast<std::uint32_t>(pieces_.size());
+  std::vector<std::uint32_t> told;
+  for (const std::uint32_t node : nodes) told.push_back(piece_of[node] != none ? piece_of[node] : blocks_from + block_at[node]);
+  observer_->ordered(told, blocks_from);
 }
 
 void Sorter::emit() {
@@ -450,7 +476,9 @@ void Sorter::emit() {
     throw InvariantError("depth_sort: a cycle is left");
   result_.order.pieces.reserve(pieces_.size());
   result_.order.corners.reserve(faces_.rings.values().size());
-  for (const std::uint32_t node : by_cluster(order, clusters_.size(), [&](std::uint32_t k) { return cluster_at[k]; })) {
+  const std::vector<std::uint32_t> nodes = by_cluster(order, clusters_.size(), [&](std::uint32_t k) { return cluster_at[k]; });
+  if (observer_ != nullptr) tell_order(nodes, piece_of, block_at);
+  for (const std::uint32_t node : nodes) {
     if (piece_of[node] != none) {
       const std::uint32_t piece = piece_of[node];
       if (piece < faces_.size())
@@ -467,13 +495,14 @@ DepthSort Sorter::sort() {
   faces_ = face_pieces(projected_);
   clusters_ = options_.classic ? one_cluster(faces_) : clusters(projected_, faces_);
   cluster_of_ = cluster_of_pieces(clusters_);
+  if (observer_ != nullptr) observer_->began(faces_, clusters_);
   const OverlapGraph found = relate_whole();
   DepthSortCounts& c = result_.counts;
   c.clusters = clusters_.size();
   c.candidates = found.candidates;
   c.apart = found.counts.image_sides;
   c.by_depth = found.counts.depths;
-  c.by_plane = found.counts.planes;
+  c.by_plane = found.counts.first_planes + found.counts.second_planes;
   c.coplanar = found.counts.coplanar;
   c.by_overlap = found.counts.intersection;
   c.overlapping = found.overlapping;
@@ -533,11 +562,18 @@ DepthSort sorted_in_cells(const SceneView& scene, const DepthSortOptions& option
 
 }  // namespace
 
+DepthSort internal::depth_sort(const SceneView& scene, const DepthSortOptions& options, SortObserver& observer) {
+  DepthSort sorted = Sorter(scene, options, &observer).sort();
+  cut_self_overlaps(scene, sorted.order);
+  sorted.order.wires = ordered_wires(scene, sorted.order);
+  return sorted;
+}
+
 DepthSort depth_sort(const SceneView& scene, const DepthSortOptions& options) {
   throw_if_stopped(options.stop);
   if (scene.view().has_cells()) return sorted_in_cells(scene, options);
   DepthSort sorted;
-  if (!scene.mesh().triangles.empty()) sorted = Sorter(scene, options).sort();
+  if (!scene.mesh().triangles.empty()) sorted = Sorter(scene, options, nullptr).sort();
   cut_self_overlaps(scene, sorted.order);
   sorted.order.wires = ordered_wires(scene, sorted.order);
   return sorted;

@@ -10,7 +10,8 @@ namespace hsr::internal {
 OverlapCounts& OverlapCounts::operator+=(const OverlapCounts& o) {
   image_sides += o.image_sides;
   depths += o.depths;
-  planes += o.planes;
+  first_planes += o.first_planes;
+  second_planes += o.second_planes;
   coplanar += o.coplanar;
   intersection += o.intersection;
   return *this;
@@ -168,12 +169,12 @@ Overlap Overlaps::relation(const PieceOfFacet& a, const PieceOfFacet& b) {
     return projected_.ties().is_above(b.facet, a.facet) ? Overlap::first_behind : Overlap::second_behind;
   }
   if (of_a.nearer != of_a.farther) {
-    ++counts_.planes;
+    ++counts_.second_planes;
     return answer(of_a);
   }
   const Sides of_b = sides(a, b, false);
   if (of_b.nearer != of_b.farther) {
-    ++counts_.planes;
+    ++counts_.first_planes;
     return answer(of_b);
   }
   ++counts_.intersection;

@@ -17,11 +17,12 @@ enum class Overlap : std::uint8_t {
 
 /// How often each of Newell's tests decided.
 struct OverlapCounts {
-  std::uint64_t image_sides = 0;   ///< a side of one separates their images
-  std::uint64_t depths = 0;        ///< one is nearer than all of the other
-  std::uint64_t planes = 0;        ///< one lies on one side of the other's plane
-  std::uint64_t coplanar = 0;      ///< they lie in one plane
-  std::uint64_t intersection = 0;  ///< only where their images overlap is one of them the nearer
+  std::uint64_t image_sides = 0;    ///< a side of one separates their images
+  std::uint64_t depths = 0;         ///< one is nearer than all of the other
+  std::uint64_t first_planes = 0;   ///< the second lies on one side of the first's plane
+  std::uint64_t second_planes = 0;  ///< the first lies on one side of the second's plane
+  std::uint64_t coplanar = 0;       ///< they lie in one plane
+  std::uint64_t intersection = 0;   ///< only where their images overlap is one of them the nearer
 
   OverlapCounts& operator+=(const OverlapCounts& o);
   friend bool operator==(const OverlapCounts&, const OverlapCounts&) = default;

@@ -11,16 +11,27 @@ namespace hsr::internal {
 
 namespace {
 
+/// Who finds unwatched: this is asked where the code is made, and costs nothing when it runs.
+struct Unwatched {
+  static constexpr bool is_watched = false;
+};
+
+struct Watched {
+  static constexpr bool is_watched = true;
+  SortObserver* observer;
+};
+
 /// Finds the overlapping pairs of some clusters.
+template <class Watch>
 class Finder {
  public:
-  Finder(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images, bool classic)
-      : pieces_(pieces), relations_(projected, pieces, images, classic) {}
+  Finder(const ProjectedMesh& projected, const FacePieces& pieces, const ImageTriangles& images, bool classic, Watch watch)
+      : watch_(watch), pieces_(pieces), relations_(projected, pieces, images, classic) {}
 
   void look_at(std::uint32_t i, std::uint32_t k) {
     if (pieces_.facet[i] == pieces_.facet[k]) return;
     ++found_.candidates;
-    const Overlap how = relations_.relation(i, k);
+    const Overlap how = relation(i, k);
     if (how == Overlap::none) return;
     if (how == Overlap::second_behind) std::swap(i, k);
     pairs_.push_back({i, k});
@@ -35,6 +46,14 @@ class Finder {
   }
 
  private:
+  Overlap relation(std::uint32_t i, std::uint32_t k) {
+    if constexpr (Watch::is_watched)
+      return relations_.relation(i, k, *watch_.observer);
+    else
+      return relations_.relation(i, k);
+  }
+
+  [[no_unique_address]] Watch watch_;
   const FacePieces& pieces_;
   PieceRelations relations_;
   OverlapGraph found_;
@@ -59,8 +78,11 @@ void OverlapGraph::add(OverlapGraph&& more) {
   decisions += more.decisions;
 }
 
-OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
-                           const ImageTriangles& images, bool classic, const std::stop_token& stop) {
+namespace {
+
+template <class Watch>
+OverlapGraph found(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
+                   const ImageTriangles& images, bool classic, const std::stop_token& stop, Watch watch) {
   constexpr std::size_t block = 64, leaves = 64;  // block: of small clusters
   const Clusters& clusters = boxes.clusters();
   const bool touching = boxes.looked_for() == InDepth::touching;
@@ -76,11 +98,11 @@ OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pie
       work.push_back({c, c + 1, tree, leaf, std::min<std::uint32_t>(leaf + leaves, tree->leaf_count())});
   }
   std::vector<OverlapGraph> parts(work.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), 1), [&](const auto& range) {
+  const auto find = [&](const auto& range) {
     for (std::size_t part = range.begin(); part != range.end(); ++part) {
       throw_if_stopped(stop);
       const Work& w = work[part];
-      Finder finder(projected, pieces, images, classic);
+      Finder<Watch> finder(projected, pieces, images, classic, watch);
       const auto look_at = [&](std::size_t i, std::size_t k) { finder.look_at(clusters.values()[i], clusters.values()[k]); };
       BoxTree::PairSearch search;
       const std::size_t first = clusters.begin(w.first_cluster);
@@ -99,10 +121,23 @@ OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pie
             if (touch_in_image(boxes[i], boxes[k]) && touch_in_depth(boxes[i], boxes[k]) == touching) look_at(i, k);
       parts[part] = finder.take();
     }
-  });
+  };
+  const tbb::blocked_range<std::size_t> all_parts(0, parts.size(), 1);
+  if constexpr (Watch::is_watched)
+    find(all_parts);
+  else
+    tbb::parallel_for(all_parts, find);
   OverlapGraph all;
   for (OverlapGraph& part : parts) all.add(std::move(part));
   return all;
+}
+
+}  // namespace
+
+OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
+                           const ImageTriangles& images, bool classic, const std::stop_token& stop, SortObserver* observer) {
+  if (observer != nullptr) return found(projected, pieces, boxes, images, classic, stop, Watched{observer});
+  return found(projected, pieces, boxes, images, classic, stop, Unwatched{});
 }
 
 }  // namespace hsr::internal

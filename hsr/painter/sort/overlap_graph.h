@@ -10,6 +10,8 @@
 
 namespace hsr::internal {
 
+class SortObserver;
+
 /// Two pieces whose images overlap. Where they do not pierce each other the first is painted first.
 struct Overlapping {
   std::uint32_t first, second;
@@ -34,8 +36,10 @@ struct OverlapGraph {
 
 /// Which pieces of one cluster overlap, and how, of those whose boxes touch as the trees of boxes look for.
 /// @param classic call piercing every pair that no plane of the two separates
+/// @param observer is told of each pair, in one thread; null: nobody is
 /// Exact: yes. Cost: O(n + k log n) for k pairs of boxes, parallel.
 OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
-                           const ImageTriangles& images, bool classic, const std::stop_token& stop);
+                           const ImageTriangles& images, bool classic, const std::stop_token& stop,
+                           SortObserver* observer = nullptr);
 
 }  // namespace hsr::internal

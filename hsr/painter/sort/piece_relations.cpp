@@ -10,6 +10,27 @@ Overlap PieceRelations::relation(std::uint32_t i, std::uint32_t k) {
   return overlaps_.relation(shape_, shape(k));
 }
 
+namespace {
+
+/// The one that counted since.
+SortTest decided(const OverlapCounts& before, const OverlapCounts& now) {
+  return now.image_sides > before.image_sides       ? SortTest::image_sides
+         : now.depths > before.depths               ? SortTest::depths
+         : now.first_planes > before.first_planes   ? SortTest::plane_of_first
+         : now.second_planes > before.second_planes ? SortTest::plane_of_second
+         : now.coplanar > before.coplanar           ? SortTest::coplanar
+                                                    : SortTest::common_part;
+}
+
+}  // namespace
+
+Overlap PieceRelations::relation(std::uint32_t i, std::uint32_t k, SortObserver& observer) {
+  const OverlapCounts before = counts();
+  const Overlap how = relation(i, k);
+  observer.compared(i, k, decided(before, counts()), how);
+  return how;
+}
+
 OverlapCounts PieceRelations::counts() const {
   OverlapCounts all = overlaps_.counts();
   all += whole_.counts();

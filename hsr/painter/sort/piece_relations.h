@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "hsr/painter/sort/sort_observer.h"
 #include "hsr/painter/sort/whole_overlap.h"
 
 namespace hsr::internal {
@@ -14,6 +15,8 @@ class PieceRelations {
       : projected_(projected), pieces_(pieces), overlaps_(projected, classic), whole_(projected, pieces, images) {}
 
   Overlap relation(std::uint32_t i, std::uint32_t k);
+  /// The same, told.
+  Overlap relation(std::uint32_t i, std::uint32_t k, SortObserver& observer);
 
   OverlapCounts counts() const;
   DecisionCounts decisions();

@@ -120,13 +120,13 @@ std::optional<Overlap> WholeOverlaps::relation(std::uint32_t piece) {
     return projected_.ties().is_above(second_.facet, first_.facet) ? Overlap::first_behind : Overlap::second_behind;
   }
   if (of_second.nearer != of_second.farther) {
-    ++counts_.planes;
+    ++counts_.first_planes;
     return of_second.nearer ? Overlap::second_behind : Overlap::first_behind;
   }
   prepare_plane(second_);
   const Sides of_first = sides(second_, first_);
   if (of_first.nearer == of_first.farther) return std::nullopt;
-  ++counts_.planes;
+  ++counts_.second_planes;
   return of_first.nearer ? Overlap::first_behind : Overlap::second_behind;
 }
 

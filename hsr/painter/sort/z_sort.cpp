@@ -5,19 +5,22 @@
 
 #include "hsr/painter/order_in_cells.h"
 #include "hsr/painter/sort/image_pieces.h"
+#include "hsr/painter/sort/z_sort_observer.h"
 #include "hsr/painter/wires.h"
 #include "hsr/scene/view_parts.h"
 
 namespace hsr::internal {
 
-PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
-  if (scene.view().has_cells())
-    return order_in_cells(scene, [&](const ViewParts::Cell& cell) { return z_sort(cell.scene, key); });
+namespace {
+
+/// @param observer is told; null: nobody is
+PaintersOrder sorted(const SceneView& scene, DepthKey key, ZSortObserver* observer) {
   PaintersOrder order;
   order.wires = whole_wires(scene);
   if (scene.mesh().triangles.empty()) return order;
   const ProjectedMesh& projected = scene.parts().projected();
   const FacePieces pieces = face_pieces(projected);
+  if (observer != nullptr) observer->began(pieces);
   const Camera camera = projected.camera();
   const Point3& e = camera.eye.at;
   // Along the direction in which the eye looks.
@@ -44,10 +47,16 @@ PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
       for (const MapPoint& p : pieces.shape(projected, i).points)
         add(p.is_vertex ? projected.point(p.vertex) : map.point(p, pieces.facet[i]).p);
     places.push_back({key == DepthKey::centroid ? sum / static_cast<double>(corners) : farthest, i});
+    if (observer != nullptr) observer->keyed(i, places.back().depth);
   }
   std::sort(places.begin(), places.end(), [&](const Place& x, const Place& y) {
     return x.depth != y.depth ? x.depth > y.depth : projected.ties().is_above(y.piece, x.piece);
   });
+  if (observer != nullptr) {
+    std::vector<std::uint32_t> told;
+    for (const Place& p : places) told.push_back(p.piece);
+    observer->sorted(told);
+  }
   for (const Place& p : places) append(projected, pieces, p.piece, order);
   for (OrderedWire& wire : order.wires) {
     const Edge& edge = scene.mesh().edges[wire.edge];
@@ -60,5 +69,15 @@ PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
                    [](const OrderedWire& x, const OrderedWire& y) { return x.before < y.before; });
   return order;
 }
+
+}  // namespace
+
+PaintersOrder z_sort(const SceneView& scene, DepthKey key) {
+  if (scene.view().has_cells())
+    return order_in_cells(scene, [&](const ViewParts::Cell& cell) { return z_sort(cell.scene, key); });
+  return sorted(scene, key, nullptr);
+}
+
+PaintersOrder z_sort(const SceneView& scene, DepthKey key, ZSortObserver& observer) { return sorted(scene, key, &observer); }
 
 }  // namespace hsr::internal

@@ -1,0 +1,25 @@
+#include "hsr/cli/explained_pages.h"
+
+#include "study/explain/example_scenes.h"
+#include "study/explain/explain_pages.h"
+
+namespace hsr::cli {
+
+void write_explained(OutputDirectory& directory, const std::string& prefix, const std::vector<ExplainedMethod>& methods,
+                     const ExplainedScene* scene, int size, bool has_lessons) {
+  const std::string made = std::string("Made by hsr ") + HSR_VERSION + ".";
+  for (const ExplainedMethod& m : methods) {
+    const ExplainedScene shown = scene != nullptr ? *scene : example_scene(m.scene);
+    Trace trace = m.explain(shown, size);
+    trace.method = m.name;
+    trace.title = m.title;
+    trace.view = shown.title;
+    directory.write(prefix + m.name + ".json", trace_json(trace));
+    directory.write(prefix + m.name + ".html", explain_page(m, trace, made));
+  }
+  const std::vector<Lesson> lessons = has_lessons ? all_lessons(made) : std::vector<Lesson>();
+  for (const Lesson& lesson : lessons) directory.write(prefix + lesson.name + ".html", lesson.page);
+  directory.write(prefix + "index.html", explain_index(methods, lessons, made));
+}
+
+}  // namespace hsr::cli

@@ -1,0 +1,135 @@
+#include "study/explain/example_scenes.h"
+
+#include <initializer_list>
+#include <span>
+
+#include "geometry/error.h"
+
+namespace hsr::internal {
+
+namespace {
+
+using Ring = std::vector<Point3>;
+
+/// @param names of nothing: faces are lettered
+ExplainedScene scene_of(const std::string& title, const std::vector<Ring>& faces, const View& view) {
+  ExplainedScene scene;
+  scene.title = title;
+  scene.model.name = title;
+  for (const Ring& face : faces) {
+    for (const Point3& p : face) {
+      scene.model.polygons.corners.push_back(static_cast<std::uint32_t>(scene.model.points.size()));
+      scene.model.points.push_back(p);
+    }
+    scene.model.polygons.first.push_back(static_cast<std::uint32_t>(scene.model.polygons.corners.size()));
+  }
+  scene.mesh = make_mesh(scene.model.points, scene.model.polygons);
+  scene.view = view;
+  return scene;
+}
+
+View from_above() { return parallel_view({0, 0, 1}, {0, 1, 0}, {5, 5, 0}); }
+
+/// A strip in the plane z = a + b x + c y.
+Ring strip(double x0, double y0, double x1, double y1, double a, double b, double c) {
+  const auto at = [&](double x, double y) { return Point3{x, y, a + b * x + c * y}; };
+  return {at(x0, y0), at(x1, y0), at(x1, y1), at(x0, y1)};
+}
+
+/// Three strips, each over the next and the last over the first; two faces below them, of which one is beside the other.
+ExplainedScene ring_scene() {
+  return scene_of("three strips that overlap in a ring, over two squares, from above",
+                  {strip(0, 1, 10, 3, 0, 0.5, 0),                                 // low on the left, high on the right
+                   {{7, 0, 0}, {9, 0, 0}, {6, 9, 9}, {4, 9, 9}},                  // low below, high above
+                   {{5.5, 9.5, 5}, {3.5, 9.5, 5}, {0.5, 0.5, 4}, {2.5, 0.5, 4}},  // between them on both sides
+                   strip(0.5, 4, 4.5, 8, -2, 0, 0),
+                   strip(5.5, 4.5, 9.5, 8.5, -1, 0, -0.1)},
+                  from_above());
+}
+
+/// Two faces that pierce each other, over a floor.
+ExplainedScene pierced_scene() {
+  return scene_of("two sheets that pierce each other, over a floor, from above",
+                  {strip(0, 0, 10, 10, 0, 0, 0), strip(1, 2, 9, 6, 1, 0.5, 0), strip(2, 4, 8, 9, 5, -0.5, 0)}, from_above());
+}
+
+/// A block with a gable roof, and a wall before it.
+ExplainedScene house_scene() {
+  const Point3 a{0, 0, 0}, b{4, 0, 0}, c{4, 3, 0}, d{0, 3, 0}, e{0, 0, 2}, f{4, 0, 2}, g{4, 3, 2}, h{0, 3, 2}, r{0, 1.5, 3.2},
+      s{4, 1.5, 3.2};
+  return scene_of("a house and a wall before it",
+                  {{a, b, f, e},
+                   {b, c, g, s, f},
+                   {c, d, h, g},
+                   {d, a, e, r, h},
+                   {e, f, s, r},
+                   {g, h, r, s},
+                   {{1, -2, 0}, {5, -2, 0}, {5, -2, 1.25}, {1, -2, 1.25}}},
+                  parallel_view({1, -2, 1}, {0, 0, 1}, {2, 1, 1}));
+}
+
+/// Triangles in front of one another and through one another, for pictures of samples.
+ExplainedScene triangles_scene() {
+  return scene_of("three triangles, one of which leans through another, from above",
+                  {{{0.3, 0.5, 1}, {8.7, 1.5, 1}, {2.6, 8.7, 1}},
+                   {{9.6, 3.2, 0}, {8.2, 9.4, 3}, {0.8, 4.6, 4}},
+                   {{4.3, 0.2, 2}, {9.8, 0.6, 2}, {7.1, 6.2, 2}}},
+                  from_above());
+}
+
+/// Two long faces and a short one whose middle lies between theirs.
+ExplainedScene middle_scene() {
+  return scene_of("a long ramp under a small plate, and a ring of three, from above",
+                  {strip(0, 0.5, 10, 2.5, 0, 1, 0),
+                   strip(1, 0.2, 3, 2.8, 4, 0, 0),
+                   {{7.6, 3.2, 0}, {9.2, 3.2, 0}, {6.5, 9.5, 9}, {4.9, 9.5, 9}},
+                   strip(0.5, 3.8, 9.5, 5.3, 0, 0.5, 0),
+                   {{6, 9.8, 5}, {4.2, 9.8, 5}, {1.2, 3.3, 4}, {3, 3.3, 4}}},
+                  from_above());
+}
+
+/// Upright walls on a floor, as plans show them: some stand across the planes of others.
+ExplainedScene walls_scene() {
+  const auto wall = [](double x0, double y0, double x1, double y1) {
+    return Ring{{x0, y0, 0}, {x1, y1, 0}, {x1, y1, 2}, {x0, y0, 2}};
+  };
+  return scene_of("six walls",
+                  {wall(0, 0, 6, 0), wall(6, 1, 6, 6), wall(1, 5, 4, 7), wall(2, 2, 4, 3), wall(3, 4, 8, 4), wall(0, 2, 1, 4)},
+                  parallel_view({1, -2, 1.5}, {0, 0, 1}, {3, 3, 1}));
+}
+
+/// Plates that lie like stairs: an order of whole faces, and tests of every cheap kind.
+ExplainedScene stairs_scene() {
+  return scene_of(
+      "plates that lean on and beside one another, from above",
+      {strip(0, 0, 4.5, 4.5, 2, 0.6, 0), strip(3, 1, 7.5, 5, 1, 0.4, 0), strip(2, 3.5, 9, 9, -1, 0.2, 0.2),
+       strip(6, 0.5, 9.5, 4.2, 4, 0.1, -0.5), strip(5, 6, 8, 10, 3.5, -0.2, 0.1), strip(0.5, 4, 3.5, 9.5, 4, 0, -0.3)},
+      from_above());
+}
+
+/// One long edge behind faces that hide it here and there.
+ExplainedScene fence_scene() {
+  return scene_of("a strip behind four plates, from above",
+                  {strip(0, 4, 10, 5, 0, 0, 0),
+                   strip(1, 3, 3, 7, 2, 0, 0),
+                   {{2.4, 2, 3}, {5.6, 2, 3}, {4, 8, 3}},
+                   strip(7, 3.5, 8, 6, -2, 0, 0),
+                   strip(6.4, 4.5, 9, 8, 1, 0, 0)},
+                  from_above());
+}
+
+}  // namespace
+
+ExplainedScene example_scene(const std::string& name) {
+  if (name == "ring") return ring_scene();
+  if (name == "pierced") return pierced_scene();
+  if (name == "house") return house_scene();
+  if (name == "triangles") return triangles_scene();
+  if (name == "middle") return middle_scene();
+  if (name == "walls") return walls_scene();
+  if (name == "stairs") return stairs_scene();
+  if (name == "fence") return fence_scene();
+  throw InputError("explain: found no example \"" + name + "\"");
+}
+
+}  // namespace hsr::internal

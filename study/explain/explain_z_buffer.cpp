@@ -1,0 +1,223 @@
+// The z-buffer, told by the depth buffer that compare and stability use.
+#include <algorithm>
+
+#include "geometry/error.h"
+#include "hsr/io/write/json_text.h"
+#include "hsr/raster/depth_observer.h"
+#include "study/explain/explained_methods.h"
+#include "study/page_texts.h"
+#include "study/explain/z_buffer_run.h"
+
+namespace hsr::internal {
+
+namespace {
+
+class Teller : public DepthObserver {
+ public:
+  Teller(const ScenePicture& picture, const ShownDepth& shown, const DepthBufferOptions& options, TraceRun& run)
+      : picture_(picture), shown_(shown), options_(options), run_(run) {}
+
+  void began(int width, int height, double depth, double stored) override {
+    holders_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1);
+    std::vector<TraceCell> cells;
+    for (int j = 0; j < height; ++j)
+      for (int i = 0; i < width; ++i) cells.push_back({i, j, text(depth, stored), -1});
+    run_.step("start", "clear",
+              "Every sample begins with " + text(depth, stored) + ", " +
+                  (depth == 1 ? "the depth of the far plane" : "the depth of the near plane") + ", and with the background.")
+        .cells(cells);
+  }
+
+  void triangle(TriangleId t, const std::array<DepthCorner, 3>& corners, double right, double down) override {
+    finish();
+    face_ = picture_.scene().mesh.face_of[t].value;
+    TraceStep& step = run_.step("face", "face",
+                                "Face " + name() +
+                                    ": its corners are where they are seen, each with its depth; within "
+                                    "the face the depth is linear.");
+    step.face(face_);
+    for (const DepthCorner& c : corners)
+      step.number("corner at column " + trace_text(c.x) + ", row " + trace_text(c.y), "depth " + shown_.text(c.depth));
+    step.number("change from a sample to the next, −A/C", shown_.change(right));
+    step.number("change from a row to the next, −B/C", shown_.change(down));
+  }
+
+  void span(int row, int begin, int end) override {
+    finish();
+    if (begin >= end) return;
+    row_ = row;
+    begin_ = begin;
+    end_ = end;
+    cells_.clear();
+    passed_ = failed_ = outside_ = 0;
+    depth_text_.clear();
+    held_text_.clear();
+    interesting_.reset();
+    is_open_ = true;
+  }
+
+  void sample(const DepthSample& s) override {
+    if (!s.is_within) {
+      ++outside_;
+      return;
+    }
+    const std::string now = text(s.depth, s.stored), before = text(s.held, s.held_stored);
+    depth_text_ += (depth_text_.empty() ? "" : " ") + now;
+    held_text_ += (held_text_.empty() ? "" : " ") + before;
+    if (s.is_shown) {
+      ++passed_;
+      cells_.push_back({s.column, s.row, now, static_cast<int>(face_)});
+    } else {
+      ++failed_;
+    }
+    int& holder = holders_[static_cast<std::size_t>(s.row * picture_.samples().width + s.column)];
+    if (!interesting_ && holder >= 0 && holder != static_cast<int>(face_)) {
+      interesting_ = s;
+      holder_before_ = holder;
+    }
+    if (s.is_shown) holder = static_cast<int>(face_);
+  }
+
+  void end() {
+    finish();
+    run_.step("end", "show", "All faces are drawn: each sample shows the face whose depth it holds.");
+  }
+
+ private:
+  std::string name() const { return picture_.name(face_); }
+  std::string text(double depth, double stored) const { return shown_.text(depth, stored); }
+
+  /// A span is one step, once all of its samples are known.
+  void finish() {
+    if (!is_open_) return;
+    is_open_ = false;
+    const std::string samples = begin_ + 1 == end_ ? "column " + std::to_string(begin_)
+                                                   : "columns " + std::to_string(begin_) + " … " + std::to_string(end_ - 1);
+    std::string says = "Face " + name() + ", row " + std::to_string(row_) + ", " + samples + ": ";
+    if (options_.function == DepthFunction::always)
+      says += "whatever is held, the depths are stored.";
+    else if (failed_ == 0 && outside_ == 0)
+      says += "the depths " + words() + " than what is held: all pass the test, and are stored.";
+    else if (passed_ == 0)
+      says += "none passes the test: what is held stays.";
+    else
+      says += std::to_string(passed_) + " of " + std::to_string(end_ - begin_) + " samples pass the test.";
+    if (outside_ > 0) says += " " + std::to_string(outside_) + " are not between the near and the far plane.";
+    TraceStep& step = run_.step("span", passed_ > 0 ? "store" : "test", says);
+    step.face(face_).row(row_).number("depth of " + name(), depth_text_).number("held before", held_text_);
+    if (!cells_.empty()) step.cells(cells_);
+    ask(step);
+  }
+
+  /// The test in words.
+  std::string words() const {
+    switch (options_.function) {
+      case DepthFunction::less:
+        return "are nearer";
+      case DepthFunction::lequal:
+        return "are no farther";
+      case DepthFunction::greater:
+        return "are farther";
+      case DepthFunction::gequal:
+        return "are no nearer";
+      default:
+        return "are another matter";
+    }
+  }
+
+  void ask(TraceStep& step) {
+    if (!interesting_ || asked_ >= 6 || outside_ > 0) return;
+    const DepthSample& s = *interesting_;
+    // Not twice of one face, unless the answer differs.
+    const std::pair<std::uint32_t, bool> key{face_, s.is_shown};
+    if (std::find(asked_of_.begin(), asked_of_.end(), key) != asked_of_.end()) return;
+    asked_of_.push_back(key);
+    ++asked_;
+    const std::string before = picture_.name(static_cast<std::uint32_t>(holder_before_));
+    step.ask({"Row " + std::to_string(s.row) + ", column " + std::to_string(s.column) + ": the buffer holds " +
+                  text(s.held, s.held_stored) + " of " + before + ", and " + name() + " has the depth " +
+                  text(s.depth, s.stored) + " there. Which face has the sample then?",
+              {before, name()},
+              s.is_shown ? 1U : 0U});
+  }
+
+  const ScenePicture& picture_;
+  const ShownDepth& shown_;
+  const DepthBufferOptions& options_;
+  TraceRun& run_;
+  std::uint32_t face_ = 0;
+  int row_ = 0, begin_ = 0, end_ = 0, passed_ = 0, failed_ = 0, outside_ = 0, asked_ = 0;
+  bool is_open_ = false;
+  std::vector<TraceCell> cells_;
+  std::string depth_text_, held_text_;
+  std::vector<int> holders_;  // by sample: the face that it shows
+  int holder_before_ = -1;
+  std::optional<DepthSample> interesting_;
+  std::vector<std::pair<std::uint32_t, bool>> asked_of_;
+};
+
+std::string result_of(const ScenePicture& picture, const DepthBuffer& buffer) {
+  std::string out = "{\"faces\":[";
+  for (int j = 0; j < buffer.triangles.height; ++j) {
+    out += j == 0 ? "[" : ",[";
+    for (int i = 0; i < buffer.triangles.width; ++i) {
+      const TriangleId t = buffer.triangles.row(j)[i];
+      out += (i == 0 ? "" : ",") + (t.is_valid() ? std::to_string(picture.scene().mesh.face_of[t].value) : std::string("-1"));
+    }
+    out += "]";
+  }
+  out += "],\"depths\":[";
+  for (int j = 0; j < buffer.depths.height; ++j) {
+    out += j == 0 ? "[" : ",[";
+    for (int i = 0; i < buffer.depths.width; ++i) {
+      if (i > 0) out += ',';
+      append_number(out, buffer.depths.row(j)[i], Numbers::rounded);
+    }
+    out += "]";
+  }
+  return out + "]}";
+}
+
+}  // namespace
+
+std::string ShownDepth::text(double depth, double stored) const {
+  if (units != 0) return trace_text(first + depth * (units - first));
+  if (is_fixed) return trace_text(stored);
+  return rounded_text(depth, 4);
+}
+
+void add_z_buffer_run(Trace& trace, const std::string& name, const ScenePicture& picture, const DepthRange& range,
+                      const DepthBufferOptions& options, const ShownDepth& shown) {
+  TraceRun& run = trace.run(name);
+  Teller teller(picture, shown, options, run);
+  const ExplainedScene& scene = picture.scene();
+  const DepthBuffer buffer = depth_buffer(scene.mesh, scene.view, picture.samples(), range, options, teller);
+  teller.end();
+  run.result = result_of(picture, buffer);
+}
+
+Trace explain_z_buffer(const ExplainedScene& scene, int size) {
+  check_explainable(scene);
+  const ScenePicture picture(scene, size);
+  Trace trace;
+  trace.scene = picture.traced(false);
+  trace.pseudocode = page_text("z-buffer.txt");
+  const DepthRange range = depth_range(scene.mesh, scene.view, picture.samples());
+  const auto add = [&](const std::string& name, const DepthBufferOptions& options) {
+    add_z_buffer_run(trace, name, picture, range, options,
+                     {fixed_bits(options.format) > 0 && fixed_bits(options.format) <= 16, 0, 0});
+  };
+  add("8 bits, less", {.format = DepthFormat::fixed8});
+  add("16 bits, less", {.format = DepthFormat::fixed16});
+  add("24 bits, less", {.format = DepthFormat::fixed24});
+  add("float, less", {.format = DepthFormat::float32});
+  add("float reversed, less", {.format = DepthFormat::reversed_float32});
+  if (range.is_perspective) add("float logarithmic, less", {.format = DepthFormat::logarithmic_float32});
+  add("8 bits, lequal", {.format = DepthFormat::fixed8, .function = DepthFunction::lequal});
+  add("8 bits, greater", {.format = DepthFormat::fixed8, .function = DepthFunction::greater});
+  add("8 bits, always", {.format = DepthFormat::fixed8, .function = DepthFunction::always});
+  add("8 bits, less, incremental", {.format = DepthFormat::fixed8, .interpolation = DepthInterpolation::incremental});
+  return trace;
+}
+
+}  // namespace hsr::internal
