@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,9 +20,12 @@
 
 namespace hsr {
 
-namespace internal {
-struct ObjectHatching;
-}
+/// How the objects of a scene are hatched in all drawings of it, by object.
+struct ObjectHatching {
+  std::map<std::uint32_t, std::uint32_t>
+      style;  ///< the direction and the phase; objects that touch in a section have different ones
+  std::map<std::uint32_t, double> thickness;  ///< of its thickest cap, in units of the model
+};
 
 struct DrawingOptions {
   Page page = {};
@@ -58,8 +62,7 @@ struct DrawingOptions {
   EdgeClasses section_classes = drawn_classes;  ///< which of these are drawn
   std::vector<Colour> cap_colours = {};         ///< by cap; empty: white
   double hatch_scale = 1;  ///< with in_frame_units: millimetres of paper to a unit of the frame, for the hatching
-  const internal::ObjectHatching* hatching =
-      nullptr;  ///< where several drawings are of one scene; nullptr: as `section` has it
+  const ObjectHatching* hatching = nullptr;  ///< where several drawings are of one scene; nullptr: as `section` has it
   /// Lines and fills of different objects stay apart; nullptr, or fewer than two: they are not told apart.
   const SceneObjects* objects = nullptr;
 };

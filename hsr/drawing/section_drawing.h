@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <vector>
 
 #include "hsr/drawing/drawing.h"
@@ -9,13 +7,7 @@
 
 namespace hsr::internal {
 
-/// How the objects of a scene are hatched in all drawings of it, by object.
-struct ObjectHatching {
-  std::map<std::uint32_t, std::uint32_t> style;  ///< see hatch_for(); those that touch in one of the sections have others
-  std::map<std::uint32_t, double> thickness;     ///< of its thickest cap, in units of the model
-};
-
-/// Each object has the style that its number asks for, or the next that no earlier object that it touches has.
+/// Each object has the style (see hatch_for()) that its number asks for, or the next that no earlier object that it touches has.
 ObjectHatching hatching_of(const std::vector<const Section*>& sections);
 
 /// Adds the borders and the hatching of caps, which are nearest of all, after the lines that are there.

@@ -26,7 +26,8 @@ struct AlphaBuffer {
 /// list of its layers; these are sorted by depth, and their colours laid over one another from far to near, on white.
 ///
 ///   (1) the colours of a painter's order (paint(), caster.h), to the byte, where doubles tell the layers and the depths
-///       of a sample as they are; of equal depths the one on top is in front
+///       of a sample as they are; of equal depths the one on top is in front. A layer is a triangle: where those of a face
+///       that crosses itself lie over one another, each is laid on, while an order paints such a place of a planar face once
 ///   (2) the same for any order of the triangles, but for equal depths
 ///
 /// @param colours of each face; its opacity is multiplied by `opacity`, 0 ... 1

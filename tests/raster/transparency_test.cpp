@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "geometry/error.h"
 #include "hsr/painter/sort/depth_sort.h"
@@ -87,8 +88,18 @@ std::vector<double> depths(const scenes::TestScene& scene, const Mesh& mesh, con
   return found;
 }
 
+/// Of planar faces that cross themselves an order paints a place once, and the alpha-buffer each triangle.
+bool has_face_twice(const Mesh& mesh, const View& view, const SampleGrid& grid, std::size_t pixel) {
+  std::set<FaceId> faces;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const bool is_there = z_buffer<double>(mesh, view, grid, std::array{TriangleId(t)}).pixels[pixel].triangle.is_valid();
+    if (is_there && !faces.insert(mesh.face_of[TriangleId(t)]).second) return true;
+  }
+  return false;
+}
+
 TEST_CASE("the alpha-buffer has the colours of the painter's order, but for ties", "[image][alpha_buffer][oracle]") {
-  std::size_t samples = 0, edge = 0, tied = 0;
+  std::size_t samples = 0, edge = 0, tied = 0, twice = 0;
   for (const char* family : {"triangles", "polygons", "boxes", "edge_on", "around_the_eye"})
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
       const scenes::TestScene scene = scenes::family(family).make(seed);
@@ -107,6 +118,10 @@ TEST_CASE("the alpha-buffer has the colours of the painter's order, but for ties
       samples += expected.pixels.size();
       for (std::size_t k = 0; k < expected.pixels.size(); ++k) {
         if (found.picture.pixels[k] == expected.pixels[k]) continue;
+        if (has_face_twice(mesh, scene.view, grid, k)) {
+          ++twice;
+          continue;
+        }
         std::vector<double> z = depths(scene, mesh, grid, k, layers.pixels[k]);
         std::sort(z.begin(), z.end());
         bool is_tied = false;
@@ -135,9 +150,10 @@ TEST_CASE("the alpha-buffer has the colours of the painter's order, but for ties
         ++edge;
       }
     }
-  CAPTURE(samples, edge, tied);
+  CAPTURE(samples, edge, tied, twice);
   CHECK(edge < samples / 100);
   CHECK(tied < samples / 50);
+  CHECK(twice < samples / 50);
 }
 
 TEST_CASE("the A-buffer has the mean colours of the painter's order at the samples of its masks", "[image][a_buffer][oracle]") {
