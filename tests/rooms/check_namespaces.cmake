@@ -6,8 +6,8 @@ cmake_minimum_required(VERSION 3.23)
 # SceneView::parts, the one way from a public class to what the methods share: they are many, in all rooms, and cannot all be friends.
 set(allowed "^hsr/scene/scene.h:  const internal::[A-Za-z]+Parts& parts\\(\\) const ")
 
-file(STRINGS ${SOURCE}/cmake/public_headers.txt public REGEX "^[a-z]+ ")
-list(TRANSFORM public REPLACE "^[a-z]+ " "")
+file(STRINGS ${SOURCE}/cmake/public_headers.txt public REGEX "^[a-z_]+ ")
+list(TRANSFORM public REPLACE "^[a-z_]+ " "")
 file(GLOB_RECURSE headers RELATIVE ${SOURCE} ${SOURCE}/geometry/*.h ${SOURCE}/hsr/*.h ${SOURCE}/study/*.h)
 set(public_count 0)
 set(private_count 0)
