@@ -4,7 +4,7 @@
 
 #include "hsr/io/read/known_formats.h"
 #ifdef HSR_STEP
-#include "hsr/step/step.h"
+#include "hsr/cli/step_functions.h"
 #endif
 #ifdef HSR_3MF
 #include "hsr/three_mf/three_mf.h"
@@ -55,24 +55,26 @@ struct ModelFile::Surfaces {
 ModelFile ModelFile::read(const std::string& path) {
   if (!is_brep(path)) return ModelFile(read_mesh(path));
   ModelFile file((Model()));
-  file.surfaces_ = std::make_shared<const Surfaces>(Surfaces{read_brep(path)});
+  file.surfaces_ = std::make_shared<const Surfaces>(Surfaces{step_functions().read(path)});
   return file;
 }
 
 ModelFile ModelFile::read(const std::string& name, std::string_view bytes) {
   if (!is_brep(name, bytes)) return ModelFile(read_mesh(name, bytes));
   ModelFile file((Model()));
-  file.surfaces_ = std::make_shared<const Surfaces>(Surfaces{read_brep(name, bytes)});
+  file.surfaces_ = std::make_shared<const Surfaces>(Surfaces{step_functions().read_bytes(name, bytes)});
   return file;
 }
 
-double ModelFile::millimetres() const { return has_surfaces() ? surfaces_->brep.millimetres() : mesh_.unit.value_or(1); }
+double ModelFile::millimetres() const {
+  return has_surfaces() ? step_functions().millimetres(surfaces_->brep) : mesh_.unit.value_or(1);
+}
 
 Model ModelFile::model(double chord) const {
   if (!has_surfaces()) return mesh_;
   constexpr double coarse = 1.0 / 500, finest = 1e-5;  // of the size
-  const double size = surfaces_->brep.size();
-  Model model = surfaces_->brep.tessellated(chord > 0 ? std::max(chord, size * finest) : size * coarse);
+  const double size = step_functions().size(surfaces_->brep);
+  Model model = step_functions().tessellated(surfaces_->brep, chord > 0 ? std::max(chord, size * finest) : size * coarse);
   if (!mesh_.name.empty()) model.name = mesh_.name;
   if (chord > 0 && chord < size * finest)
     model.notes.push_back(model.name + ": curves are drawn to a hundred-thousandth of the size of the model, and no finer");
@@ -81,7 +83,7 @@ Model ModelFile::model(double chord) const {
 
 Model ModelFile::fine_model() const {
   constexpr double fine = 1.0 / 20000;  // as on a page where the diagonal of its box is 400 mm long
-  return has_surfaces() ? model(surfaces_->brep.size() * fine) : mesh_;
+  return has_surfaces() ? model(step_functions().size(surfaces_->brep) * fine) : mesh_;
 }
 
 #else

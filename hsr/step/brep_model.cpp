@@ -1,33 +1,16 @@
 #include <Standard_Failure.hxx>
-#include <algorithm>
 #include <utility>
 
 #include "geometry/error.h"
 #include "hsr/io/read/gzip.h"
 #include "hsr/io/read/source.h"
+#include "hsr/step/brep_kind.h"
 #include "hsr/step/placed_shapes.h"
 #include "hsr/step/step.h"
 
 namespace hsr {
 
 using namespace internal;
-
-namespace {
-
-std::string ending_of(std::string path) {
-  std::transform(path.begin(), path.end(), path.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  if (path.ends_with(".gz")) path.resize(path.size() - 3);
-  const std::size_t point = path.find_last_of("./");
-  return point == std::string::npos || path[point] == '/' ? std::string() : path.substr(point + 1);
-}
-
-bool is_iges(const std::string& path) {
-  const std::string ending = ending_of(path);
-  return ending == "iges" || ending == "igs";
-}
-
-}  // namespace
 
 double BrepModel::size() const { return shapes_->size(); }
 
@@ -36,12 +19,6 @@ double BrepModel::millimetres() const { return shapes_->millimetres(); }
 Model BrepModel::tessellated(double chord) const {
   require(chord > 0, "BrepModel::tessellated: a chord error of more than 0 expected");
   return shapes_->tessellated(chord);
-}
-
-bool is_brep(const std::string& path, std::string_view bytes) {
-  if (bytes.starts_with("ISO-10303-21")) return true;
-  const std::string ending = ending_of(path);
-  return ending == "step" || ending == "stp" || is_iges(path);
 }
 
 BrepModel read_brep(const std::string& path) {
