@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -33,6 +34,14 @@ struct Enclosure {
   bool is_positive() const { return middle > error; }
   bool is_finite() const { return std::isfinite(middle) && std::isfinite(error); }
 
+  /// The integer that certainly is the nearest one; nothing near halves, from 2^62 on, and where too little is known.
+  std::optional<std::int64_t> nearest_integer() const {
+    if (!(std::fabs(middle) < 0x1p62L)) return {};
+    const auto nearest = static_cast<std::int64_t>(std::llrint(middle));
+    // The difference is exact; half a thousandth more than covers the rounding of the sum.
+    return std::fabs(middle - static_cast<Wide>(nearest)) + error < 0.4995L ? std::optional(nearest) : std::nullopt;
+  }
+
   /// a - b, without error where the difference is exact.
   static Enclosure difference(double a, double b) {
     const Wide d = static_cast<Wide>(a) - b;
@@ -56,6 +65,7 @@ inline Enclosure operator*(const Enclosure& a, const Enclosure& b) {
                  Enclosure::grow};
 }
 inline Enclosure operator/(const Enclosure& a, const Enclosure& b) {
+  if (b.middle == 1 && b.error == 0) return a;
   if (!(std::fabs(b.middle) > b.error)) return {0, std::numeric_limits<Enclosure::Wide>::infinity()};
   const auto m = a.middle / b.middle;
   const auto divisor = (std::fabs(b.middle) - b.error) * (1 - 4 * Enclosure::eps);

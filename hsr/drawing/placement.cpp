@@ -69,6 +69,55 @@ bool is_known(const Enclosure (&p)[2]) {
   return p[0].is_finite() && p[1].is_finite() && p[0].error <= most * 0x1p-48 && p[1].error <= most * 0x1p-48;
 }
 
+/// Tells which lines lie certainly within a box, without enclosures: most of them do once it has grown.
+class InnerLines {
+ public:
+  explicit InnerLines(const Projection& projection)
+      : projection_(projection), rows_(projection.rounded_rows()), is_parallel_(projection.view().viewpoint.is_direction) {}
+
+  /// Whether the box holds all of a line, certainly.
+  bool holds(const Box& box, const Line& line) const {
+    if (line.is_intersection()) return false;
+    const Edge& edge = projection_.mesh().edges[line.edge];
+    return is_within(box, edge.a) && is_within(box, edge.b);
+  }
+
+ private:
+  /// Doubles are off by less than 32 u of the sum of the terms' sizes: each row and each difference by u, each term by five more
+  /// roundings. By far less than 2^-30 of it, and so is the middle of an enclosure that add_line() takes.
+  bool is_within(const Box& box, VertexId v) const {
+    const Point3 &p = projection_.mesh().points[v], &o = projection_.anchor();
+    const std::array<double, 4> d = {p.x - o.x, p.y - o.y, p.z - o.z, 1};
+    const auto row = [&](std::size_t i) {
+      double x = 0, size = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        x += rows_[i][k] * d[k];
+        size += std::fabs(rows_[i][k] * d[k]);
+      }
+      return std::pair(x, size * 0x1p-30 + 0x1p-1000);
+    };
+    double w = 1;
+    if (!is_parallel_) {
+      const auto [x, off] = row(2);
+      if (!(x > 1024 * off)) return false;
+      w = x;
+    }
+    const std::array<std::pair<double, double>, 2> xy = {row(0), row(1)};
+    const double most = std::max(std::fabs(xy[0].first), std::fabs(xy[1].first)), off = std::max(xy[0].second, xy[1].second);
+    // In perspective w is off by its part, too.
+    const double by = is_parallel_ ? off : (off + 0x1p-10 * most) / w * 1.01;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double at = xy[k].first / w;
+      if (!(at - by > static_cast<double>(box.low[k]) && at + by < static_cast<double>(box.high[k]))) return false;
+    }
+    return true;
+  }
+
+  const Projection& projection_;
+  std::array<std::array<double, 4>, 3> rows_;
+  bool is_parallel_;
+};
+
 void add_line(Box& box, const Projection& projection, const VisibleLines& lines, const Line& line) {
   const SupportingLine support = supporting_line_of(projection.mesh(), lines, line);
   for (const std::uint32_t cut : {line.first_cut, line.end_cut - 1}) {
@@ -85,10 +134,12 @@ void add_line(Box& box, const Projection& projection, const VisibleLines& lines,
 
 /// The box of the images of the ends of all lines, in units of the frame.
 Box box_of(const Projection& projection, const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
+  const InnerLines inner(projection);
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, drawn.size(), 1024), Box{},
       [&](const auto& range, Box box) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) add_line(box, projection, lines, lines.lines[drawn[i]]);
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          if (const Line& line = lines.lines[drawn[i]]; !inner.holds(box, line)) add_line(box, projection, lines, line);
         return box;
       },
       [](Box a, const Box& b) {
@@ -226,7 +277,9 @@ std::vector<std::uint32_t> internal::bounding_lines(const Mesh& mesh, const View
   Box all;
   std::array<std::optional<std::uint32_t>, 5> farthest;
   farthest[4] = anchor_line(lines, drawn);
+  const InnerLines inner(projection);
   for (const std::uint32_t i : drawn) {
+    if (inner.holds(all, lines.lines[i])) continue;
     Box one;
     add_line(one, projection, lines, lines.lines[i]);
     for (int k = 0; k < 2; ++k) {

@@ -14,6 +14,7 @@ namespace {
 /// 1000 x / w rounded, halves away from zero; nothing where the enclosure leaves two answers.
 std::optional<std::int64_t> thousandths(const Enclosure& x) {
   const Enclosure v = x * Enclosure(1000.0);
+  if (const auto nearest = v.nearest_integer()) return nearest;
   const auto nearest = [](Enclosure::Wide y) { return std::round(y); };  // halves away from zero
   const auto low = nearest(v.low()), high = nearest(v.high());
   if (!(low == high) || !(std::fabs(low) < 0x1p62L)) return {};
@@ -77,9 +78,20 @@ std::array<std::array<double, 4>, 3> Projection::rounded_rows() const {
   return rounded;
 }
 
+// The middle is that of the products and sums one by one. Each term of it is rounded at most four times, so that all roundings are
+// below 5 eps of the sum of the terms' sizes; the rest is what the factors are off by.
 HomogeneousPoint Projection::at(const std::array<Enclosure, 3>& p) const {
   const auto row = [&](std::size_t i) {
-    return enclosed_[i][0] * p[0] + enclosed_[i][1] * p[1] + enclosed_[i][2] * p[2] + enclosed_[i][3];
+    const auto& r = enclosed_[i];
+    const Enclosure::Wide middle =
+        r[0].middle * p[0].middle + r[1].middle * p[1].middle + r[2].middle * p[2].middle + r[3].middle;
+    Enclosure::Wide size = std::fabs(r[3].middle), off = r[3].error;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Enclosure::Wide factor = std::fabs(r[k].middle), place = std::fabs(p[k].middle);
+      size += factor * place;
+      off += factor * p[k].error + r[k].error * (place + p[k].error);
+    }
+    return Enclosure(middle, (off + 8 * Enclosure::eps * size + 16 * Enclosure::least) * Enclosure::grow);
   };
   return {row(0), row(1), view_.viewpoint.is_direction ? Enclosure(1.0) : row(2)};
 }

@@ -101,3 +101,36 @@ TEST_CASE("Parameters and places are the exact ones rounded, on random scenes", 
     }
   }
 }
+
+TEST_CASE("The nearest integer is said only where no other can be nearest", "[drawing][enclosure]") {
+  CHECK(Enclosure(2.25).nearest_integer() == 2);
+  CHECK(Enclosure(-2.75).nearest_integer() == -3);
+  CHECK_FALSE(Enclosure(2.5).nearest_integer());
+  CHECK(Enclosure(2.25L, 0.249L).nearest_integer() == 2);
+  CHECK_FALSE(Enclosure(2.25L, 0.25L).nearest_integer());
+  CHECK_FALSE(Enclosure(0x1p62).nearest_integer());
+  CHECK_FALSE((Enclosure(1.0) / Enclosure(0.0)).nearest_integer());
+}
+
+TEST_CASE("Images of vertices are enclosed, and not by much more than their last places", "[drawing][enclosure][property]") {
+  std::mt19937_64 random(11);
+  for (int k = 0; k < 400; ++k) {
+    CAPTURE(k);
+    std::vector<Point3> corners(3);
+    for (Point3& p : corners) p = {random_double(random), random_double(random), random_double(random)};
+    const Mesh mesh = make_mesh(corners, Polygons{{0, 1, 2}});
+    if (mesh.triangles.empty()) continue;
+    const View view = parallel_view({random_double(random), random_double(random), random_double(random)}, {0, 0, 1});
+    Projection projection(mesh, view, corners[0]);
+    projection.place({Rational(random_double(random)), Rational(1.0) / Rational(3.0)}, Rational(7.0) / Rational(3.0), 10.5,
+                     -1.25);
+    for (std::uint32_t v = 1; v < 3; ++v) {
+      const HomogeneousPoint at = projection.at(VertexId(v));
+      const auto exact = projection.exact(VertexId(v));
+      CHECK(contains(at.x, exact[0]));
+      CHECK(contains(at.y, exact[1]));
+      const long double most = std::max({std::fabs(at.x.middle), std::fabs(at.y.middle), 1.0L}) * 0x1p40L;
+      CHECK(at.x.error < most * Enclosure::eps);
+    }
+  }
+}
