@@ -141,6 +141,16 @@ std::optional<PaperPoint> Projection::rounded(const HomogeneousPoint& at) {
 
 PaperPoint Projection::rounded(const std::array<Rational, 2>& p) { return {thousandths(p[0]), thousandths(p[1])}; }
 
+PaperPoint Projection::rounded(const std::array<Rational, 3>& point) const {
+  std::array<Enclosure, 3> from_anchor;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double nearest = point[k].to_double();
+    from_anchor[k] = Enclosure(nearest, 0x1p-53 * std::fabs(nearest) + 0x1p-1074) - Enclosure(anchor_[static_cast<int>(k)]);
+  }
+  if (const auto known = rounded(at(from_anchor))) return *known;
+  return rounded(exact(point));
+}
+
 std::array<Rational, 2> Projection::exact(const std::array<Rational, 3>& p) const {
   const auto h = homogeneous(p);
   return {h[0] / h[2], h[1] / h[2]};

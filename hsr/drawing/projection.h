@@ -44,6 +44,7 @@ class Projection {
   /// Any point in thousandths of a unit, correctly rounded; nothing where its enclosure leaves two answers.
   static std::optional<PaperPoint> rounded(const HomogeneousPoint& at);
   static PaperPoint rounded(const std::array<Rational, 2>& exact);
+  PaperPoint rounded(const std::array<Rational, 3>& point) const;
   /// The image of a point in space.
   std::array<Rational, 2> exact(const std::array<Rational, 3>& p) const;
 

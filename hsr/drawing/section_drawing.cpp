@@ -23,7 +23,7 @@ class SectionPlacer {
  public:
   SectionPlacer(const Placement& placement, const Section& section) : placement_(placement), section_(section) {}
 
-  PaperPoint operator()(const std::array<Rational, 3>& p) const { return Projection::rounded(placement_.projection.exact(p)); }
+  PaperPoint operator()(const std::array<Rational, 3>& p) const { return placement_.projection.rounded(p); }
 
   std::vector<std::vector<PaperPoint>> rings_of(const SectionCap& cap) const {
     std::vector<std::vector<PaperPoint>> rings;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/parallel.h"
+#include "hsr/surfaces/place_numbers.h"
 
 namespace hsr::internal {
 
@@ -21,13 +22,42 @@ void tidy(std::vector<Rational>& cuts) {
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
 }
 
+SectionCaps::Place bounded(const Place& p) {
+  const auto bounded = [](const Rational& x) {
+    const double d = x.to_double();
+    return ErrorBounded{d, ErrorBounded::u * std::fabs(d) + 0x1p-1074};
+  };
+  return {bounded(p[0]), bounded(p[1])};
+}
+
 }  // namespace
+
+bool DirectedPart::is_parallel_to(const DirectedPart& other) const {
+  const SectionCaps::Place a = about_along(), b = other.about_along();
+  if ((a[0] * b[1] - a[1] * b[0]).is_certain()) return false;
+  return cross(along(), other.along()).sign() == Sign::zero;
+}
 
 CapArrangement::CapArrangement(const SectionCaps& caps) : caps_(caps) {
   std::vector<std::vector<CapPart>> of_side(caps.sides().size());
   parallel_for_each(of_side.size(), [&](std::size_t k) { of_side[k] = parts_of(static_cast<std::uint32_t>(k)); });
   for (std::vector<CapPart>& parts : of_side)
     for (CapPart& part : parts) parts_.push_back(std::move(part));
+  number_ends();
+}
+
+void CapArrangement::number_ends() {
+  std::vector<NumberedPlace> ends;
+  ends.reserve(2 * parts_.size());
+  for (const CapPart& part : parts_) {
+    ends.push_back({&part.from, {part.about_from[0].value, part.about_from[1].value}});
+    ends.push_back({&part.to, {part.about_to[0].value, part.about_to[1].value}});
+  }
+  const std::vector<std::uint32_t> numbers = place_numbers(ends);
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    parts_[k].from_number = numbers[2 * k];
+    parts_[k].to_number = numbers[2 * k + 1];
+  }
 }
 
 /// Where the side `other` cuts a side or ends on it, as shares of the way along that.
@@ -72,7 +102,7 @@ bool CapArrangement::certainly_apart(std::uint32_t k, std::uint32_t other) const
 
 std::vector<CapPart> CapArrangement::parts_of(std::uint32_t k) const {
   std::vector<CapPart> parts;
-  std::vector<Rational> cuts = {0.0, 1.0};
+  std::vector<Rational> cuts;
   const CapSide& side = caps_.sides()[k];
   const Place &a = caps_.exact_place(side.from), &b = caps_.exact_place(side.to);
   bool is_alone = true;
@@ -83,14 +113,19 @@ std::vector<CapPart> CapArrangement::parts_of(std::uint32_t k) const {
   });
   if (is_alone)
     if (auto hands = caps_.certain_hands(k)) {
-      if (hands->left != hands->right) parts.push_back({k, a, b, std::move(hands->left), std::move(hands->right)});
+      if (hands->left != hands->right)
+        parts.push_back(
+            {k, a, b, caps_.place(side.from), caps_.place(side.to), std::move(hands->left), std::move(hands->right)});
       return parts;
     }
+  cuts.insert(cuts.end(), {0.0, 1.0});
   tidy(cuts);
   const Place along = difference(b, a), across = {-along[1], along[0]};
   const auto at = [&](const Rational& share) { return Place{a[0] + share * along[0], a[1] + share * along[1]}; };
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    CapPart part{k, at(cuts[i]), at(cuts[i + 1]), {}, {}};
+    CapPart part{k, at(cuts[i]), at(cuts[i + 1]), {}, {}, {}, {}};
+    part.about_from = bounded(part.from);
+    part.about_to = bounded(part.to);
     const Place middle = at((cuts[i] + cuts[i + 1]) * Rational(0.5));
     std::optional<std::uint32_t> least;
     part.left = caps_.objects_beside(middle, across, least);
@@ -117,20 +152,28 @@ std::vector<std::array<Rational, 2>> CapArrangement::uncovered(const CapSide& op
 
 std::vector<CapRun> CapArrangement::runs(const std::function<bool(const CapPart&)>& is_chosen,
                                          const std::function<bool(const DirectedPart&, const DirectedPart&)>& agree) const {
-  std::map<Place, std::vector<std::uint32_t>> ends;
+  struct PartsAt {
+    std::uint32_t count = 0;
+    std::array<std::uint32_t, 2> first = {};
+    void add(std::uint32_t part) {
+      if (count < 2) first[count] = part;
+      ++count;
+    }
+  };
+  std::vector<PartsAt> ends(2 * parts_.size());  // by number of a place
   std::vector<char> is_used(parts_.size(), 1);
   for (std::uint32_t k = 0; k < parts_.size(); ++k) {
     if (!is_chosen(parts_[k])) continue;
     is_used[k] = 0;
-    ends[parts_[k].from].push_back(k);
-    ends[parts_[k].to].push_back(k);
+    ends[parts_[k].from_number].add(k);
+    ends[parts_[k].to_number].add(k);
   }
   const auto next = [&](const DirectedPart& end) -> std::optional<DirectedPart> {
-    const auto& there = ends.at(end.to());
-    if (there.size() != 2) return {};
-    const std::uint32_t k = &parts_[there[0]] == end.part ? there[1] : there[0];
-    const DirectedPart on{&parts_[k], parts_[k].to == end.to()};
-    if (is_used[k] != 0 || cross(end.along(), on.along()).sign() != Sign::zero || !agree(end, on)) return {};
+    const PartsAt& there = ends[end.to_number()];
+    if (there.count != 2) return {};
+    const std::uint32_t k = &parts_[there.first[0]] == end.part ? there.first[1] : there.first[0];
+    const DirectedPart on{&parts_[k], parts_[k].to_number == end.to_number()};
+    if (is_used[k] != 0 || !end.is_parallel_to(on) || !agree(end, on)) return {};
     is_used[k] = 1;
     return on;
   };
@@ -148,11 +191,7 @@ std::vector<CapRun> CapArrangement::runs(const std::function<bool(const CapPart&
 }
 
 std::optional<std::uint32_t> CapArrangement::side_across(const Place& at, const DirectedPart& part) const {
-  const auto bounded = [](const Rational& x) {
-    const double d = x.to_double();
-    return ErrorBounded{d, ErrorBounded::u * std::fabs(d) + 0x1p-1074};
-  };
-  const SectionCaps::Place about = {bounded(at[0]), bounded(at[1])};
+  const SectionCaps::Place about = bounded(at);
   const Place along = part.along();
   std::optional<std::uint32_t> found;
   caps_.visit_sides(about, about, [&](std::uint32_t k) {

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -17,7 +16,9 @@ namespace hsr::internal {
 struct CapPart {
   std::uint32_t side;
   SectionCaps::ExactPlace from, to;
+  SectionCaps::Place about_from, about_to;  ///< the same in doubles with a bound
   std::vector<std::uint32_t> left, right;
+  std::uint32_t from_number = 0, to_number = 0;  ///< of all places where parts end: equal where these are
 };
 
 /// A part from one end to the other.
@@ -27,9 +28,18 @@ struct DirectedPart {
 
   const SectionCaps::ExactPlace& from() const { return reversed ? part->to : part->from; }
   const SectionCaps::ExactPlace& to() const { return reversed ? part->from : part->to; }
+  std::uint32_t from_number() const { return reversed ? part->to_number : part->from_number; }
+  std::uint32_t to_number() const { return reversed ? part->from_number : part->to_number; }
   const std::vector<std::uint32_t>& left() const { return reversed ? part->right : part->left; }
   const std::vector<std::uint32_t>& right() const { return reversed ? part->left : part->right; }
   SectionCaps::ExactPlace along() const { return {to()[0] - from()[0], to()[1] - from()[1]}; }
+  SectionCaps::Place about_along() const {
+    const SectionCaps::Place &p = reversed ? part->about_to : part->about_from,
+                             &q = reversed ? part->about_from : part->about_to;
+    return {q[0] - p[0], q[1] - p[1]};
+  }
+  /// Whether the other one has the direction of this, or the opposite one.
+  bool is_parallel_to(const DirectedPart& other) const;
 };
 
 /// Parts that go straight on, from the first to the last, both in the direction of the run.
@@ -60,6 +70,7 @@ class CapArrangement {
   void add_cuts(const CapSide& own, std::uint32_t other, std::vector<Rational>& cuts) const;
   bool certainly_apart(std::uint32_t k, std::uint32_t other) const;
   std::vector<CapPart> parts_of(std::uint32_t k) const;
+  void number_ends();
 
   const SectionCaps& caps_;
   std::vector<CapPart> parts_;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/number.h"
@@ -12,7 +13,8 @@ using PlanePlace = std::array<Rational, 2>;
 
 /// A straight side of a region of a plane, the region on its left.
 struct PlaneSide {
-  PlanePlace from, to;
+  const PlanePlace *from, *to;
+  std::uint32_t from_number, to_number;  ///< see place_numbers.h
 };
 
 Rational cross(const PlanePlace& a, const PlanePlace& b);

@@ -16,38 +16,22 @@ using namespace internal;
 
 namespace {
 
-using Place = SectionCaps::ExactPlace;
-
-/// A corner of a ring, and a side of the caps that it is on.
-struct RingCorner {
-  std::uint32_t side;
-  Place at;
-};
-
-Place difference(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1]}; }
-
-/// Links parts that have the inside on their left to rings.
-std::vector<std::vector<RingCorner>> rings_of(const std::vector<DirectedPart>& bounds) {
+/// Links parts that have the inside on their left to rings, without corners at which a ring goes straight on.
+/// @return of each ring the parts that begin at its corners
+std::vector<std::vector<DirectedPart>> rings_of(const std::vector<DirectedPart>& bounds) {
   std::vector<PlaneSide> sides;
   sides.reserve(bounds.size());
-  for (const DirectedPart& bound : bounds) sides.push_back({bound.from(), bound.to()});
-  std::vector<std::vector<RingCorner>> rings;
+  for (const DirectedPart& bound : bounds)
+    sides.push_back({&bound.from(), &bound.to(), bound.from_number(), bound.to_number()});
+  std::vector<std::vector<DirectedPart>> rings;
   for (const std::vector<std::size_t>& linked : plane_rings(sides)) {
     auto& ring = rings.emplace_back();
-    for (const std::size_t k : linked) ring.push_back({bounds[k].part->side, bounds[k].from()});
+    for (std::size_t k = 0; k < linked.size(); ++k) {
+      const std::size_t before = linked[(k + linked.size() - 1) % linked.size()];
+      if (!bounds[before].is_parallel_to(bounds[linked[k]])) ring.push_back(bounds[linked[k]]);
+    }
   }
   return rings;
-}
-
-/// Without corners at which the ring goes straight on.
-void straighten(std::vector<RingCorner>& ring) {
-  std::vector<RingCorner> corners;
-  const std::size_t n = ring.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const Place before = difference(ring[k].at, ring[(k + n - 1) % n].at), after = difference(ring[(k + 1) % n].at, ring[k].at);
-    if (cross(before, after).sign() != Sign::zero) corners.push_back(ring[k]);
-  }
-  ring = std::move(corners);
 }
 
 class SectionMaker {
@@ -84,11 +68,10 @@ class SectionMaker {
     const std::vector<DirectedPart>& bounds = bounds_[object];
     SectionCap cap{object, face, 0, static_cast<std::uint32_t>(section_.rings.size()), 0};
     for (auto& ring : rings_of(bounds)) {
-      straighten(ring);
       if (caps_.is_mirrored()) std::reverse(ring.begin(), ring.end());
       std::vector<std::array<Rational, 3>> points;
       points.reserve(ring.size());
-      for (const RingCorner& c : ring) points.push_back(arrangement_.point(c.side, c.at));
+      for (const DirectedPart& c : ring) points.push_back(arrangement_.point(c.part->side, c.from()));
       section_.rings.push_row(points);
     }
     cap.end_ring = static_cast<std::uint32_t>(section_.rings.size());

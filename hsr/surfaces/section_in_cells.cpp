@@ -10,6 +10,7 @@
 #include "hsr/scene/view_parts.h"
 #include "hsr/surfaces/cutting_planes.h"
 #include "hsr/surfaces/edge_on_caps.h"
+#include "hsr/surfaces/place_numbers.h"
 #include "hsr/surfaces/plane_rings.h"
 #include "hsr/surfaces/region_clipper.h"
 
@@ -118,11 +119,19 @@ class CellSections {
       const Rational &x = p[(dropped + 1) % 3], &y = p[(dropped + 2) % 3];
       return is_mirrored ? PlanePlace{y, x} : PlanePlace{x, y};
     };
+    std::vector<PlanePlace> places;  // of each side the first and the last
+    places.reserve(2 * sides.size());
+    for (const RegionSide& side : sides)
+      for (const RationalVector* end : {&side.from, &side.to}) places.push_back(flat(*end));
+    std::vector<NumberedPlace> ends;
+    for (const PlanePlace& place : places) ends.push_back({&place, {place[0].to_double(), place[1].to_double()}});
+    const std::vector<std::uint32_t> numbers = place_numbers(ends);
     std::vector<PlaneSide> flat_sides;
-    flat_sides.reserve(sides.size());
-    for (const RegionSide& side : sides) flat_sides.push_back({flat(side.from), flat(side.to)});
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      flat_sides.push_back({&places[2 * k], &places[2 * k + 1], numbers[2 * k], numbers[2 * k + 1]});
     const auto along = [&](std::size_t k) {
-      return PlanePlace{flat_sides[k].to[0] - flat_sides[k].from[0], flat_sides[k].to[1] - flat_sides[k].from[1]};
+      const PlanePlace &from = places[2 * k], &to = places[2 * k + 1];
+      return PlanePlace{to[0] - from[0], to[1] - from[1]};
     };
     std::vector<std::vector<RationalVector>> rings;
     for (const std::vector<std::size_t>& linked : plane_rings(flat_sides)) {

@@ -1,7 +1,9 @@
 #include "geometry/enclosure.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <random>
+#include <span>
 
 #include "hsr/drawing/cut_parameter.h"
 #include "hsr/drawing/projection.h"
@@ -114,11 +116,12 @@ TEST_CASE("The nearest integer is said only where no other can be nearest", "[dr
 
 TEST_CASE("Images of vertices are enclosed, and not by much more than their last places", "[drawing][enclosure][property]") {
   std::mt19937_64 random(11);
+  const std::array<std::array<std::uint32_t, 3>, 1> triangle = {{{0, 1, 2}}};
   for (int k = 0; k < 400; ++k) {
     CAPTURE(k);
     std::vector<Point3> corners(3);
     for (Point3& p : corners) p = {random_double(random), random_double(random), random_double(random)};
-    const Mesh mesh = make_mesh(corners, Polygons{{0, 1, 2}});
+    const Mesh mesh = make_mesh(std::span<const Point3>(corners), triangle);
     if (mesh.triangles.empty()) continue;
     const View view = parallel_view({random_double(random), random_double(random), random_double(random)}, {0, 0, 1});
     Projection projection(mesh, view, corners[0]);
