@@ -13,6 +13,7 @@
 #include "hsr/io/read/gltf_instances.h"
 #include "hsr/io/read/gltf_paint.h"
 #include "hsr/io/read/gltf_transform.h"
+#include "hsr/io/read/marks.h"
 #include "hsr/io/read/model_builder.h"
 
 namespace hsr::internal::read {
@@ -66,7 +67,10 @@ class GltfReader {
       model_.note(std::to_string(n) + (n == 1 ? " texture" : " textures") +
                   " cannot be read (missing, or neither PNG nor JPEG): faces have the colour of their material");
     model_.set_units('y', 1000);
-    return model_.finish(masked_ != 0);
+    Model model = model_.finish(masked_ != 0);
+    std::uint32_t surfaces = 0;
+    for (const auto& [primitive, part] : marked_) add_marks_of_part(source_, gltf_.marks.at(primitive), part, surfaces, model);
+    return model;
   }
 
  private:
@@ -189,9 +193,7 @@ class GltfReader {
     const std::string& name = !node.name.empty() ? node.name : mesh.name;
     model_.start_object(name.empty() ? "node " + std::to_string(n) : name);
     std::map<int, PointRange> placed;  // primitives of a mesh often share their points
-    for (std::size_t k = 0; k < mesh.primitives.size(); ++k)
-      read_primitive(mesh.primitives[k], "mesh " + std::to_string(node.mesh) + ", primitive " + std::to_string(k), global,
-                     placed);
+    for (std::size_t k = 0; k < mesh.primitives.size(); ++k) read_marked(node.mesh, k, global, placed);
   }
 
   struct PointRange {
@@ -220,6 +222,19 @@ class GltfReader {
   void check_finite(const Point3& p, const std::string& where, std::size_t i, const char* expected) const {
     for (const double c : {p.x, p.y, p.z})
       if (!std::isfinite(c)) refuse(where + ", vertex " + std::to_string(i), std::isnan(c) ? "NaN" : "infinity", expected);
+  }
+
+  /// And where it is, if its extras have marks.
+  void read_marked(int m, std::size_t k, const Affine& global, std::map<int, PointRange>& placed) {
+    const auto mesh = static_cast<std::size_t>(m);
+    const std::string where = "mesh " + std::to_string(m) + ", primitive " + std::to_string(k);
+    if (gltf_.marks.contains({mesh, k})) {
+      part_ = &marked_[{mesh, k}];
+      *part_ = {where + ", extras", 0, 0, {}, std::move(part_->places)};
+      part_->places.push_back({0, static_cast<std::uint32_t>(model_.faces()), global});
+    }
+    read_primitive(file_.meshes[mesh].primitives[k], where, global, placed);
+    part_ = nullptr;
   }
 
   void read_primitive(const tinygltf::Primitive& primitive, const std::string& where, const Affine& global,
@@ -257,6 +272,10 @@ class GltfReader {
       model_.set_material({});
     paint_ = &paint;
     first_point_ = range.first;
+    if (part_ != nullptr) {
+      part_->places.back().first_point = range.first;
+      part_->points = static_cast<std::uint32_t>(range.size);
+    }
     add_corners(corners, primitive.mode, where);
     if (model_.faces() + model_.segments() > most_placed)
       refuse(where, "more than " + std::to_string(most_placed) + " faces and lines in all", "fewer");
@@ -265,6 +284,8 @@ class GltfReader {
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const std::array<std::uint32_t, 3> corners = {a - first_point_, b - first_point_, c - first_point_};
     const GltfPaint::Coat coat = paint_->of(corners.data(), corners.size());
+    if (part_ != nullptr && coat.is_there) part_->numbers.push_back(part_->faces);
+    if (part_ != nullptr) ++part_->faces;
     if (!coat.is_there) {
       ++masked_;
       return;
@@ -322,6 +343,8 @@ class GltfReader {
   std::vector<std::string> materials_;
   const GltfPaint* paint_ = nullptr;  // of the primitive that is being read
   std::uint32_t first_point_ = 0;
+  MarkedPart* part_ = nullptr;                                        // the primitive that is being read, if it has marks
+  std::map<std::pair<std::size_t, std::size_t>, MarkedPart> marked_;  // by mesh and primitive
   std::size_t masked_ = 0;
   bool is_exact_ = true, points_only_ = false;
 };

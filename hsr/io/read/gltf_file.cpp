@@ -154,6 +154,27 @@ void read_own(const Json& json, GltfFile& file) {
   }
 }
 
+/// What CAD scripts say in extras of surfaces and edges: of a primitive, or of a mesh that has one.
+void read_marks(const Source& source, const Json& json, GltfFile& file) {
+  const auto marks_in = [](const Json& thing) -> const Json* {
+    if (!thing.is_object() || !thing.contains("extras")) return nullptr;
+    const Json& extras = thing["extras"];
+    return extras.is_object() && extras.contains("hsr_marks") ? &extras["hsr_marks"] : nullptr;
+  };
+  const std::vector<Json> meshes = objects_of(json, "meshes");
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const std::vector<Json> primitives = objects_of(meshes[m], "primitives");
+    for (std::size_t k = 0; k < primitives.size(); ++k)
+      if (const Json* marks = marks_in(primitives[k])) file.marks[{m, k}] = marks->dump();
+    const Json* const of_mesh = marks_in(meshes[m]);
+    if (of_mesh == nullptr) continue;
+    if (primitives.size() != 1)
+      source.refuse("mesh " + std::to_string(m) + ", extras", "found hsr_marks of " + std::to_string(primitives.size()) +
+                                                                  " primitives, expected them in the extras of each primitive");
+    file.marks.try_emplace({m, 0}, of_mesh->dump());
+  }
+}
+
 /// What hsr has no use for, or has read itself, goes before the library sees it: it could stumble over it.
 void take_out_unused(Json& json, std::vector<std::string>& notes) {
   if (json.contains("skins")) notes.emplace_back("skins are passed over: the model is as it was before it was posed");
@@ -225,6 +246,7 @@ GltfFile load_gltf(const Source& source, std::vector<std::string>& notes) {
   check_extensions(source, json);
   GltfFile file;
   read_own(json, file);
+  read_marks(source, json, file);
   take_out_unused(json, notes);
 
   tinygltf::TinyGLTF loader;

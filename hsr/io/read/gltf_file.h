@@ -8,8 +8,10 @@
 #include <tiny_gltf.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hsr/io/read/source.h"
@@ -42,6 +44,7 @@ struct GltfFile {
   std::vector<std::optional<GltfCamera>> cameras;  ///< nothing for one that is not as it should be
   std::vector<GltfTexture> textures;
   std::vector<GltfImage> images;
+  std::map<std::pair<std::size_t, std::size_t>, std::string> marks;  ///< "hsr_marks" in extras, as JSON, by mesh and primitive
 };
 
 /// What hsr has no use for (animations, skins) is taken out before tiny_gltf sees it, and so is what hsr reads itself: the library

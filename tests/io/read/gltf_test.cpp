@@ -40,6 +40,52 @@ using Corners = std::vector<std::uint32_t>;
 
 }  // namespace
 
+TEST_CASE("glTF: extras of a primitive have marks of its faces and edges", "[read][gltf][marks][J7]") {
+  const auto with = [](const std::string& marks,
+                       const std::string& node = R"({"mesh": 0}, {"mesh": 0, "translation": [5, 0, 0]})") {
+    std::string strip = primitive(5);
+    strip.insert(1, R"("extras": {"hsr_marks": )" + marks + "}, ");
+    return scene(node, strip + ", " + primitive(6), R"(, "scenes": [{"nodes": [0, 1]}])");
+  };
+  const std::string marks =
+      R"({"format": "hsr-marks/1", "surfaces": [4, 4, null], "edges": [{"points": [1, 2, 3], "mark": "smooth",
+"circle": {"centre": [0, 0, 0], "axis": [0, 0, 1], "radius": 1}}]})";
+  const Model model = read_model("a.glb", with(marks));
+  REQUIRE(model.polygons.size() == 12);
+  constexpr std::uint32_t none = 0xffffffffU;
+  // Of a second instance they are other surfaces, and its circle is where it has been moved to.
+  CHECK(model.face_surface == std::vector<std::uint32_t>{0, 0, none, none, none, none, 1, 1, none, none, none, none});
+  REQUIRE(model.marks.size() == 4);
+  CHECK(model.marks[0] == MarkedEdge{{1, 2}, EdgeMark::smooth, 0, 0});
+  CHECK(model.marks[1] == MarkedEdge{{2, 3}, EdgeMark::smooth, 0, 0});
+  CHECK(model.marks[2] == MarkedEdge{{6, 7}, EdgeMark::smooth, 1, 1});
+  REQUIRE(model.circles.size() == 2);
+  CHECK(model.circles[1].centre == Point3{5, 0, 0});
+  CHECK(model.circles[1].radius == 1);
+  // A circle that becomes an ellipse is none.
+  const Model flat = read_model("a.glb", with(marks, R"({"mesh": 0}, {"mesh": 0, "scale": [1, 2, 1]})"));
+  CHECK(flat.circles.size() == 1);
+  CHECK(flat.marks[2] == MarkedEdge{{6, 7}, EdgeMark::smooth, 1, none});
+  CHECK(model.notes.empty());
+  const auto refused = [&](const std::string& wrong) { return refusal("a.glb", with(wrong)); };
+  CHECK(refused("[]") == "a.glb: mesh 0, primitive 0, extras: found no object, expected {\"format\": \"hsr-marks/1\", ...}");
+  CHECK(refused(R"({"format": "hsr-marks/1", "surfaces": [1]})") ==
+        "a.glb: mesh 0, primitive 0, extras, surfaces: found 1 numbers, expected one for each of the 3 faces of the primitive");
+  CHECK(refused(R"({"format": "hsr-marks/1", "edges": [{"points": [0, 5], "mark": "sharp"}]})") ==
+        "a.glb: mesh 0, primitive 0, extras, edge 0: points: found 5, expected the number of one of the 5 points of the "
+        "primitive");
+}
+
+TEST_CASE("glTF: extras of a mesh have marks where it has one primitive", "[read][gltf][marks][J7]") {
+  const auto with_extras = [](const std::string& primitives) {
+    return scene(R"({"mesh": 0})",
+                 primitives + R"(], "extras": {"hsr_marks": {"format": "hsr-marks/1", "surfaces": [1, 1, 2]}}, "weights": [)");
+  };
+  CHECK(read_model("a.glb", with_extras(primitive(5))).face_surface == std::vector<std::uint32_t>{0, 0, 1});
+  CHECK(refusal("a.glb", with_extras(primitive(5) + ", " + primitive(6))) ==
+        "a.glb: mesh 0, extras: found hsr_marks of 2 primitives, expected them in the extras of each primitive");
+}
+
 TEST_CASE("glTF: triangles, strips, fans, lines and loops", "[read][gltf]") {
   const std::string node = R"({"mesh": 0})";
   const Model strip = read_model("a.glb", scene(node, primitive(5)));
