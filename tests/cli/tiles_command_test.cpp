@@ -183,7 +183,7 @@ TEST_CASE("a tile whose faces were changed, and a job that was, are refused", "[
 TEST_CASE("what tiles cannot do is refused in one line before any work", "[cli][tiles]") {
   const Directory d;
   const std::string model = write(d / "town.obj", town(1)), split = "split " + model + " -o " + (d / "job") + " ";
-  check_refused(run(split + "--fill"), {"--fill", "hsr draw"});
+  check_refused(run(split + "--fill"), {"--fill", "fills are not split", "hsr draw"});
   check_refused(run(split + "--section z=1"), {"--section", "hsr draw"});
   check_refused(run(split + "--tolerance 0.1"), {"--tolerance"});
   check_refused(run(split + "--crease 30,20"), {"--crease"});

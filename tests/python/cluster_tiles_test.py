@@ -64,7 +64,7 @@ class ClustersOfTiles(unittest.TestCase):
         rng = random.Random(3)
         with distributed.LocalCluster(n_workers=3, threads_per_worker=1, dashboard_address=None, silence_logs=50) as local:
             with distributed.Client(local) as client:
-                for _ in range(4):
+                for _ in range(20):
                     self.remove_parts()
                     killed = []
 
@@ -122,6 +122,44 @@ class ClustersOfTiles(unittest.TestCase):
                 os.killpg(worker.pid, signal.SIGKILL)
                 scheduler.wait()
                 worker.wait()
+
+    def test_parts_that_are_wrong_are_done_again(self):
+        """Truncated, of another tile, of another job: hsr join names the file, and the cluster mends it."""
+        self.hsr("tile", self.job, "-q", *range(1, TILES + 1))
+        other = self.folder / "other"
+        self.hsr("split", self.model, "-q", "-o", other, "--tiles", TILES, "--view", "front")
+        self.hsr("tile", other, "-q", 7)
+        part = self.job / "part-7"
+        whole = part.read_bytes()
+        for wrong, said in ((whole[: len(whole) // 2], "not whole"), ((self.job / "part-2").read_bytes(), "of tile 2"), ((other / "part-7").read_bytes(), "of another job")):
+            part.write_bytes(wrong)
+            ran = subprocess.run([COMMAND, "join", str(self.job), "-o", str(self.folder / "many.svg")], capture_output=True, text=True, check=False)
+            self.assertEqual(ran.returncode, 1)
+            self.assertIn(f"part-7: {said}", ran.stderr)
+            self.assertFalse((self.folder / "many.svg").exists())
+        ran = self.cluster("-o", self.folder / "many.svg", "-o", self.folder / "many.pdf", "--workers", 2)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertEqual(part.read_bytes(), whole)
+
+    def test_a_full_disk(self):
+        limited = self.folder / "limited"
+        limited.write_text(f'#!/bin/bash\nulimit -f 1\nexec "{COMMAND}" "$@"\n')
+        limited.chmod(0o755)
+        words = [sys.executable, "-m", "hsr.cluster", str(self.job), "-o", str(self.folder / "many.svg"), "--workers", "1", "--command", str(limited)]
+        ran = subprocess.run(words, capture_output=True, text=True, check=False)
+        self.assertEqual(ran.returncode, 2)
+        self.assertRegex(ran.stderr, "part-[0-9]+: cannot be written")
+        self.assertNotIn("Traceback", ran.stderr)
+        self.assertFalse((self.folder / "many.svg").exists())
+        self.assertEqual([p.name for p in self.job.iterdir() if not re.fullmatch(r"job\.json|(tile|part)-[0-9]+", p.name)], [])
+
+    def test_two_at_once(self):
+        words = [sys.executable, "-m", "hsr.cluster", str(self.job), "-o", str(self.folder / "many.svg"), "--workers", "2", "--command", COMMAND, "--", "-q", "--page", "A2"]
+        both = [subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) for _ in range(2)]
+        for one in both:
+            _, said = one.communicate()
+            self.assertEqual(one.returncode, 0, said)
+        self.compare("svg")
 
     def test_what_is_wrong_is_said(self):
         (self.job / "tile-3").write_bytes(b"nothing")
