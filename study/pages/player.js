@@ -25,6 +25,7 @@ class State {
     this.cells = new Map();
     this.nodes = new Map();
     this.bars = new Map();
+    this.masks = new Map();
     this.drawn = [];
   }
   apply(change) {
@@ -38,6 +39,7 @@ class State {
       case 'cells': for (const c of change.cells) this.cells.set(c[0] + ',' + c[1], c); break;
       case 'node': this.nodes.set(change.node, change); break;
       case 'bars': this.bars.set(change.name, change.bars); break;
+      case 'masks': this.masks.set(change.name, change.masks); break;
       case 'draw': this.drawn.push(...change.lines); break;
       case 'undraw': this.drawn = []; break;
     }
@@ -171,6 +173,7 @@ class Player {
   show_lists(step) {
     let html = '';
     if (this.state.bars.size) html += this.bars_html();
+    for (const [name, masks] of this.state.masks) if (masks.length) html += this.masks_html(name, masks);
     if (this.state.nodes.size) html += `<h4>the tree: above, what is nearer the root; left, behind the plane; right, in front</h4><div class="tree" tabindex="0">${this.tree_svg(step)}</div>`;
     for (const [name, items] of this.state.lists) {
       if (!items.length && name != 'painted') continue;
@@ -200,6 +203,19 @@ class Player {
     html += `<svg class="bars" viewBox="0 0 300 ${y + 14}" role="img" aria-label="Intervals along the edge">${rows}` +
         `<line x1="20" x2="280" y1="${y}" y2="${y}" stroke="var(--ink)"/><text x="17" y="${y + 11}" font-size="9">0</text><text x="277" y="${y + 11}" font-size="9">1</text></svg>`;
     return html;
+  }
+
+  // Samples of a pixel, one grid for each fragment.
+  masks_html(name, masks) {
+    return `<h4>${escaped(name)}</h4><div class="masks">` + masks.map(([text, face, rows]) => {
+      const fill = face >= 0 ? this.colour(face) : 'var(--quiet)';
+      let cells = '';
+      rows.forEach((row, j) => [...row].forEach((bit, i) => {
+        cells += `<rect x="${i}" y="${j}" width="1" height="1" fill="${bit == '1' ? fill : 'none'}" stroke="var(--quiet)" stroke-width="0.06"/>`;
+      }));
+      const w = rows[0].length, h = rows.length;
+      return `<figure><svg viewBox="-0.1 -0.1 ${w + 0.2} ${h + 0.2}" role="img" aria-label="${escaped(text)}: ${rows.join(' ')}">${cells}</svg><figcaption>${escaped(text)}</figcaption></figure>`;
+    }).join('') + '</div>';
   }
 
   // Left: behind; right: in front.
@@ -245,10 +261,10 @@ class Player {
     const state = this.state, painted = new Set(state.painted);
     svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
     let html = '';
-    for (const [i, j, text, face] of state.cells.values()) {
-      const fill = face >= 0 ? this.colour(face) : 'var(--paper)', size = Math.min(0.42, 1.7 / Math.max(text.length, 3));
+    for (const [i, j, text, face, own] of state.cells.values()) {
+      const fill = own || (face >= 0 ? this.colour(face) : 'var(--paper)'), size = Math.min(0.42, 1.7 / Math.max(text.length, 3));
       html += `<g><rect class="cell" x="${i}" y="${j}" width="1" height="1" fill="${fill}" stroke-width="0.02"/>` +
-          `<text x="${i + 0.5}" y="${j + 0.5 + size * 0.36}" text-anchor="middle" font-size="${size}" style="fill:${face >= 0 ? ink_on(fill) : 'var(--quiet)'}">${escaped(text)}</text>` +
+          `<text x="${i + 0.5}" y="${j + 0.5 + size * 0.36}" text-anchor="middle" font-size="${size}" style="fill:${own || face >= 0 ? ink_on(fill) : 'var(--quiet)'}">${escaped(text)}</text>` +
           `<title>row ${j}, column ${i}: ${escaped(text)}${face >= 0 ? ', ' + escaped(faces[face].name) : ''}</title></g>`;
     }
     const label = (ring, text, size) => {

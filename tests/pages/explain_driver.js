@@ -32,6 +32,11 @@
       check(count == 0 || count <= result.faces.length * result.faces[0].length, where + ': too many samples');
       check(count > 0 || result.faces.flat().every(f => f < 0), where + ': no samples');
     }
+    if (result.colours) {
+      check(picture.cells.length == result.colours.flat().length, where + ': not a colour for each sample');
+      for (const [i, j, fill] of picture.cells)
+        check(fill == result.colours[j][i], `${where}: sample ${i}, ${j} has not the library's colour`);
+    }
     if (result.painted) check(picture.painted.join() == result.painted.map(colour).join(), where + ': not painted in the library\'s order');
     if (result.lines) check(picture.drawn == result.lines.reduce((n, l) => n + l.visible.length, 0), where + ': not the library\'s lines');
     if (result.nodes !== undefined) check(player.state.nodes.size == result.nodes, where + ': not the library\'s tree');
