@@ -61,7 +61,7 @@ std::string explain_index(const std::vector<ExplainedMethod>& methods, const std
     body += "<li><a href=\"" + name + ".html\">" + html_escaped(title) + "</a>: " + html_escaped(about) + "</li>\n";
   };
   if (!lessons.empty()) {
-    body += "<h2>Lessons</h2>\n<p>To be read in order, in an hour.</p>\n<ol class=\"methods\">\n";
+    body += "<h2>Lessons</h2>\n<p>The first two are to be read in order, in an hour.</p>\n<ol class=\"methods\">\n";
     for (const Lesson& lesson : lessons) add(lesson.name, lesson.title, lesson.about);
     body += "</ol>\n<h2>Methods</h2>\n";
   }

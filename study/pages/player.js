@@ -54,6 +54,7 @@ class Player {
     this.get = get;
     trace.runs.forEach((run, k) => get('run').add(new Option(run.name, k)));
     get('runs').hidden = trace.runs.length < 2;
+    this.make_parts();
     get('run').addEventListener('change', () => this.choose(+get('run').value));
     get('code').innerHTML = trace.pseudocode.map(([name, text]) => `<li data-line="${escaped(name)}">${escaped(text)}</li>`).join('');
     get('first').addEventListener('click', () => this.go(0));
@@ -68,8 +69,31 @@ class Player {
     this.choose(0);
   }
 
+  // Runs whose names are "format, function, ..." are chosen by a select for each part; the select of whole names is hidden then.
+  make_parts() {
+    const names = this.trace.runs.map(run => run.name.split(', ')), count = names[0].length;
+    const parts = names[0].map((_, p) => [...new Set(names.map(name => name[p]))]);
+    if (count < 2 || names.length < 8 || names.some(name => name.length != count)) return;
+    this.parts = parts.map((options, p) => {
+      const select = document.createElement('select');
+      select.setAttribute('aria-label', ['How depths are stored', 'The test', 'Where depths come from'][p] || `Choice ${p + 1}`);
+      for (const name of options) select.add(new Option(name, name));
+      // The run with this part, and as many as can be of the others.
+      select.addEventListener('change', () => {
+        const wanted = this.parts.map(part => part.value);
+        const fit = name => name[p] == wanted[p] ? name.filter((part, q) => part == wanted[q]).length : -1;
+        this.choose(names.reduce((best, name, k) => fit(name) > fit(names[best]) ? k : best, 0));
+      });
+      return select;
+    });
+    this.get('runs').querySelector('label').hidden = true;
+    this.get('runs').append('Show ', ...this.parts);
+  }
+
   choose(k) {
     this.stop();
+    this.get('run').value = k;
+    if (this.parts) this.trace.runs[k].name.split(', ').forEach((part, p) => { this.parts[p].value = part; });
     this.run = this.trace.runs[k];
     this.scene = this.run.scene || this.trace.scene;
     this.answered = new Map();  // by step: whether the first answer was right
@@ -321,7 +345,7 @@ for (const place of document.querySelectorAll('script.trace')) new Player(place,
 addEventListener('keydown', event => {
   const player = Player.last || Player.all[0];
   if (!player || event.altKey || event.ctrlKey || event.metaKey || event.target.closest('select, input:not([type=range])')) return;
-  const at_slider = event.target.matches('input[type=range].slider');
+  const at_slider = event.target.matches('input[type=range]');
   const act = {
     ArrowRight: () => player.next(), ArrowLeft: () => player.back(), Home: () => player.go(0), End: () => player.go(player.last),
     ' ': () => player.play(!player.timer),

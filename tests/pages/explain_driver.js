@@ -89,6 +89,17 @@
     check(player.at == 0 && shown(player).all == first, where() + ': back does not lead to the beginning');
   };
 
+  // Every choice of every part of the runs' names leads to a run that has it.
+  const parts = player => {
+    for (const select of player.parts || [])
+      for (const option of select.options) {
+        select.value = option.value;
+        select.dispatchEvent(new Event('change'));
+        check(player.run.name.split(', ').includes(option.value) && select.value == option.value && player.trace.runs[player.get('run').value] == player.run,
+              `${option.value} is chosen, ${player.run.name} is shown`);
+      }
+  };
+
   const no_questions = player => {
     const box = document.getElementById('exercises');
     box.click();
@@ -131,6 +142,40 @@
       e.focus();
       check(document.activeElement == e || e.getClientRects().length == 0, 'cannot be reached by keyboard: ' + (e.textContent || e.className).slice(0, 40));
     }
+  };
+
+  // The sliders of the near and the far plane: every pair, by its table, its plot and its sentence.
+  const gaps = () => {
+    const data = document.querySelector('script.gaps');
+    if (!data) return;
+    const {formats, rows} = JSON.parse(data.textContent), get = id => document.getElementById(id);
+    const near = get('gap-near'), far = get('gap-far'), seen = new Set();
+    check(near && far, 'no sliders of planes');
+    for (near.value = 0; ; near.value = +near.value + 1) {
+      for (far.value = 0; ; far.value = +far.value + 1) {
+        near.dispatchEvent(new Event('input'));
+        far.dispatchEvent(new Event('input'));
+        const row = rows.find(r => r.near == get('gap-near-says').textContent && r.far == get('gap-far-says').textContent);
+        const lines = [...get('gap-table').tBodies[0].rows].map(r => [...r.cells].map(c => c.textContent));
+        check(row && lines.length == row.at.length && get('gap-plot').querySelectorAll('polyline').length == formats.length,
+              'the planes of the sliders are not shown');
+        row.at.forEach((at, k) => at.forEach((x, c) => check(x >= 1e9 || x < 1e-30 || Math.abs(+lines[k][c] - x) <= 0.006 * x, `a gap is ${lines[k][c]} for ${x}`)));
+        check(near.getAttribute('aria-valuetext').includes(row.near), 'the slider does not say its plane');
+        seen.add(get('gap-plot').innerHTML);
+        if (+far.value == +far.max) break;
+      }
+      if (+near.value == +near.max) break;
+    }
+    check(seen.size == rows.length, `${seen.size} pictures of ${rows.length} pairs of planes`);
+    for (const slider of [near, far]) {
+      slider.focus();
+      check(document.activeElement == slider, 'a slider cannot be reached by keyboard');
+      const arrow = new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: true, cancelable: true});
+      check(slider.dispatchEvent(arrow), 'an arrow key does not move the slider of a plane');
+    }
+    near.value = 2;
+    far.value = 2;
+    near.dispatchEvent(new Event('input'));
   };
 
   // Of text to what is behind it: 4.5 by WCAG 2, AA.
@@ -180,9 +225,11 @@
       check(players.length > 0 || !document.querySelector('script.trace'), 'no player');
       for (const player of players) {
         player.trace.runs.forEach((run, k) => walk(player, k));
+        parts(player);
         no_questions(player);
       }
       if (players.length) keyboard(players[0]);
+      gaps();
       const wide = document.documentElement.scrollWidth;
       check(wide <= innerWidth, `the page is ${wide} wide, the window ${innerWidth}`);
       for (const player of players) player.go(player.last >> 1);

@@ -95,7 +95,7 @@ void check_end(const Json& trace) {
         for (std::size_t i = 0; i < result["faces"][j].size(); ++i) {
           const auto cell = end.cells.find({static_cast<int>(i), static_cast<int>(j)});
           CHECK((cell == end.cells.end() ? -1 : cell->second.second) == result["faces"][j][i]);
-          if (cell != end.cells.end() && run["name"] == "float, less")
+          if (cell != end.cells.end() && run["name"] == "float, less, from the plane")
             CHECK(std::stod(cell->second.first) == Approx(result["depths"][j][i].get<double>()).epsilon(6e-4));
         }
     if (result.contains("colours")) {
@@ -205,7 +205,7 @@ TEST_CASE("a watched method returns what it returns unwatched", "[study][explain
       return rows;
     };
     const DepthRange range = depth_range(scene.mesh, scene.view, picture.samples());
-    CHECK(result(explain_z_buffer, 1)["faces"] ==
+    CHECK(result(explain_z_buffer, 5)["faces"] ==
           faces(depth_buffer(scene.mesh, scene.view, picture.samples(), range, {.format = DepthFormat::fixed16}).triangles));
     CHECK(result(explain_scanline, 0)["faces"] == faces(scanline(scene.mesh, scene.view, picture.samples()).triangles));
     const auto faces_of_pixels = [&](const auto& image) {
@@ -270,7 +270,7 @@ TEST_CASE("a scene that cannot be followed is refused with the reason", "[study]
 
 TEST_CASE("the lessons have the numbers of the lectures", "[study][explain]") {
   const std::vector<Lesson> lessons = all_lessons("");
-  REQUIRE(lessons.size() == 2);
+  REQUIRE(lessons.size() == 3);
   const std::string& image = lessons[0].page;
   // Each trace of the page.
   std::vector<Json> traces;
