@@ -1,10 +1,14 @@
 #include "study/comparison_page.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
 
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/svg_text.h"
 #include "study/comparison_plots.h"
+#include "study/explain/explained_methods.h"
 #include "study/page_texts.h"
 
 namespace hsr::internal {
@@ -56,37 +60,63 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
   page.script(page_text("compare.js"));
 }
 
+/// The page of hsr explain that shows the method; empty: there is none.
+std::string explained_by(const std::string& method) {
+  // The first that the name begins with.
+  constexpr std::array<std::array<std::string_view, 2>, 15> pages = {{{"scanline", "scanline"},
+                                                                      {"painter, for each pixel", "alpha-buffer"},
+                                                                      {"painter, by", "painter"},
+                                                                      {"depth sort", "depth-sort"},
+                                                                      {"BSP", "bsp"},
+                                                                      {"row z-buffer", "row-z-buffer"},
+                                                                      {"tiled z-buffer", "tiled-z-buffer"},
+                                                                      {"z-buffer", "z-buffer"},
+                                                                      {"depth buffer", "z-buffer"},
+                                                                      {"OpenGL", "z-buffer"},
+                                                                      {"ray casting", "ray-casting"},
+                                                                      {"alpha-buffer", "alpha-buffer"},
+                                                                      {"A-buffer", "a-buffer"},
+                                                                      {"visible fragments", "visible-fragments"},
+                                                                      {"Roberts", "roberts"}}};
+  for (const auto& [begins, page] : pages) {
+    if (method.rfind(begins, 0) != 0) continue;
+    const std::vector<ExplainedMethod>& all = explained_methods();
+    const bool is_there = std::any_of(all.begin(), all.end(), [&](const ExplainedMethod& m) { return m.name == page; });
+    return is_there ? "explain/" + std::string(page) + ".html" : std::string();
+  }
+  return {};
+}
+
 void add_colours(HtmlPage& page, const std::vector<ComparedColours>& compared) {
   std::vector<std::vector<HtmlCell>> rows;
   rows.reserve(compared.size());
-  for (const ComparedColours& c : compared)
-    rows.push_back({{c.method},
+  for (const ComparedColours& c : compared) {
+    HtmlCell name{c.method};
+    name.link = explained_by(c.method);
+    rows.push_back({std::move(name),
                     {c.samples},
                     html_number(c.seconds),
                     c.bytes == 0 ? HtmlCell{} : html_bytes(static_cast<double>(c.bytes)),
                     html_number(c.mean_difference),
                     html_number(c.most_difference),
                     html_share(c.changed_share)});
+  }
   page.table({"method", "samples to a pixel", "seconds", "working storage", "mean difference", "largest", "changed"}, rows);
 }
 
-/// The page of hsr explain that shows the method; empty: there is none.
-std::string explained_by(const std::string& method) {
-  const auto begins = [&](const char* with) { return method.rfind(with, 0) == 0; };
-  const char* const page = begins("scanline")                                                       ? "scanline"
-                           : begins("painter, by")                                                  ? "painter"
-                           : begins("depth sort")                                                   ? "depth-sort"
-                           : begins("BSP")                                                          ? "bsp"
-                           : method.find("z-buffer") != std::string::npos || begins("depth buffer") ? "z-buffer"
-                                                                                                    : nullptr;
-  return page == nullptr ? std::string() : std::string("explain/") + page + ".html";
+/// How far the runs of a method lie from their median, as a median. @pre seconds are sorted
+double scatter(const ComparedMethod& m) {
+  std::vector<double> off;
+  for (const double s : m.seconds) off.push_back(std::fabs(s - m.median()));
+  std::sort(off.begin(), off.end());
+  return off[off.size() / 2];
 }
 
-/// How long against the fastest of a group; where the runs of the two overlap, noise may be the difference.
+/// How long against the fastest of a group, where that is more than what runs of the two scatter.
 HtmlCell against(const ComparedMethod& m, const ComparedMethod& fastest) {
   const double ratio = fastest.median() > 0 ? m.median() / fastest.median() : 1;
   if (&m == &fastest) return {"fastest", ratio, true};
-  if (m.seconds.size() > 1 && fastest.seconds.size() > 1 && m.seconds.front() <= fastest.seconds.back())
+  if (m.seconds.size() > 1 && m.median() - fastest.median() <= 2 * (scatter(m) + scatter(fastest)))
     return {"within noise", ratio, true};
   return {rounded_text(ratio, 3) + " times", ratio, true};
 }
@@ -96,10 +126,10 @@ void add_methods(HtmlPage& page, const Comparison& c) {
   page.heading("The methods, " + std::to_string(c.size) + " x " + std::to_string(c.size));
   page.paragraph(
       "Seconds: the median of the runs, and the least of them. Against the fastest of its group a method is within noise where "
-      "its least is not "
-      "above the fastest's most. A name leads to a page that shows the method step by step. Click or press Enter on a head to "
-      "sort within "
-      "the groups.");
+      "their "
+      "medians differ by no more than twice what their runs scatter. A name leads to a page that shows the method step by "
+      "step. Click or "
+      "press Enter on a head to sort within the groups.");
   const auto group_of = [](const ComparedMethod& m) {
     return m.is_object_space && m.is_exact                                                    ? 0U
            : m.is_object_space                                                                ? 1U
@@ -130,7 +160,8 @@ void add_methods(HtmlPage& page, const Comparison& c) {
                               {m.note}});
   }
   std::erase_if(groups, [](const HtmlGroup& g) { return g.rows.empty(); });
-  page.table({"method", "wrong samples", "wrong area", "seconds", "least", "against the fastest", "memory", "note"}, groups);
+  page.table({"method", "wrong samples", "wrong area", "seconds", "least", "against the fastest", "memory", "note"}, groups,
+             "fits");
 }
 
 void add_all_figures(HtmlPage& page, const Comparison& c) {
