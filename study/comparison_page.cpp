@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string_view>
 
 #include "hsr/io/write/json_text.h"
@@ -17,6 +18,26 @@ namespace {
 
 std::string milliseconds(double s) { return html_number(1000 * s).text + " ms"; }
 
+/// What of the pictures the page has: of all methods first where they are wrong, then what they show there, then depths, as long as it
+/// stays under 5 MB. The files beside it have them all, but for the depths.
+class Budget {
+ public:
+  explicit Budget(const std::vector<ComparisonImages>& images) {
+    if (!images.empty()) left_ -= std::min(left_, images[0].shown.size());
+    for (const auto member : {&ComparisonImages::mistakes, &ComparisonImages::changes, &ComparisonImages::depth})
+      for (const ComparisonImages& i : images)
+        if ((i.*member).size() <= left_) {
+          left_ -= (i.*member).size();
+          kept_.insert(&(i.*member));
+        }
+  }
+  bool has(const std::string& png) const { return kept_.count(&png) > 0; }
+
+ private:
+  std::size_t left_ = 3'400'000;  // as text they are a third larger
+  std::set<const std::string*> kept_;
+};
+
 void add_slider(HtmlPage& page, const Comparison& c, const std::vector<ComparisonImages>& images) {
   page.heading("Two methods beside each other");
   page.style(page_text("compare.css"));
@@ -30,6 +51,7 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
     legend += "\"></span>" + std::string(words);
   }
   page.html(legend + "</p>\n");
+  const Budget budget(images);
   std::string data = "const shown=[";
   const auto add = [&](const std::string& name, const std::string& says, const ComparisonImages& i,
                        const ComparedMethod* method) {
@@ -40,13 +62,17 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
     append_string(data, name);
     data += ",says:";
     append_string(data, says);
-    const auto url = [&](const char* key, const std::string& png) {
-      data += std::string(",") + key + ":\"" + (png.empty() ? "" : png_url(png)) + "\"";
+    bool is_all = true;
+    const auto url = [&](const char* key, const std::string& png, bool is_wanted) {
+      const bool is_kept = is_wanted && !png.empty() && (is_truth || budget.has(png));
+      is_all = is_all && (is_kept || png.empty() || !is_wanted);
+      data += std::string(",") + key + ":\"" + (is_kept ? png_url(png) : "") + "\"";
     };
-    if (is_truth) url("picture", i.shown);
-    url("changes", is_truth ? "" : i.changes);
-    url("mistakes", is_truth ? "" : i.mistakes);
-    url("depth", i.depth);
+    if (is_truth) url("picture", i.shown, true);
+    url("changes", i.changes, !is_truth);
+    url("mistakes", i.mistakes, !is_truth);
+    url("depth", i.depth, true);
+    if (!is_all) data += ",large:true";
     data += "},\n";
   };
   if (!images.empty()) add("exact", "exact", images[0], nullptr);
