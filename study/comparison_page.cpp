@@ -102,7 +102,7 @@ std::string explained_by(const std::string& method) {
                                                                       {"ray casting", "ray-casting"},
                                                                       {"alpha-buffer", "alpha-buffer"},
                                                                       {"A-buffer", "a-buffer"},
-                                                                      {"visible fragments", "visible-fragments"},
+                                                                      {"visible fragments", "fragments"},
                                                                       {"Roberts", "roberts"}}};
   for (const auto& [begins, page] : pages) {
     if (method.rfind(begins, 0) != 0) continue;
