@@ -15,8 +15,13 @@
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
+#include "hsr/raster/a_buffer.h"
+#include "hsr/raster/alpha_buffer.h"
+#include "hsr/raster/caster.h"
 #include "hsr/raster/depth_buffer.h"
+#include "hsr/raster/row_z_buffer.h"
 #include "hsr/raster/scanline.h"
+#include "hsr/raster/tiled_z_buffer.h"
 
 namespace hsr::bench {
 namespace {
@@ -32,6 +37,7 @@ void run(int rounds) {
   const SampleGrid grid = sample_grid(view, paper_rectangle(mesh, view), 512, 512);
   const DepthRange range = depth_range(mesh, view, grid);
   const BspTree tree(mesh);
+  const std::vector<Colour> colours(mesh.faces.size(), Colour{200, 100, 50, 255});
   LineOptions roberts;
   roberts.method = LineMethod::roberts;
   roberts.classes.fill(true);
@@ -43,6 +49,13 @@ void run(int rounds) {
       {"z-sort", [&] { (void)z_sort(mesh, view, DepthKey::centroid); }},
       {"depth-buffer-24", [&] { (void)depth_buffer(mesh, view, grid, range, {}); }},
       {"depth-buffer-float", [&] { (void)depth_buffer(mesh, view, grid, range, {.format = DepthFormat::float32}); }},
+      {"depth-buffer-increments",
+       [&] { (void)depth_buffer(mesh, view, grid, range, {.interpolation = DepthInterpolation::incremental}); }},
+      {"row-z-buffer", [&] { (void)row_z_buffer<float>(mesh, view, grid); }},
+      {"tiled-z-buffer", [&] { (void)tiled_z_buffer<float>(mesh, view, grid); }},
+      {"ray-casting", [&] { (void)cast(mesh, view, grid); }},
+      {"a-buffer", [&] { (void)a_buffer(mesh, view, grid, colours, 0.5); }},
+      {"alpha-buffer", [&] { (void)alpha_buffer(mesh, view, grid, colours, 0.5); }},
       {"scanline", [&] { (void)scanline(mesh, view, grid); }},
       {"roberts", [&] { (void)visible_lines(mesh, view, roberts); }},
   };

@@ -191,28 +191,28 @@ std::vector<RunnableMethod> image_space_methods(const Mesh& mesh, const View& vi
 
 std::vector<RunnableMethod> opengl_methods(const Mesh& mesh, const View& view, const SampleGrid& grid, Coplanar coplanar,
                                            std::string* why) {
-  // To ask for a driver takes longer than most pictures: once.
-  static const std::unique_ptr<OpenGl> driver = OpenGl::make();
-  if (driver == nullptr) {
+  OpenGl* const gl = opengl_driver();
+  if (gl == nullptr) {
     if (why != nullptr) *why = OpenGl::why();
     return {};
   }
   std::vector<RunnableMethod> methods;
   const DepthRange range = depth_range(mesh, view, grid);
-  OpenGl* const gl = driver.get();
-  for (const DepthFormat format :
-       {DepthFormat::fixed16, DepthFormat::fixed24, DepthFormat::float32, DepthFormat::reversed_float32}) {
+  for (const DepthFormat format : opengl_formats) {
     methods.push_back(runnable<Image<TriangleId>>(
-        "OpenGL, " + driver->driver(), std::string(name(format)),
+        "OpenGL, " + gl->driver(), std::string(name(format)),
         [&mesh, &view, grid, range, format, coplanar, gl] {
           return gl->draw(mesh, view, grid, range, {.format = format, .ties = coplanar});
         },
         [](const Image<TriangleId>& image) {
           return ShownPicture{image, {}};
+        },
+        [gl](const Image<TriangleId>&) {
+          return "samples in the middle of pixels, corners to 1/" + std::to_string(1 << gl->subpixel_bits()) + " of one";
         }));
     // Corners are rounded to floats, and by the driver to a part of a sample.
     methods.back().resolution =
-        DepthResolution{format, range, std::ldexp(1.0, -driver->subpixel_bits()) + 0x1p-22 * std::max(grid.width, grid.height)};
+        DepthResolution{format, range, std::ldexp(1.0, -gl->subpixel_bits()) + 0x1p-22 * std::max(grid.width, grid.height)};
     methods.back().is_variant = format != DepthFormat::fixed24;
   }
   return methods;

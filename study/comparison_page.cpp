@@ -1,10 +1,15 @@
 #include "study/comparison_page.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
 
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/svg_text.h"
 #include "study/comparison_plots.h"
+#include "study/explain/explained_methods.h"
 #include "study/page_texts.h"
 
 namespace hsr::internal {
@@ -12,6 +17,26 @@ namespace hsr::internal {
 namespace {
 
 std::string milliseconds(double s) { return html_number(1000 * s).text + " ms"; }
+
+/// What of the pictures the page has: of all methods first where they are wrong, then what they show there, then depths, as long as it
+/// stays under 5 MB. The files beside it have them all, but for the depths.
+class Budget {
+ public:
+  explicit Budget(const std::vector<ComparisonImages>& images) {
+    if (!images.empty()) left_ -= std::min(left_, images[0].shown.size());
+    for (const auto member : {&ComparisonImages::mistakes, &ComparisonImages::changes, &ComparisonImages::depth})
+      for (const ComparisonImages& i : images)
+        if ((i.*member).size() <= left_) {
+          left_ -= (i.*member).size();
+          kept_.insert(&(i.*member));
+        }
+  }
+  bool has(const std::string& png) const { return kept_.count(&png) > 0; }
+
+ private:
+  std::size_t left_ = 3'400'000;  // as text they are a third larger
+  std::set<const std::string*> kept_;
+};
 
 void add_slider(HtmlPage& page, const Comparison& c, const std::vector<ComparisonImages>& images) {
   page.heading("Two methods beside each other");
@@ -26,6 +51,7 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
     legend += "\"></span>" + std::string(words);
   }
   page.html(legend + "</p>\n");
+  const Budget budget(images);
   std::string data = "const shown=[";
   const auto add = [&](const std::string& name, const std::string& says, const ComparisonImages& i,
                        const ComparedMethod* method) {
@@ -36,13 +62,17 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
     append_string(data, name);
     data += ",says:";
     append_string(data, says);
-    const auto url = [&](const char* key, const std::string& png) {
-      data += std::string(",") + key + ":\"" + (png.empty() ? "" : png_url(png)) + "\"";
+    bool is_all = true;
+    const auto url = [&](const char* key, const std::string& png, bool is_wanted) {
+      const bool is_kept = is_wanted && !png.empty() && (is_truth || budget.has(png));
+      is_all = is_all && (is_kept || png.empty() || !is_wanted);
+      data += std::string(",") + key + ":\"" + (is_kept ? png_url(png) : "") + "\"";
     };
-    if (is_truth) url("picture", i.shown);
-    url("changes", is_truth ? "" : i.changes);
-    url("mistakes", is_truth ? "" : i.mistakes);
-    url("depth", i.depth);
+    if (is_truth) url("picture", i.shown, true);
+    url("changes", i.changes, !is_truth);
+    url("mistakes", i.mistakes, !is_truth);
+    url("depth", i.depth, true);
+    if (!is_all) data += ",large:true";
     data += "},\n";
   };
   if (!images.empty()) add("exact", "exact", images[0], nullptr);
@@ -56,37 +86,63 @@ void add_slider(HtmlPage& page, const Comparison& c, const std::vector<Compariso
   page.script(page_text("compare.js"));
 }
 
+/// The page of hsr explain that shows the method; empty: there is none.
+std::string explained_by(const std::string& method) {
+  // The first that the name begins with.
+  constexpr std::array<std::array<std::string_view, 2>, 15> pages = {{{"scanline", "scanline"},
+                                                                      {"painter, for each pixel", "alpha-buffer"},
+                                                                      {"painter, by", "painter"},
+                                                                      {"depth sort", "depth-sort"},
+                                                                      {"BSP", "bsp"},
+                                                                      {"row z-buffer", "row-z-buffer"},
+                                                                      {"tiled z-buffer", "tiled-z-buffer"},
+                                                                      {"z-buffer", "z-buffer"},
+                                                                      {"depth buffer", "z-buffer"},
+                                                                      {"OpenGL", "z-buffer"},
+                                                                      {"ray casting", "ray-casting"},
+                                                                      {"alpha-buffer", "alpha-buffer"},
+                                                                      {"A-buffer", "a-buffer"},
+                                                                      {"visible fragments", "fragments"},
+                                                                      {"Roberts", "roberts"}}};
+  for (const auto& [begins, page] : pages) {
+    if (method.rfind(begins, 0) != 0) continue;
+    const std::vector<ExplainedMethod>& all = explained_methods();
+    const bool is_there = std::any_of(all.begin(), all.end(), [&](const ExplainedMethod& m) { return m.name == page; });
+    return is_there ? "explain/" + std::string(page) + ".html" : std::string();
+  }
+  return {};
+}
+
 void add_colours(HtmlPage& page, const std::vector<ComparedColours>& compared) {
   std::vector<std::vector<HtmlCell>> rows;
   rows.reserve(compared.size());
-  for (const ComparedColours& c : compared)
-    rows.push_back({{c.method},
+  for (const ComparedColours& c : compared) {
+    HtmlCell name{c.method};
+    name.link = explained_by(c.method);
+    rows.push_back({std::move(name),
                     {c.samples},
                     html_number(c.seconds),
                     c.bytes == 0 ? HtmlCell{} : html_bytes(static_cast<double>(c.bytes)),
                     html_number(c.mean_difference),
                     html_number(c.most_difference),
                     html_share(c.changed_share)});
+  }
   page.table({"method", "samples to a pixel", "seconds", "working storage", "mean difference", "largest", "changed"}, rows);
 }
 
-/// The page of hsr explain that shows the method; empty: there is none.
-std::string explained_by(const std::string& method) {
-  const auto begins = [&](const char* with) { return method.rfind(with, 0) == 0; };
-  const char* const page = begins("scanline")                                                       ? "scanline"
-                           : begins("painter, by")                                                  ? "painter"
-                           : begins("depth sort")                                                   ? "depth-sort"
-                           : begins("BSP")                                                          ? "bsp"
-                           : method.find("z-buffer") != std::string::npos || begins("depth buffer") ? "z-buffer"
-                                                                                                    : nullptr;
-  return page == nullptr ? std::string() : std::string("explain/") + page + ".html";
+/// How far the runs of a method lie from their median, as a median. @pre seconds are sorted
+double scatter(const ComparedMethod& m) {
+  std::vector<double> off;
+  for (const double s : m.seconds) off.push_back(std::fabs(s - m.median()));
+  std::sort(off.begin(), off.end());
+  return off[off.size() / 2];
 }
 
-/// How long against the fastest of a group; where the runs of the two overlap, noise may be the difference.
+/// How long against the fastest of a group, where that is more than what runs of the two scatter.
 HtmlCell against(const ComparedMethod& m, const ComparedMethod& fastest) {
   const double ratio = fastest.median() > 0 ? m.median() / fastest.median() : 1;
   if (&m == &fastest) return {"fastest", ratio, true};
-  if (m.seconds.size() > 1 && fastest.seconds.size() > 1 && m.seconds.front() <= fastest.seconds.back())
+  if (m.seconds.size() > 1 && m.median() - fastest.median() <= 2 * (scatter(m) + scatter(fastest)))
     return {"within noise", ratio, true};
   return {rounded_text(ratio, 3) + " times", ratio, true};
 }
@@ -96,10 +152,10 @@ void add_methods(HtmlPage& page, const Comparison& c) {
   page.heading("The methods, " + std::to_string(c.size) + " x " + std::to_string(c.size));
   page.paragraph(
       "Seconds: the median of the runs, and the least of them. Against the fastest of its group a method is within noise where "
-      "its least is not "
-      "above the fastest's most. A name leads to a page that shows the method step by step. Click or press Enter on a head to "
-      "sort within "
-      "the groups.");
+      "their "
+      "medians differ by no more than twice what their runs scatter. A name leads to a page that shows the method step by "
+      "step. Click or "
+      "press Enter on a head to sort within the groups.");
   const auto group_of = [](const ComparedMethod& m) {
     return m.is_object_space && m.is_exact                                                    ? 0U
            : m.is_object_space                                                                ? 1U
@@ -130,7 +186,8 @@ void add_methods(HtmlPage& page, const Comparison& c) {
                               {m.note}});
   }
   std::erase_if(groups, [](const HtmlGroup& g) { return g.rows.empty(); });
-  page.table({"method", "wrong samples", "wrong area", "seconds", "least", "against the fastest", "memory", "note"}, groups);
+  page.table({"method", "wrong samples", "wrong area", "seconds", "least", "against the fastest", "memory", "note"}, groups,
+             "fits");
 }
 
 void add_all_figures(HtmlPage& page, const Comparison& c) {

@@ -9,8 +9,6 @@
 
 namespace hsr::internal {
 
-namespace {}  // namespace
-
 std::string rounded_text(double x, int digits) {
   std::array<char, 32> text;
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, digits);
@@ -65,8 +63,10 @@ void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<
   table(columns, {{"", rows}});
 }
 
-void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<HtmlGroup>& groups) {
-  body_ += "<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>";
+void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<HtmlGroup>& groups,
+                     const std::string& style_class) {
+  body_ += "<div class=\"scroll\" tabindex=\"0\"><table" + (style_class.empty() ? "" : " class=\"" + style_class + "\"") +
+           "><thead><tr>";
   for (const std::string& c : columns) body_ += "<th scope=\"col\"><button>" + html_escaped(c) + "</button></th>";
   body_ += "</tr></thead>\n";
   for (const HtmlGroup& group : groups) {
@@ -81,7 +81,7 @@ void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<
 }
 
 void HtmlPage::add_row(const std::vector<HtmlCell>& row) {
-  constexpr std::size_t longest = 40;  // a text that stays on one line
+  constexpr std::size_t longest = 24;  // a text that stays on one line
   body_ += "<tr>";
   for (const HtmlCell& c : row) {
     body_ += c.is_number               ? "<td class=\"n\" data-v=\"" + rounded_text(c.value, 17) + "\">"

@@ -49,7 +49,8 @@ class HtmlPage {
   void paragraph(const std::string& text);
   void list(const std::vector<std::string>& items);
   void table(const std::vector<std::string>& columns, const std::vector<std::vector<HtmlCell>>& rows);
-  void table(const std::vector<std::string>& columns, const std::vector<HtmlGroup>& groups);
+  void table(const std::vector<std::string>& columns, const std::vector<HtmlGroup>& groups,
+             const std::string& style_class = "");
   void style(std::string_view text) { html("<style>\n"), html(text), html("</style>\n"); }
   void html(std::string_view markup) { body_ += markup; }
   void script(std::string_view text) { script_ += text; }

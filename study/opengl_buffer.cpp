@@ -115,7 +115,7 @@ struct OpenGl::Context {
       eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
       eglDestroyContext(display, context);
     }
-    if (display != EGL_NO_DISPLAY) eglTerminate(display);
+    // The display is that of the process: another context may be in use.
   }
 
   /// Nothing, or why there is none.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -11,6 +12,10 @@
 #include "hsr/view/view.h"
 
 namespace hsr::internal {
+
+/// The formats that a driver has.
+constexpr std::array<DepthFormat, 4> opengl_formats = {DepthFormat::fixed16, DepthFormat::fixed24, DepthFormat::float32,
+                                                       DepthFormat::reversed_float32};
 
 struct OpenGlOptions {
   DepthFormat format = DepthFormat::fixed24;  ///< fixed16, fixed24, float32 or reversed_float32
@@ -49,5 +54,11 @@ class OpenGl {
 
   std::unique_ptr<Context> context_;
 };
+
+/// The driver of this machine: to ask for one takes longer than most pictures, and is done once. Null: none.
+inline OpenGl* opengl_driver() {
+  static const std::unique_ptr<OpenGl> driver = OpenGl::make();
+  return driver.get();
+}
 
 }  // namespace hsr::internal

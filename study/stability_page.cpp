@@ -166,23 +166,26 @@ void add_remedies(HtmlPage& page, const Stability& stability) {
       "corners, too.");
   std::vector<std::vector<HtmlCell>> rows;
   for (const MeasuredGap& g : stability.gaps)
-    rows.push_back({{std::string(name(g.format))},
+    rows.push_back({{g.drawn_by},
+                    {std::string(name(g.format))},
                     html_number(g.near),
                     html_number(g.predicted),
                     g.measured > 0 ? html_number(g.measured) : HtmlCell{"none"},
                     g.measured > 0 ? html_number(g.measured / g.predicted) : HtmlCell{}});
-  page.table({"format", "near plane", "one step", "smallest gap", "in steps"}, rows);
+  page.table({"drawn by", "format", "near plane", "one step", "smallest gap", "in steps"}, rows);
   page.paragraph(
       "A bias moves a wall away from the eye, so that a decal in its plane is shown: in steps of the format, and in multiples "
-      "of the largest slope. It costs what may shine through: up to that gap something behind the wall is shown, too.");
+      "of the largest slope. It costs what may shine through: up to that gap something behind the wall is shown, too. "
+      "The driver's is glPolygonOffset, which moves the decal toward the eye instead; its step is the driver's.");
   rows.clear();
   for (const MeasuredBias& b : stability.biases)
-    rows.push_back({{std::string(name(b.format))},
+    rows.push_back({{b.drawn_by},
+                    {std::string(name(b.format))},
                     html_number(b.bias),
                     html_number(b.slope_bias),
                     html_share(b.shown_share),
                     html_number(b.shines_through)});
-  page.table({"format", "bias", "slope bias", "of the decal shown", "shines through up to a gap of"}, rows);
+  page.table({"drawn by", "format", "bias", "slope bias", "of the decal shown", "shines through up to a gap of"}, rows);
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ class ImageFunction {
            rounded_[2] * ErrorBounded{static_cast<double>(j)};
   }
   Rational at(int i, int j) const { return exact_[0] + Rational(i) * exact_[1] + Rational(j) * exact_[2]; }
+  /// Between samples.
+  Rational at(const Rational& x, const Rational& y) const { return exact_[0] + x * exact_[1] + y * exact_[2]; }
   /// With the rule for samples on edges (samples.h).
   Sign sign(int i, int j) const;
   /// How much it changes at most within a box around a sample.

@@ -36,10 +36,30 @@ class Judge {
       bound = 2 * step(resolution_->format, resolution_->range, a.nearness.near(i, j).value) +
               (a.nearness.change(reach, reach) + b.nearness.change(reach, reach)).to_double();
     }
-    return compared(b.nearness, a.nearness, i, j, bound) == Sign::positive ? Mistake::order : Mistake::tie;
+    if (compared(b.nearness, a.nearness, i, j, bound) != Sign::positive) return Mistake::tie;
+    return resolution_ && ends_within(resolution_->coordinate_error, facet_of(mesh_, nearest), i, j) ? Mistake::edge
+                                                                                                     : Mistake::order;
   }
 
  private:
+  /// Whether a corner of a box around the sample is outside of a face: then an edge of it is in the box.
+  bool ends_within(double reach, FacetId facet, int i, int j) {
+    const Rational r(reach);
+    for (const Rational& x : {Rational(i) - r, Rational(i) + r})
+      for (const Rational& y : {Rational(j) - r, Rational(j) + r})
+        if (!is_within(facet, x, y)) return true;
+    return false;
+  }
+  bool is_within(FacetId facet, const Rational& x, const Rational& y) {
+    for (TriangleId t = first_triangle(facet); t < facet_end(mesh_, facet); t = TriangleId(t.value + 1U)) {
+      const ExactTriangle& triangle = made(t);
+      if (triangle.has_area && std::all_of(triangle.sides.begin(), triangle.sides.end(),
+                                           [&](const ImageFunction& side) { return side.at(x, y).sign() != Sign::negative; }))
+        return true;
+    }
+    return false;
+  }
+
   const ExactTriangle& made(TriangleId t) {
     std::unique_ptr<ExactTriangle>& triangle = made_[t.value];
     if (!triangle) triangle = std::make_unique<ExactTriangle>(make_(t));

@@ -13,7 +13,8 @@ namespace hsr::internal {
 /// How a picture differs from the truth at a sample.
 enum class Mistake : std::uint8_t {
   none,
-  edge,   ///< the face that it shows does not cover the sample, or it shows none where one is: an edge is misplaced
+  edge,   ///< the face that it shows does not cover the sample, or it shows none where one is, or the nearest may not have been
+          ///< drawn there: an edge is misplaced
   tie,    ///< a face behind the nearest, by no more than the depth format tells
   order,  ///< a face behind the nearest, by more: the method painted it over
 };
@@ -38,7 +39,8 @@ struct DepthResolution {
 /// sample, and how far it is behind the nearest, are decided exactly.
 ///
 /// A tie is a difference of at most two steps of the format there, since both depths were rounded, and of what the slopes of
-/// the two change within the error of coordinates. Without a resolution only equal depths are ties.
+/// the two change within the error of coordinates. Without a resolution only equal depths are ties. Where the nearest face is lost
+/// to one behind it, and ends within the error of coordinates from the sample, an edge is misplaced, too.
 /// @param shown, nearest triangles; those of one facet are the same
 /// Exact: yes, but for the resolution, which is what it is said to be. Cost: O(samples), and some rationals for each triangle
 /// at a differing sample; parallel.

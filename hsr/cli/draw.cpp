@@ -606,7 +606,7 @@ void add_surface_options(DrawArguments& a, Options& options) {
   options.add_flag(
       "--check", a.check,
       "Compare the visible fragments with the nearest face at each sample of --size [1024x1024], exit status 1 if they "
-      "differ; and z-buffers, with the reason for each difference");
+      "differ; and z-buffers, with the reason for each difference, those of the driver's OpenGL last");
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "hsr/raster/cell_samples.h"
 #include "hsr/raster/z_buffer.h"
 #include "hsr/scene/view_parts.h"
+#include "study/attempt.h"
+#include "study/compared_methods.h"
 
 namespace hsr::cli {
 
@@ -73,12 +75,39 @@ ZBufferCheck checked(const SceneView& scene, const SampleGrid& samples, const Im
   return all;
 }
 
+/// The driver knows no caps and no cells.
+std::vector<DriverCheck> checked_by_driver(const SceneView& scene, const SampleGrid& samples,
+                                           const Image<TriangleId>& nearest) {
+  std::vector<DriverCheck> all;
+  if (scene.view().has_section() || scene.view().has_cells()) return all;
+  for (const RunnableMethod& m : opengl_methods(scene.mesh(), scene.view(), samples, scene.options().coplanar))
+    // A picture may be too large for it.
+    attempt([&] {
+      m.solve();
+      const PictureCheck check = check_picture(scene.mesh(), scene.view(), samples, m.show().triangles, nearest, m.resolution);
+      all.push_back({m.method, m.numbers, check});
+      all.back().check.mistakes = {};
+    });
+  return all;
+}
+
+void say(const DriverCheck& d) {
+  std::string why;
+  const auto add = [&](std::uint64_t count, const char* text) {
+    if (count > 0) why += fmt::format("{} {} {}", why.empty() ? ":" : ",", count, text);
+  };
+  add(d.check.tie, "where depths differ by less than it tells");
+  add(d.check.edge, "at edges");
+  add(d.check.order, "unexplained");
+  tell("hsr: check: {}, {}, shows another face at {} samples{}\n", d.method, d.numbers, d.check.wrong, why);
+}
+
 }  // namespace
 
 DrawingCheck check_drawing(const SceneView& scene, const VisibleFragments& fragments, const SampleGrid& samples) {
   const Image<TriangleId> nearest = cast(scene, samples).triangles;
   return {check_fragments(scene, fragments, samples, nearest), checked<float>(scene, samples, nearest),
-          checked<double>(scene, samples, nearest)};
+          checked<double>(scene, samples, nearest), checked_by_driver(scene, samples, nearest)};
 }
 
 Report::Json json_of(const DrawingCheck& check) {
@@ -87,11 +116,21 @@ Report::Json json_of(const DrawingCheck& check) {
     return Report::Json{
         {"wrong", z.wrong}, {"depth", z.depth}, {"edge", z.edge}, {"unbounded", z.unbounded}, {"other", z.other}};
   };
-  return {{"samples", f.samples},
-          {"covered", f.covered},
-          {"wrong", f.wrong},
-          {"overlapping", f.overlapping},
-          {"z_buffer", {{"float", of(check.single)}, {"double", of(check.twice)}}}};
+  Report::Json json = {{"samples", f.samples},
+                       {"covered", f.covered},
+                       {"wrong", f.wrong},
+                       {"overlapping", f.overlapping},
+                       {"z_buffer", {{"float", of(check.single)}, {"double", of(check.twice)}}}};
+  Report::Json driver = Report::Json::array();
+  for (const DriverCheck& d : check.driver)
+    driver.push_back({{"driver", d.method},
+                      {"format", d.numbers},
+                      {"wrong", d.check.wrong},
+                      {"depth", d.check.tie},
+                      {"edge", d.check.edge},
+                      {"other", d.check.order}});
+  if (!driver.is_empty()) json.set("opengl", driver);
+  return json;
 }
 
 void say(const DrawingCheck& check) {
@@ -106,6 +145,7 @@ void say(const DrawingCheck& check) {
   }
   say(check.single, "floats");
   say(check.twice, "doubles");
+  for (const DriverCheck& d : check.driver) say(d);
 }
 
 }  // namespace hsr::cli

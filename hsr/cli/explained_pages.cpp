@@ -8,6 +8,10 @@ namespace hsr::cli {
 void write_explained(OutputDirectory& directory, const std::string& prefix, const std::vector<ExplainedMethod>& methods,
                      const ExplainedScene* scene, int size, bool has_lessons) {
   const std::string made = std::string("Made by hsr ") + HSR_VERSION + ".";
+  const std::vector<Lesson> lessons = has_lessons ? all_lessons(made) : std::vector<Lesson>();
+  std::vector<std::string> names;
+  for (const ExplainedMethod& m : methods) names.push_back(m.name);
+  for (const Lesson& lesson : lessons) names.push_back(lesson.name);
   for (const ExplainedMethod& m : methods) {
     const ExplainedScene shown = scene != nullptr ? *scene : example_scene(m.scene);
     Trace trace = m.explain(shown, size);
@@ -15,9 +19,8 @@ void write_explained(OutputDirectory& directory, const std::string& prefix, cons
     trace.title = m.title;
     trace.view = shown.title;
     directory.write(prefix + m.name + ".json", trace_json(trace));
-    directory.write(prefix + m.name + ".html", explain_page(m, trace, made));
+    directory.write(prefix + m.name + ".html", explain_page(m, trace, made, names));
   }
-  const std::vector<Lesson> lessons = has_lessons ? all_lessons(made) : std::vector<Lesson>();
   for (const Lesson& lesson : lessons) directory.write(prefix + lesson.name + ".html", lesson.page);
   directory.write(prefix + "index.html", explain_index(methods, lessons, made));
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 
+#include "hsr/raster/a_buffer_observer.h"
 #include "hsr/raster/compositing.h"
 #include "hsr/raster/drawn_triangles.h"
 #include "hsr/raster/sample_lists.h"
@@ -29,10 +30,23 @@ struct Fragment {
   }
 };
 
+PixelFragment told(const Fragment& f) { return {f.facet, f.mask, f.mean()}; }
+
+/// Who draws unwatched: this is asked where the code is made, and costs nothing when it runs.
+struct Unwatched {
+  static constexpr bool is_watched = false;
+};
+
+struct Watched {
+  static constexpr bool is_watched = true;
+  ABufferObserver* observer;
+};
+
+template <class Watch>
 class Fragments {
  public:
-  Fragments(const Mesh& mesh, const SampleGrid& samples)
-      : mesh_(mesh), width_(samples.width), height_(samples.height), lists_(width_, height_) {}
+  Fragments(const Mesh& mesh, const SampleGrid& samples, Watch watch)
+      : watch_(watch), mesh_(mesh), width_(samples.width), height_(samples.height), lists_(width_, height_) {}
 
   void add(TriangleId t, const Seen<double>& a, const Seen<double>& b, const Seen<double>& c) {
     ScannedTriangle<double> scanned;
@@ -65,24 +79,33 @@ class Fragments {
     if (latest != nullptr && latest->facet == facet) {
       latest->mask |= mask;
       latest->nearness += nearness;
+      if constexpr (Watch::is_watched) watch_.observer->added(i, j, told(*latest), false);
     } else {
       lists_.add(i, j, {facet, mask, nearness});
+      if constexpr (Watch::is_watched) watch_.observer->added(i, j, told({facet, mask, nearness}), true);
     }
   }
 
+  [[no_unique_address]] Watch watch_;
   const Mesh& mesh_;
   int width_, height_;
   SampleLists<Fragment> lists_;
 };
 
 /// The light of one pixel.
+template <class Watch>
 class Resolver {
  public:
-  Resolver(const Mesh& mesh, const std::vector<Colour>& colours, double opacity, TieRule ties)
-      : mesh_(mesh), colours_(colours), opacity_(opacity), ties_(ties) {}
+  Resolver(const Mesh& mesh, const std::vector<Colour>& colours, double opacity, TieRule ties, Watch watch)
+      : watch_(watch), mesh_(mesh), colours_(colours), opacity_(opacity), ties_(ties) {}
 
-  Colour operator()(std::vector<Fragment>& fragments) {
+  Colour operator()([[maybe_unused]] int i, [[maybe_unused]] int j, std::vector<Fragment>& fragments) {
     std::sort(fragments.begin(), fragments.end(), [&](const Fragment& a, const Fragment& b) { return a.is_before(b, ties_); });
+    if constexpr (Watch::is_watched) {
+      std::vector<PixelFragment> all;
+      for (const Fragment& f : fragments) all.push_back(told(f));
+      watch_.observer->sorted(i, j, all);
+    }
     Light sum{};
     const auto add = [&](const Light& light, float share) {
       for (std::size_t k = 0; k < 3; ++k) sum[k] += light[k] * share;
@@ -101,28 +124,35 @@ class Resolver {
       }
       if (share > 0) add({static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])}, share);
       if (a == 1) open &= ~f.mask;
+      if constexpr (Watch::is_watched) watch_.observer->took(told(f), a, share / (mask_columns * mask_rows), open);
       if (open == 0) break;
     }
     for (Mask left = open; left != 0; left &= left - 1)
       add(white_light, passes[static_cast<std::size_t>(std::countr_zero(left))]);
     Light light;
     for (std::size_t k = 0; k < 3; ++k) light[k] = sum[k] / (mask_columns * mask_rows);
+    if constexpr (Watch::is_watched) {
+      float background = 0;
+      for (Mask left = open; left != 0; left &= left - 1)
+        background += passes[static_cast<std::size_t>(std::countr_zero(left))];
+      watch_.observer->resolved(i, j, background / (mask_columns * mask_rows), rounded(light));
+    }
     return rounded(light);
   }
 
  private:
+  [[no_unique_address]] Watch watch_;
   const Mesh& mesh_;
   const std::vector<Colour>& colours_;
   double opacity_;
   TieRule ties_;
 };
 
-}  // namespace
-
-ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
-                 double opacity, TieRule ties) {
+template <class Watch>
+ABuffer resolved(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
+                 double opacity, TieRule ties, Watch watch) {
   const DrawnTriangles<double> triangles(mesh, view, samples);
-  Fragments made(mesh, samples);
+  Fragments<Watch> made(mesh, samples, watch);
   for (std::size_t k = 0; k < triangles.size(); ++k)
     triangles.visit(TriangleId(k), [&](const auto& a, const auto& b, const auto& c) { made.add(TriangleId(k), a, b, c); });
 
@@ -130,15 +160,27 @@ ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, 
   result.picture = Image<Colour>(samples.width, samples.height);
   result.fragments = made.lists().size();
   result.bytes = triangles.memory() + made.lists().bytes();
-  Resolver resolve(mesh, colours, opacity, ties);
+  Resolver<Watch> resolve(mesh, colours, opacity, ties, watch);
   std::vector<Fragment> fragments;
   for (int j = 0; j < samples.height; ++j)
     for (int i = 0; i < samples.width; ++i) {
       made.lists().copy(i, j, fragments);
       result.most_fragments = std::max(result.most_fragments, fragments.size());
-      result.picture.at(i, j) = resolve(fragments);
+      result.picture.at(i, j) = resolve(i, j, fragments);
     }
   return result;
+}
+
+}  // namespace
+
+ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
+                 double opacity, TieRule ties) {
+  return resolved(mesh, view, samples, colours, opacity, ties, Unwatched{});
+}
+
+ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
+                 double opacity, TieRule ties, ABufferObserver& observer) {
+  return resolved(mesh, view, samples, colours, opacity, ties, Watched{&observer});
 }
 
 }  // namespace hsr::internal

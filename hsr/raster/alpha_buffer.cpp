@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hsr/raster/alpha_buffer_observer.h"
 #include "hsr/raster/compositing.h"
 #include "hsr/raster/drawn_triangles.h"
 #include "hsr/raster/sample_lists.h"
@@ -10,19 +11,25 @@ namespace hsr::internal {
 
 namespace {
 
-struct Layer {
-  double nearness = 0;
-  TriangleId triangle;
+using Layer = SampleLayer;
 
-  bool is_behind(const Layer& other, TieRule ties) const {
-    return nearness != other.nearness ? nearness < other.nearness : ties.is_above(other.triangle, triangle);
-  }
+bool is_behind(const Layer& a, const Layer& b, TieRule ties) {
+  return a.nearness != b.nearness ? a.nearness < b.nearness : ties.is_above(b.triangle, a.triangle);
+}
+
+/// Who blends unwatched: this is asked where the code is made, and costs nothing when it runs.
+struct Unwatched {
+  static constexpr bool is_watched = false;
 };
 
-}  // namespace
+struct Watched {
+  static constexpr bool is_watched = true;
+  AlphaBufferObserver* observer;
+};
 
-AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
-                         double opacity, TieRule ties) {
+template <class Watch>
+AlphaBuffer blended(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
+                    double opacity, TieRule ties, [[maybe_unused]] Watch watch) {
   const DrawnTriangles<double> triangles(mesh, view, samples);
   SampleLists<Layer> lists(samples.width, samples.height);
   for (std::size_t k = 0; k < triangles.size(); ++k)
@@ -32,7 +39,10 @@ AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& s
       for (int j = scanned.top(); j < scanned.bottom(); ++j) {
         const auto [begin, end] = scanned.span(j);
         const auto nearness_at = scanned.row(j);
-        for (int i = begin; i < end; ++i) lists.add(i, j, {nearness_at(i), TriangleId(k)});
+        for (int i = begin; i < end; ++i) {
+          lists.add(i, j, {nearness_at(i), TriangleId(k)});
+          if constexpr (Watch::is_watched) watch.observer->added(i, j, {nearness_at(i), TriangleId(k)});
+        }
       }
     });
 
@@ -46,16 +56,32 @@ AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& s
     for (int i = 0; i < samples.width; ++i) {
       lists.copy(i, j, layers);
       result.most_layers = std::max(result.most_layers, layers.size());
-      std::sort(layers.begin(), layers.end(), [&](const Layer& a, const Layer& b) { return a.is_behind(b, ties); });
+      std::sort(layers.begin(), layers.end(), [&](const Layer& a, const Layer& b) { return is_behind(a, b, ties); });
+      if constexpr (Watch::is_watched) watch.observer->sorted(i, j, layers);
       Light light = white_light;
       for (const Layer& layer : layers) {
         const Colour& c = colours[mesh.face_of[layer.triangle].value];
+        [[maybe_unused]] const Light before = light;
         lay_over(light, c, opacity_of(c, opacity));
+        if constexpr (Watch::is_watched) watch.observer->laid_over(layer, opacity_of(c, opacity), before, light);
       }
       result.picture.at(i, j) = rounded(light);
+      if constexpr (Watch::is_watched) watch.observer->blended(i, j, result.picture.at(i, j));
       if (!layers.empty()) result.nearest.at(i, j) = layers.back().triangle;
     }
   return result;
+}
+
+}  // namespace
+
+AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
+                         double opacity, TieRule ties) {
+  return blended(mesh, view, samples, colours, opacity, ties, Unwatched{});
+}
+
+AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
+                         double opacity, TieRule ties, AlphaBufferObserver& observer) {
+  return blended(mesh, view, samples, colours, opacity, ties, Watched{&observer});
 }
 
 }  // namespace hsr::internal

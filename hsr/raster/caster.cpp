@@ -8,8 +8,10 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/error.h"
 #include "geometry/parallel.h"
 #include "hsr/raster/capped_samples.h"
+#include "hsr/raster/cast_observer.h"
 #include "hsr/raster/cell_samples.h"
 #include "hsr/raster/sample_signs.h"
 #include "hsr/scene/box_tree.h"
@@ -21,8 +23,18 @@ using namespace internal;
 
 namespace {
 
-constexpr int tile_width = 16, tile_size = tile_width * tile_width;
+constexpr int packet_width = 16;
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Who casts unwatched: this is asked where the code is made, and costs nothing when it runs.
+struct Unwatched {
+  static constexpr bool is_watched = false;
+};
+
+struct Watched {
+  static constexpr bool is_watched = true;
+  CastObserver* observer;
+};
 
 /// How near a triangle's plane is at a sample: larger is nearer, and affine in the sample.
 ///
@@ -34,10 +46,14 @@ SampleFunction nearness(const PlaneFilter& face, const ProjectedMesh& projected,
 }
 
 /// The samples of one tile, and what is nearest there so far.
+template <int tile_width, class Watch>
 class Tile {
+  static constexpr int tile_size = tile_width * tile_width;
+
  public:
-  Tile(const SampleSigns& signs, const Occluders& occluders, Predicates& exact, int left, int top)
-      : signs_(signs),
+  Tile(const SampleSigns& signs, const Occluders& occluders, Predicates& exact, int left, int top, Watch watch = {})
+      : watch_(watch),
+        signs_(signs),
         projected_(signs.projected()),
         occluders_(occluders),
         exact_(exact),
@@ -57,9 +73,12 @@ class Tile {
     samples_farthest_ = query_.farthest;
     query_.farthest = -std::numeric_limits<float>::infinity();
     query_.nearest = std::numeric_limits<float>::infinity();
+    if constexpr (Watch::is_watched) watch_.observer->packet(left_, top_, right_, bottom_);
     // The query shrinks on the way: what is behind all samples is passed over.
     occluders_.tree.visit(query_, [&](std::uint32_t k) {
+      if constexpr (Watch::is_watched) watch_.observer->tried(occluders_.triangles[k]);
       add(occluders_.triangles[k]);
+      if constexpr (Watch::is_watched) watch_.observer->tried_all_rays(occluders_.triangles[k]);
       return true;
     });
     for (int j = top_; j < bottom_; ++j)
@@ -86,13 +105,13 @@ class Tile {
     std::array<SampleFunction, 4> sides;
     for (std::size_t k = 0; k < 3; ++k) {
       sides[k] = {projected_.filter(side_plane(k)), signs_.grid()};
-      if (is_apart(sides[k], facing)) return;
+      if (is_apart(sides[k], facing)) return tell_apart(t, static_cast<int>(k));
     }
     // Where the near line is positive, and the eye on the positive side of the face, the face is beyond the near plane.
     const std::size_t count = projected_.reaches_before_near(t) ? 4 : 3;
     if (count == 4) {
       sides[3] = {projected_.filter(near_plane()), signs_.grid()};
-      if (is_apart(sides[3], facing)) return;
+      if (is_apart(sides[3], facing)) return tell_apart(t, 3);
     }
     const SampleFunction depth = nearness(projected_.filter(projected_.face_plane(t)), projected_, signs_.grid());
     bool changed = false;
@@ -109,8 +128,25 @@ class Tile {
     if (changed && uncovered_ == 0) shrink_query();
   }
 
+  void tell_apart([[maybe_unused]] TriangleId t, [[maybe_unused]] int side) const {
+    if constexpr (Watch::is_watched) watch_.observer->apart(t, side);
+  }
+
   /// Puts the triangle in its place at a sample it covers. False: it is behind.
   bool compare(TriangleId t, const SampleFunction& depth, int i, int j) {
+    if constexpr (!Watch::is_watched) return compare_unwatched(t, depth, i, j);
+    const double z = depth.value(depth.on_row(j), i);
+    const std::size_t k = place(i, j);
+    const TriangleId held = nearest_[k];
+    const double low = low_[k], high = high_[k];
+    const bool is_nearest = compare_unwatched(t, depth, i, j);
+    if constexpr (Watch::is_watched)
+      watch_.observer->compared({i, j, t, held, z, (low + high) / 2, depth.error + (high - low) / 2,
+                                 held.is_valid() && !(z + depth.error < low) && !(z - depth.error > high), is_nearest});
+    return is_nearest;
+  }
+
+  bool compare_unwatched(TriangleId t, const SampleFunction& depth, int i, int j) {
     const double z = depth.value(depth.on_row(j), i), low = z - depth.error, high = z + depth.error;
     const std::size_t k = place(i, j);
     if (high < low_[k]) return false;
@@ -172,6 +208,7 @@ class Tile {
       query_.farthest = std::nextafter(static_cast<float>(limit), -std::numeric_limits<float>::infinity());
   }
 
+  [[no_unique_address]] Watch watch_;
   const SampleSigns& signs_;
   const ProjectedMesh& projected_;
   const Occluders& occluders_;
@@ -217,11 +254,13 @@ CastImage cast(const SceneView& scene, const SampleGrid& samples) {
 
   CastImage result;
   result.triangles = Image<TriangleId>(samples.width, samples.height);
-  const int across = (samples.width + tile_width - 1) / tile_width, down = (samples.height + tile_width - 1) / tile_width;
+  const int across = (samples.width + packet_width - 1) / packet_width,
+            down = (samples.height + packet_width - 1) / packet_width;
   tbb::enumerable_thread_specific<Predicates> predicates([&] { return projected.predicates(); });
   tbb::parallel_for(tbb::blocked_range<int>(0, across * down, 8), [&](const tbb::blocked_range<int>& range) {
     for (int k = range.begin(); k < range.end(); ++k)
-      Tile(signs, occluders, predicates.local(), k % across * tile_width, k / across * tile_width).cast(result.triangles);
+      Tile<packet_width, Unwatched>(signs, occluders, predicates.local(), k % across * packet_width, k / across * packet_width)
+          .cast(result.triangles);
   });
   for (const Predicates& p : predicates) result.decisions += p.counts();
   const Image<std::uint8_t> capped = capped_samples(scene, samples);
@@ -229,5 +268,41 @@ CastImage cast(const SceneView& scene, const SampleGrid& samples) {
     if (capped.pixels[k] != 0) result.triangles.pixels[k] = TriangleId();
   return result;
 }
+
+namespace internal {
+
+namespace {
+
+template <int width>
+WatchedCast cast_in_packets(const SceneView& scene, const SampleGrid& samples, CastObserver& observer) {
+  const ViewParts& parts = scene.parts().with(samples.bit_range());
+  const ProjectedMesh& projected = parts.projected();
+  const SampleSigns signs(projected, samples);
+  const Occluders& occluders = parts.occluders(Excluded::edge_on);
+  Predicates predicates = projected.predicates();
+  WatchedCast result{{Image<TriangleId>(samples.width, samples.height), {}}, occluders.triangles.size()};
+  for (int top = 0; top < samples.height; top += width)
+    for (int left = 0; left < samples.width; left += width)
+      Tile<width, Watched>(signs, occluders, predicates, left, top, {&observer}).cast(result.image.triangles);
+  result.image.decisions = predicates.counts();
+  return result;
+}
+
+}  // namespace
+
+WatchedCast cast(const SceneView& scene, const SampleGrid& samples, int width, CastObserver& observer) {
+  switch (width) {
+    case 1:
+      return cast_in_packets<1>(scene, samples, observer);
+    case 4:
+      return cast_in_packets<4>(scene, samples, observer);
+    case packet_width:
+      return cast_in_packets<packet_width>(scene, samples, observer);
+    default:
+      throw PreconditionError("cast: packets of no known width");
+  }
+}
+
+}  // namespace internal
 
 }  // namespace hsr

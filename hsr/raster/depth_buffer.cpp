@@ -227,6 +227,10 @@ class Buffer {
     }
   };
 
+  static DepthSide told(const MovingSide& s) {
+    return {static_cast<double>(s.x), static_cast<double>(s.z), static_cast<double>(s.x_a_row), static_cast<double>(s.z_a_row)};
+  }
+
   void draw_incrementally(TriangleId t, Seen<Real> a, Seen<Real> b, Seen<Real> c) {
     if (b.y < a.y) std::swap(a, b);
     if (c.y < a.y) std::swap(a, c);
@@ -247,6 +251,7 @@ class Buffer {
       for (int j = first; j < end; ++j) {
         const MovingSide &left = area > 0 ? long_side : short_side, &right = area > 0 ? short_side : long_side;
         const int begin = column_from(left.x);
+        if constexpr (Watch::is_watched) watch_.observer->sides(j, told(left), told(right));
         Real next = left.z + (static_cast<Real>(begin) - left.x) * z_a_sample;
         draw_span(t, j, begin, column_from(right.x), [&](int) {
           const Real d = next;

@@ -23,6 +23,12 @@ struct DepthSample {
   bool is_shown = false;   ///< it passed the test: the buffer has it now
 };
 
+/// A side of a triangle that is drawn by increments, where it crosses a row: the column, the depth there, and how both change to the
+/// next row. The change of the column is 1/m.
+struct DepthSide {
+  double x = 0, depth = 0, x_a_row = 0, depth_a_row = 0;
+};
+
 /// Is told what a depth buffer does, in the order in which it does it.
 class DepthObserver {
  public:
@@ -36,6 +42,8 @@ class DepthObserver {
   /// A triangle that has samples, beyond the near plane. @param right, down how what is interpolated changes from one sample to the
   /// next, and from one row to the next: -A/C and -B/C of its plane
   virtual void triangle(TriangleId t, const std::array<DepthCorner, 3>& corners, double right, double down) = 0;
+  /// Where the left and the right side cross a row, before its span; only where depths are interpolated by increments.
+  virtual void sides(int /*row*/, const DepthSide& /*left*/, const DepthSide& /*right*/) {}
   /// Of a triangle the samples begin ... end - 1 of a row; samples of them follow from the left.
   virtual void span(int row, int begin, int end) = 0;
   virtual void sample(const DepthSample& sample) = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hsr/raster/drawn_triangles.h"
+#include "hsr/raster/row_z_buffer_observer.h"
 
 namespace hsr::internal {
 
@@ -10,11 +11,21 @@ namespace {
 
 constexpr std::uint32_t nothing = 0xffffffffU;
 
-template <class Real>
+/// Who draws unwatched: this is asked where the code is made, and costs nothing when it runs.
+struct Unwatched {
+  static constexpr bool is_watched = false;
+};
+
+struct Watched {
+  static constexpr bool is_watched = true;
+  RowZBufferObserver* observer;
+};
+
+template <class Real, class Watch = Unwatched>
 class RowDrawer {
  public:
-  RowDrawer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties)
-      : triangles_(mesh, view, samples), ties_(ties), row_(static_cast<std::size_t>(samples.width)) {
+  RowDrawer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties, Watch watch = {})
+      : watch_(watch), triangles_(mesh, view, samples), ties_(ties), row_(static_cast<std::size_t>(samples.width)) {
     result_.image = DepthImage<Real>(samples.width, samples.height);
     first_.resize(static_cast<std::size_t>(samples.height), nothing);
     next_.resize(triangles_.size(), nothing);
@@ -30,12 +41,14 @@ class RowDrawer {
       next_[k] = first_[static_cast<std::size_t>(top)];
       first_[static_cast<std::size_t>(top)] = static_cast<std::uint32_t>(k);
     }
+    if constexpr (Watch::is_watched) tell_buckets();
   }
 
   RowZBuffer<Real> drawn() && {
     for (int j = 0; j < result_.image.height; ++j) {
       activate(j);
       std::fill(row_.begin(), row_.end(), DepthPixel<Real>{});
+      if constexpr (Watch::is_watched) tell_row(j);
       for (const Active& a : active_) draw(a, j);
       std::copy(row_.begin(), row_.end(), result_.image.row(j));
       std::erase_if(active_, [&](const Active& a) { return a.scanned.bottom() == j + 1; });
@@ -50,6 +63,17 @@ class RowDrawer {
     TriangleId triangle;
     ScannedTriangle<Real> scanned;
   };
+
+  void tell_buckets() const {
+    for (int j = 0; j < result_.image.height; ++j)
+      for (std::uint32_t k = first_[static_cast<std::size_t>(j)]; k != nothing; k = next_[k])
+        watch_.observer->waits(TriangleId(k), j);
+  }
+  void tell_row(int j) const {
+    std::vector<TriangleId> active;
+    for (const Active& a : active_) active.push_back(a.triangle);
+    watch_.observer->row(j, active);
+  }
 
   template <class Visit>
   void visit(TriangleId t, const Visit& found) const {
@@ -74,13 +98,18 @@ class RowDrawer {
     if (j < a.scanned.top()) return;
     const auto [begin, end] = a.scanned.span(j);
     const auto nearness_at = a.scanned.row(j);
+    if constexpr (Watch::is_watched) watch_.observer->span(a.triangle, j, begin, end, a.scanned.bottom() == j + 1);
     for (int i = begin; i < end; ++i) {
       const Real nearness = nearness_at(i);
       DepthPixel<Real>& pixel = row_[static_cast<std::size_t>(i)];
+      if constexpr (Watch::is_watched)
+        watch_.observer->sample(
+            {i, j, static_cast<double>(nearness), static_cast<double>(pixel.nearness), nearness > pixel.nearness});
       if (nearness > pixel.nearness) pixel = {nearness, a.triangle};
     }
   }
 
+  [[no_unique_address]] Watch watch_;
   DrawnTriangles<Real> triangles_;
   TieRule ties_;
   std::vector<std::uint32_t> first_;  // by row: of the triangles that begin there
@@ -95,6 +124,11 @@ class RowDrawer {
 template <class Real>
 RowZBuffer<Real> row_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties) {
   return RowDrawer<Real>(mesh, view, samples, ties).drawn();
+}
+
+RowZBuffer<double> row_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties,
+                                RowZBufferObserver& observer) {
+  return RowDrawer<double, Watched>(mesh, view, samples, ties, {&observer}).drawn();
 }
 
 template RowZBuffer<float> row_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "hsr/raster/drawn_triangles.h"
+#include "hsr/raster/tiled_z_buffer_observer.h"
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -17,7 +18,15 @@ namespace hsr::internal {
 
 namespace {
 
-constexpr int tile_size = 64;
+/// Who draws unwatched: this is asked where the code is made, and costs nothing when it runs.
+struct Unwatched {
+  static constexpr bool is_watched = false;
+};
+
+struct Watched {
+  static constexpr bool is_watched = true;
+  TiledZBufferObserver* observer;
+};
 
 /// Tiles left ... right - 1 of rows top ... bottom - 1.
 struct TileRange {
@@ -65,9 +74,11 @@ void draw_span(float* nearness, std::uint32_t* triangle, std::uint32_t t, int le
 }
 #endif
 
-template <class Real>
+template <class Real, int tile_size, class Watch>
 class Tile {
  public:
+  explicit Tile(Watch watch = {}) : watch_(watch) {}
+
   void begin(int left, int top, int width, int height) {
     left_ = left;
     top_ = top;
@@ -84,6 +95,7 @@ class Tile {
       const int begin = std::max(first, left_), end = std::min(last, right_);
       if (begin >= end) continue;
       const std::size_t row = static_cast<std::size_t>(j - top_) * tile_size;
+      if constexpr (Watch::is_watched) tell(t, scanned, j, begin, end);
       draw_span(nearness_.data() + row, triangle_.data() + row, t.value, left_, scanned.row(j), begin - left_, end - left_);
     }
   }
@@ -99,16 +111,28 @@ class Tile {
   }
 
  private:
+  /// What is going to happen.
+  void tell(TriangleId t, const ScannedTriangle<Real>& scanned, int j, int begin, int end) const {
+    watch_.observer->span(t, j, begin, end);
+    const auto nearness_at = scanned.row(j);
+    for (int i = begin; i < end; ++i) {
+      const Real found = nearness_at(i), held = nearness_[static_cast<std::size_t>((j - top_) * tile_size + i - left_)];
+      watch_.observer->sample({i, j, static_cast<double>(found), static_cast<double>(held), found > held});
+    }
+  }
+
+  [[no_unique_address]] Watch watch_;
   int left_ = 0, top_ = 0, right_ = 0, bottom_ = 0;
   std::array<Real, tile_size * tile_size> nearness_;
   std::array<std::uint32_t, tile_size * tile_size> triangle_;
 };
 
-template <class Real>
+template <class Real, int tile_size = 64, class Watch = Unwatched>
 class TileDrawer {
  public:
-  TileDrawer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties)
-      : triangles_(mesh, view, samples),
+  TileDrawer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties, Watch watch = {})
+      : watch_(watch),
+        triangles_(mesh, view, samples),
         ties_(ties),
         columns_((samples.width + tile_size - 1) / tile_size),
         rows_((samples.height + tile_size - 1) / tile_size) {
@@ -120,9 +144,13 @@ class TileDrawer {
   }
 
   TiledZBuffer<Real> drawn() && {
-    tbb::enumerable_thread_specific<Tile<Real>> tiles;
-    tbb::parallel_for(0, columns_ * rows_, [&](int k) { draw(tiles.local(), k); });
-    result_.bytes = triangles_.memory() + tiles.size() * sizeof(Tile<Real>);
+    using DrawnTile = Tile<Real, tile_size, Watch>;
+    tbb::enumerable_thread_specific<DrawnTile> tiles([&] { return DrawnTile(watch_); });
+    if constexpr (Watch::is_watched)
+      for (int k = 0; k < columns_ * rows_; ++k) draw(tiles.local(), k);
+    else
+      tbb::parallel_for(0, columns_ * rows_, [&](int k) { draw(tiles.local(), k); });
+    result_.bytes = triangles_.memory() + tiles.size() * sizeof(DrawnTile);
     for (const Block& block : blocks_) {
       result_.entries += block.triangles.size();
       result_.bytes += block.first.capacity() * sizeof(std::uint32_t) + block.triangles.capacity() * sizeof(TriangleId);
@@ -164,9 +192,19 @@ class TileDrawer {
       visit(ranges[k - begin], [&](std::size_t tile) { block.triangles[next[tile]++] = TriangleId(k); });
   }
 
-  void draw(Tile<Real>& tile, int k) {
+  std::vector<TriangleId> list(std::size_t tile) const {
+    std::vector<TriangleId> all;
+    for (const Block& block : blocks_)
+      all.insert(all.end(), block.triangles.begin() + block.first[tile], block.triangles.begin() + block.first[tile + 1]);
+    return all;
+  }
+
+  void draw(Tile<Real, tile_size, Watch>& tile, int k) {
     DepthImage<Real>& image = result_.image;
     const int left = k % columns_ * tile_size, top = k / columns_ * tile_size;
+    if constexpr (Watch::is_watched)
+      watch_.observer->tile({left, top, std::min(left + tile_size, image.width), std::min(top + tile_size, image.height)},
+                            list(static_cast<std::size_t>(k)));
     bool is_begun = false;
     for (std::size_t block_place = 0; block_place < blocks_.size(); ++block_place) {
       const Block& block = blocks_[ties_.from_top(block_place, blocks_.size())];
@@ -182,8 +220,10 @@ class TileDrawer {
       }
     }
     if (is_begun) tile.copy_to(image);
+    if constexpr (Watch::is_watched) watch_.observer->done();
   }
 
+  [[no_unique_address]] Watch watch_;
   DrawnTriangles<Real> triangles_;
   TieRule ties_;
   int columns_, rows_;
@@ -196,6 +236,11 @@ class TileDrawer {
 template <class Real>
 TiledZBuffer<Real> tiled_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties) {
   return TileDrawer<Real>(mesh, view, samples, ties).drawn();
+}
+
+TiledZBuffer<float> tiled_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties,
+                                   TiledZBufferObserver& observer) {
+  return TileDrawer<float, watched_tile_size, Watched>(mesh, view, samples, ties, {&observer}).drawn();
 }
 
 template TiledZBuffer<float> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);

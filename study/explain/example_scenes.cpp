@@ -71,9 +71,9 @@ ExplainedScene house_scene() {
 /// Triangles in front of one another and through one another, for pictures of samples.
 ExplainedScene triangles_scene() {
   return scene_of("three triangles, one of which leans through another, from above",
-                  {{{0.3, 0.5, 1}, {8.7, 1.5, 1}, {2.6, 8.7, 1}},
-                   {{9.6, 3.2, 0}, {8.2, 9.4, 3}, {0.8, 4.6, 4}},
-                   {{4.3, 0.2, 2}, {9.8, 0.6, 2}, {7.1, 6.2, 2}}},
+                  {{{4.3, 0.2, 2}, {9.8, 0.6, 2}, {7.1, 6.2, 2}},
+                   {{0.3, 0.5, 1}, {8.7, 1.5, 1}, {2.6, 8.7, 1}},
+                   {{9.6, 3.2, 0}, {8.2, 9.4, 3}, {0.8, 4.6, 4}}},
                   from_above());
 }
 

@@ -1,8 +1,10 @@
 #include "study/explain/explain_pages.h"
 
+#include <algorithm>
+
 #include "geometry/error.h"
-#include "study/page_texts.h"
 #include "study/html_page.h"
+#include "study/page_texts.h"
 
 namespace hsr::internal {
 
@@ -26,6 +28,19 @@ std::string data_element(const std::string& json) {
   return "<script class=\"trace\" type=\"application/json\">" + text + "</script>\n";
 }
 
+/// A link to a page that is not there is its text.
+std::string with_links(std::string text, const std::vector<std::string>& pages) {
+  constexpr std::string_view begin = "<a href=\"", ending = ".html\">", close = "</a>";
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
+    const std::size_t name = at + begin.size(), end = text.find(ending, name), closed = text.find(close, end);
+    if (closed == std::string::npos) break;
+    if (std::find(pages.begin(), pages.end(), text.substr(name, end - name)) != pages.end()) continue;
+    text.erase(closed, close.size());
+    text.erase(at, end + ending.size() - at);
+  }
+  return text;
+}
+
 std::string page(const std::string& title, const std::string& body, const std::string& made, bool has_players) {
   std::string text(page_text("explain.html"));
   replace(text, "{{style}}", page_text("explain.css"));
@@ -41,8 +56,9 @@ std::string page(const std::string& title, const std::string& body, const std::s
 
 }  // namespace
 
-std::string explain_page(const ExplainedMethod& method, const Trace& trace, const std::string& made) {
-  std::string body(page_text(method.name + ".about.html"));
+std::string explain_page(const ExplainedMethod& method, const Trace& trace, const std::string& made,
+                         const std::vector<std::string>& beside) {
+  std::string body = with_links(std::string(page_text(method.name + ".about.html")), beside);
   body += "<p>" + html_escaped("Scene: " + trace.view) + "</p>\n" + data_element(trace_json(trace));
   return page(method.title, body, made, true);
 }
@@ -61,7 +77,7 @@ std::string explain_index(const std::vector<ExplainedMethod>& methods, const std
     body += "<li><a href=\"" + name + ".html\">" + html_escaped(title) + "</a>: " + html_escaped(about) + "</li>\n";
   };
   if (!lessons.empty()) {
-    body += "<h2>Lessons</h2>\n<p>To be read in order, in an hour.</p>\n<ol class=\"methods\">\n";
+    body += "<h2>Lessons</h2>\n<p>The first two are to be read in order, in an hour.</p>\n<ol class=\"methods\">\n";
     for (const Lesson& lesson : lessons) add(lesson.name, lesson.title, lesson.about);
     body += "</ol>\n<h2>Methods</h2>\n";
   }

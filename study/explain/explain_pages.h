@@ -9,8 +9,9 @@
 namespace hsr::internal {
 
 /// A page of a method, and its data: self-contained, light and dark, by mouse, finger and keyboard, on paper.
-/// @param made one line on what made it
-std::string explain_page(const ExplainedMethod& method, const Trace& trace, const std::string& made);
+/// @param made one line on what made it @param beside names of the pages that are there, too: others are no links
+std::string explain_page(const ExplainedMethod& method, const Trace& trace, const std::string& made,
+                         const std::vector<std::string>& beside);
 
 /// The page from which the others are reached.
 std::string explain_index(const std::vector<ExplainedMethod>& methods, const std::vector<Lesson>& lessons,

@@ -5,8 +5,8 @@
 #include "hsr/io/write/json_text.h"
 #include "hsr/raster/depth_observer.h"
 #include "study/explain/explained_methods.h"
-#include "study/page_texts.h"
 #include "study/explain/z_buffer_run.h"
+#include "study/page_texts.h"
 
 namespace hsr::internal {
 
@@ -38,8 +38,30 @@ class Teller : public DepthObserver {
     step.face(face_);
     for (const DepthCorner& c : corners)
       step.number("corner at column " + trace_text(c.x) + ", row " + trace_text(c.y), "depth " + shown_.text(c.depth));
-    step.number("change from a sample to the next, −A/C", shown_.change(right));
-    step.number("change from a row to the next, −B/C", shown_.change(down));
+    step.number("change from a sample to the next, −A/C" + of_what(), shown_.change(right));
+    step.number("change from a row to the next, −B/C" + of_what(), shown_.change(down));
+    right_ = right;
+    down_ = down;
+  }
+
+  void sides(int row, const DepthSide& left, const DepthSide& right) override {
+    finish();
+    has_sides_ = true;
+    TraceStep& step =
+        run_.step("ends", "ends",
+                  "Face " + name() + ", row " + std::to_string(row) + ": its sides are at columns " + trace_text(left.x) +
+                      " and " + trace_text(right.x) + ". To the next row they move by 1/m, " + trace_text(left.x_a_row) +
+                      " and " + trace_text(right.x_a_row) + ".");
+    step.face(face_).row(row);
+    const auto tell = [&](const std::string& side_name, const DepthSide& side) {
+      step.number(side_name + ": column", trace_text(side.x))
+          .number(side_name + ": 1/m", trace_text(side.x_a_row))
+          .number(side_name + ": depth" + of_what(), shown_.text(side.depth))
+          .number(side_name + ": change of it a row", shown_.change(side.depth_a_row));
+    };
+    tell("left side", left);
+    tell("right side", right);
+    step.mark({{left.x + 0.5, row + 0.5}, {right.x + 0.5, row + 0.5}});
   }
 
   void span(int row, int begin, int end) override {
@@ -105,8 +127,18 @@ class Teller : public DepthObserver {
     if (outside_ > 0) says += " " + std::to_string(outside_) + " are not between the near and the far plane.";
     TraceStep& step = run_.step("span", passed_ > 0 ? "store" : "test", says);
     step.face(face_).row(row_).number("depth of " + name(), depth_text_).number("held before", held_text_);
+    if (end_ - begin_ > 1) step.number("from a sample to the next, −A/C" + of_what(), shown_.change(right_));
+    if (!has_sides_) step.number("from a row to the next, −B/C" + of_what(), shown_.change(down_));
+    has_sides_ = false;
     if (!cells_.empty()) step.cells(cells_);
     ask(step);
+  }
+
+  /// What is interpolated where it is not the depth.
+  std::string of_what() const {
+    return options_.format == DepthFormat::reversed_float32      ? " of 1 − depth"
+           : options_.format == DepthFormat::logarithmic_float32 ? " of near / z"
+                                                                 : "";
   }
 
   /// The test in words.
@@ -147,7 +179,8 @@ class Teller : public DepthObserver {
   TraceRun& run_;
   std::uint32_t face_ = 0;
   int row_ = 0, begin_ = 0, end_ = 0, passed_ = 0, failed_ = 0, outside_ = 0, asked_ = 0;
-  bool is_open_ = false;
+  bool is_open_ = false, has_sides_ = false;
+  double right_ = 0, down_ = 0;  // how the depth changes
   std::vector<TraceCell> cells_;
   std::string depth_text_, held_text_;
   std::vector<int> holders_;  // by sample: the face that it shows
@@ -187,7 +220,9 @@ std::string ShownDepth::text(double depth, double stored) const {
 }
 
 void add_z_buffer_run(Trace& trace, const std::string& name, const ScenePicture& picture, const DepthRange& range,
-                      const DepthBufferOptions& options, const ShownDepth& shown) {
+                      const DepthBufferOptions& options, const ShownDepth& given) {
+  ShownDepth shown = given;
+  if (shown.is_fixed) shown.steps = std::exp2(fixed_bits(options.format)) - 1;
   TraceRun& run = trace.run(name);
   Teller teller(picture, shown, options, run);
   const ExplainedScene& scene = picture.scene();
@@ -207,16 +242,24 @@ Trace explain_z_buffer(const ExplainedScene& scene, int size) {
     add_z_buffer_run(trace, name, picture, range, options,
                      {fixed_bits(options.format) > 0 && fixed_bits(options.format) <= 16, 0, 0});
   };
-  add("8 bits, less", {.format = DepthFormat::fixed8});
-  add("16 bits, less", {.format = DepthFormat::fixed16});
-  add("24 bits, less", {.format = DepthFormat::fixed24});
-  add("float, less", {.format = DepthFormat::float32});
-  add("float reversed, less", {.format = DepthFormat::reversed_float32});
-  if (range.is_perspective) add("float logarithmic, less", {.format = DepthFormat::logarithmic_float32});
-  add("8 bits, lequal", {.format = DepthFormat::fixed8, .function = DepthFunction::lequal});
-  add("8 bits, greater", {.format = DepthFormat::fixed8, .function = DepthFunction::greater});
-  add("8 bits, always", {.format = DepthFormat::fixed8, .function = DepthFunction::always});
-  add("8 bits, less, incremental", {.format = DepthFormat::fixed8, .interpolation = DepthInterpolation::incremental});
+  using Format = std::pair<const char*, DepthFormat>;
+  for (const auto& [format_name, format] :
+       {Format("8 bits", DepthFormat::fixed8), Format("16 bits", DepthFormat::fixed16), Format("24 bits", DepthFormat::fixed24),
+        Format("float", DepthFormat::float32), Format("float reversed", DepthFormat::reversed_float32),
+        Format("float logarithmic", DepthFormat::logarithmic_float32)}) {
+    if (format == DepthFormat::logarithmic_float32 && !range.is_perspective) continue;
+    using Function = std::pair<const char*, DepthFunction>;
+    for (const auto& [function_name, function] :
+         {Function("less", DepthFunction::less), Function("lequal", DepthFunction::lequal),
+          Function("greater", DepthFunction::greater), Function("always", DepthFunction::always)}) {
+      const std::string name = std::string(format_name) + ", " + function_name + ", ";
+      add(name + "from the plane", {.format = format, .function = function});
+      // How depths are stepped matters little: once for each format.
+      if (function == DepthFunction::less)
+        add(name + "down the sides by 1/m",
+            {.format = format, .function = function, .interpolation = DepthInterpolation::incremental});
+    }
+  }
   return trace;
 }
 

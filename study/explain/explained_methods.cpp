@@ -11,6 +11,16 @@ const std::vector<ExplainedMethod>& explained_methods() {
        explain_roberts, "house"},
       {"scanline", "Scanline algorithm", "row by row: active edges, flags of faces, depths compared where a face begins",
        explain_scanline, "triangles"},
+      {"row-z-buffer", "z-buffer of one row", "row by row: buckets, active faces, and depths of one row only",
+       explain_row_z_buffer, "triangles"},
+      {"tiled-z-buffer", "z-buffer in tiles", "faces sorted into tiles, each of which is drawn by itself",
+       explain_tiled_z_buffer, "triangles"},
+      {"ray-casting", "Ray casting", "for each sample the nearest of the faces that its line of sight meets, exactly",
+       explain_ray_casting, "triangles"},
+      {"a-buffer", "A-buffer", "lists of fragments at pixels, with masks: soft edges, transparent faces", explain_a_buffer,
+       "triangles"},
+      {"alpha-buffer", "α-buffer", "lists of layers at samples, sorted and laid over one another", explain_alpha_buffer,
+       "triangles"},
       {"painter", "Painter's algorithm", "faces sorted by one depth each, and where that fails", explain_painter, "middle"},
   };
   return methods;

@@ -28,6 +28,11 @@ Trace explain_bsp(const ExplainedScene& scene, int size);
 Trace explain_z_buffer(const ExplainedScene& scene, int size);
 Trace explain_roberts(const ExplainedScene& scene, int size);
 Trace explain_scanline(const ExplainedScene& scene, int size);
+Trace explain_a_buffer(const ExplainedScene& scene, int size);
+Trace explain_alpha_buffer(const ExplainedScene& scene, int size);
+Trace explain_ray_casting(const ExplainedScene& scene, int size);
+Trace explain_row_z_buffer(const ExplainedScene& scene, int size);
+Trace explain_tiled_z_buffer(const ExplainedScene& scene, int size);
 Trace explain_painter(const ExplainedScene& scene, int size);
 
 /// The faces of an order from far to near, as the result of a run: {"painted": [0, 2, ...]}.

@@ -9,9 +9,9 @@
 #include "study/explain/example_scenes.h"
 #include "study/explain/explain_pages.h"
 #include "study/explain/explained_methods.h"
-#include "study/page_texts.h"
 #include "study/explain/z_buffer_run.h"
 #include "study/html_page.h"
+#include "study/page_texts.h"
 
 namespace hsr::internal {
 
@@ -162,7 +162,7 @@ std::string gaps_data() {
       out += "{\"near\":" + rounded_text(near, 6) + ",\"far\":" + rounded_text(far, 6) + ",\"at\":[";
       // Between near and far, each ten times the last.
       std::vector<double> places;
-      for (double z = near; z < far; z *= 10) places.push_back(z);
+      for (double z = near; z < far * 0.9; z *= 10) places.push_back(z);
       places.push_back(far * 0.9);
       for (std::size_t k = 0; k < places.size(); ++k) {
         out += (k == 0 ? "[" : ",[") + rounded_text(places[k], 6);
@@ -180,6 +180,13 @@ std::string filled(std::string text, const std::string& what, const std::string&
   return text;
 }
 
+/// A page with the lecture's table and the panel of gaps.
+std::string with_gaps(std::string_view page) {
+  std::string text = filled(std::string(page_text(page)), "{{compression}}", compression_table());
+  text = filled(text, "{{panel}}", std::string(page_text("gaps.html")));
+  return filled(text, "{{gaps}}", gaps_data());
+}
+
 }  // namespace
 
 std::vector<Lesson> all_lessons(const std::string& made) {
@@ -187,14 +194,16 @@ std::vector<Lesson> all_lessons(const std::string& made) {
                "Lesson 1: image space",
                "depths at samples, from one to a grid; what a format holds; rows and their edges",
                {}};
-  std::string text(page_text("lesson-image-space.html"));
-  text = filled(text, "{{compression}}", compression_table());
-  text = filled(text, "{{gaps}}", gaps_data());
-  image.page = lesson_page(image.title, text, image_space_traces(), made);
+  image.page = lesson_page(image.title, with_gaps("lesson-image-space.html"), image_space_traces(), made);
   Lesson object{
       "lesson-object-space", "Lesson 2: object space", "orders of faces, cycles, cuts, trees, and visible lines, exactly", {}};
   object.page = lesson_page(object.title, page_text("lesson-object-space.html"), object_space_traces(), made);
-  return {image, object};
+  Lesson compression{"z-compression",
+                     "Near and far planes",
+                     "what a depth format holds in a perspective, and the gaps that it eats: sliders to try",
+                     {}};
+  compression.page = lesson_page(compression.title, with_gaps("z-compression.html"), {}, made);
+  return {image, object, compression};
 }
 
 }  // namespace hsr::internal

@@ -188,7 +188,29 @@ TraceStep& TraceStep::cells(const std::vector<TraceCell>& cells) {
   append_list(out, cells, [&](const TraceCell& c) {
     out += '[' + std::to_string(c.column) + ',' + std::to_string(c.row) + ',';
     append_string(out, c.text);
-    out += ',' + std::to_string(c.face) + ']';
+    out += ',' + std::to_string(c.face);
+    if (c.colour) {
+      out += ",\"";
+      append_colour(out, *c.colour);
+      out += '"';
+    }
+    out += ']';
+  });
+  end_change();
+  return *this;
+}
+
+TraceStep& TraceStep::masks(const std::string& name, const std::vector<TraceMask>& masks) {
+  std::string& out = change("masks");
+  append_key(out, "name");
+  append_string(out, name);
+  append_key(out, "masks");
+  append_list(out, masks, [&](const TraceMask& m) {
+    out += '[';
+    append_string(out, m.text);
+    out += ',' + std::to_string(m.face) + ',';
+    append_list(out, m.rows, [&](const std::string& row) { append_string(out, row); });
+    out += ']';
   });
   end_change();
   return *this;

@@ -36,11 +36,19 @@ struct TraceLine {
   bool is_hidden = false;
 };
 
-/// A sample of a picture, what stands in it and whose it is; -1: nobody's.
+/// A sample of a picture, what stands in it and whose it is; -1: nobody's. It has the colour of the face, or one of its own.
 struct TraceCell {
   int column, row;
   std::string text;
   int face = -1;
+  std::optional<Colour> colour = {};
+};
+
+/// Which of some samples a face covers: rows of '0' and '1'.
+struct TraceMask {
+  std::string text;
+  int face = -1;
+  std::vector<std::string> rows = {};
 };
 
 /// What happens next? One of the choices is right.
@@ -73,6 +81,7 @@ class TraceStep {
   TraceStep& paint(std::uint32_t piece);
   TraceStep& unpaint();  ///< all of it
   TraceStep& cells(const std::vector<TraceCell>& cells);
+  TraceStep& masks(const std::string& name, const std::vector<TraceMask>& masks);
   TraceStep& node(std::uint32_t node, int parent, bool is_before, const std::string& text, int face);
   TraceStep& bars(const std::string& name, const std::vector<TraceBar>& bars);
   TraceStep& draw(const std::vector<TraceLine>& lines);

@@ -36,7 +36,7 @@ function draw() {
   for (const [id, s] of [['l', left], ['r', right]]) {
     const m = shown[s.value];
     get(id).src = what == 'picture' ? m.changes || empty : what == 'mistakes' ? m.mistakes || empty : m.depth || empty;
-    get('says-' + id).textContent = m.says + (what == 'depth' && !m.depth ? ' (has no depths)' : '');
+    get('says-' + id).textContent = m.says + (get(id).src != empty || m == shown[0] ? '' : m.large ? ' (left out, or the page would be too large: see the directory pictures)' : what == 'depth' ? ' (has no depths)' : '');
   }
   get('l').style.clipPath = 'inset(0 ' + (100 - at) + '% 0 0)';
   get('r').style.clipPath = 'inset(0 0 0 ' + at + '%)';

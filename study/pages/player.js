@@ -25,6 +25,7 @@ class State {
     this.cells = new Map();
     this.nodes = new Map();
     this.bars = new Map();
+    this.masks = new Map();
     this.drawn = [];
   }
   apply(change) {
@@ -38,6 +39,7 @@ class State {
       case 'cells': for (const c of change.cells) this.cells.set(c[0] + ',' + c[1], c); break;
       case 'node': this.nodes.set(change.node, change); break;
       case 'bars': this.bars.set(change.name, change.bars); break;
+      case 'masks': this.masks.set(change.name, change.masks); break;
       case 'draw': this.drawn.push(...change.lines); break;
       case 'undraw': this.drawn = []; break;
     }
@@ -52,6 +54,7 @@ class Player {
     this.get = get;
     trace.runs.forEach((run, k) => get('run').add(new Option(run.name, k)));
     get('runs').hidden = trace.runs.length < 2;
+    this.make_parts();
     get('run').addEventListener('change', () => this.choose(+get('run').value));
     get('code').innerHTML = trace.pseudocode.map(([name, text]) => `<li data-line="${escaped(name)}">${escaped(text)}</li>`).join('');
     get('first').addEventListener('click', () => this.go(0));
@@ -66,8 +69,31 @@ class Player {
     this.choose(0);
   }
 
+  // Runs whose names are "format, function, ..." are chosen by a select for each part; the select of whole names is hidden then.
+  make_parts() {
+    const names = this.trace.runs.map(run => run.name.split(', ')), count = names[0].length;
+    const parts = names[0].map((_, p) => [...new Set(names.map(name => name[p]))]);
+    if (count < 2 || names.length < 8 || names.some(name => name.length != count)) return;
+    this.parts = parts.map((options, p) => {
+      const select = document.createElement('select');
+      select.setAttribute('aria-label', ['How depths are stored', 'The test', 'Where depths come from'][p] || `Choice ${p + 1}`);
+      for (const name of options) select.add(new Option(name, name));
+      // The run with this part, and as many as can be of the others.
+      select.addEventListener('change', () => {
+        const wanted = this.parts.map(part => part.value);
+        const fit = name => name[p] == wanted[p] ? name.filter((part, q) => part == wanted[q]).length : -1;
+        this.choose(names.reduce((best, name, k) => fit(name) > fit(names[best]) ? k : best, 0));
+      });
+      return select;
+    });
+    this.get('runs').querySelector('label').hidden = true;
+    this.get('runs').append('Show ', ...this.parts);
+  }
+
   choose(k) {
     this.stop();
+    this.get('run').value = k;
+    if (this.parts) this.trace.runs[k].name.split(', ').forEach((part, p) => { this.parts[p].value = part; });
     this.run = this.trace.runs[k];
     this.scene = this.run.scene || this.trace.scene;
     this.answered = new Map();  // by step: whether the first answer was right
@@ -171,6 +197,7 @@ class Player {
   show_lists(step) {
     let html = '';
     if (this.state.bars.size) html += this.bars_html();
+    for (const [name, masks] of this.state.masks) if (masks.length) html += this.masks_html(name, masks);
     if (this.state.nodes.size) html += `<h4>the tree: above, what is nearer the root; left, behind the plane; right, in front</h4><div class="tree" tabindex="0">${this.tree_svg(step)}</div>`;
     for (const [name, items] of this.state.lists) {
       if (!items.length && name != 'painted') continue;
@@ -200,6 +227,19 @@ class Player {
     html += `<svg class="bars" viewBox="0 0 300 ${y + 14}" role="img" aria-label="Intervals along the edge">${rows}` +
         `<line x1="20" x2="280" y1="${y}" y2="${y}" stroke="var(--ink)"/><text x="17" y="${y + 11}" font-size="9">0</text><text x="277" y="${y + 11}" font-size="9">1</text></svg>`;
     return html;
+  }
+
+  // Samples of a pixel, one grid for each fragment.
+  masks_html(name, masks) {
+    return `<h4>${escaped(name)}</h4><div class="masks">` + masks.map(([text, face, rows]) => {
+      const fill = face >= 0 ? this.colour(face) : 'var(--quiet)';
+      let cells = '';
+      rows.forEach((row, j) => [...row].forEach((bit, i) => {
+        cells += `<rect x="${i}" y="${j}" width="1" height="1" fill="${bit == '1' ? fill : 'none'}" stroke="var(--quiet)" stroke-width="0.06"/>`;
+      }));
+      const w = rows[0].length, h = rows.length;
+      return `<figure><svg viewBox="-0.1 -0.1 ${w + 0.2} ${h + 0.2}" role="img" aria-label="${escaped(text)}: ${rows.join(' ')}">${cells}</svg><figcaption>${escaped(text)}</figcaption></figure>`;
+    }).join('') + '</div>';
   }
 
   // Left: behind; right: in front.
@@ -245,10 +285,10 @@ class Player {
     const state = this.state, painted = new Set(state.painted);
     svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
     let html = '';
-    for (const [i, j, text, face] of state.cells.values()) {
-      const fill = face >= 0 ? this.colour(face) : 'var(--paper)', size = Math.min(0.42, 1.7 / Math.max(text.length, 3));
+    for (const [i, j, text, face, own] of state.cells.values()) {
+      const fill = own || (face >= 0 ? this.colour(face) : 'var(--paper)'), size = Math.min(0.42, 1.7 / Math.max(text.length, 3));
       html += `<g><rect class="cell" x="${i}" y="${j}" width="1" height="1" fill="${fill}" stroke-width="0.02"/>` +
-          `<text x="${i + 0.5}" y="${j + 0.5 + size * 0.36}" text-anchor="middle" font-size="${size}" style="fill:${face >= 0 ? ink_on(fill) : 'var(--quiet)'}">${escaped(text)}</text>` +
+          `<text x="${i + 0.5}" y="${j + 0.5 + size * 0.36}" text-anchor="middle" font-size="${size}" style="fill:${own || face >= 0 ? ink_on(fill) : 'var(--quiet)'}">${escaped(text)}</text>` +
           `<title>row ${j}, column ${i}: ${escaped(text)}${face >= 0 ? ', ' + escaped(faces[face].name) : ''}</title></g>`;
     }
     const label = (ring, text, size) => {
@@ -305,7 +345,7 @@ for (const place of document.querySelectorAll('script.trace')) new Player(place,
 addEventListener('keydown', event => {
   const player = Player.last || Player.all[0];
   if (!player || event.altKey || event.ctrlKey || event.metaKey || event.target.closest('select, input:not([type=range])')) return;
-  const at_slider = event.target.matches('input[type=range].slider');
+  const at_slider = event.target.matches('input[type=range]');
   const act = {
     ArrowRight: () => player.next(), ArrowLeft: () => player.back(), Home: () => player.go(0), End: () => player.go(player.last),
     ' ': () => player.play(!player.timer),

@@ -14,7 +14,8 @@ TEST_CASE("explain writes a page and its steps for each method, lessons and an i
   CHECK(outcome.text.empty());
   REQUIRE(outcome.status == 0);
   const std::string index = contents(d / "all/index.html");
-  for (const std::string method : {"depth-sort", "bsp", "z-buffer", "roberts", "scanline", "painter"}) {
+  for (const std::string method : {"depth-sort", "bsp", "z-buffer", "roberts", "scanline", "row-z-buffer", "tiled-z-buffer",
+                                   "ray-casting", "a-buffer", "alpha-buffer", "painter"}) {
     INFO(method);
     CHECK(index.find("href=\"" + method + ".html\"") != std::string::npos);
     const std::string page = contents(d / ("all/" + method + ".html"));
@@ -27,7 +28,8 @@ TEST_CASE("explain writes a page and its steps for each method, lessons and an i
     CHECK(trace["format"] == "hsr-trace/1");
     CHECK(trace["method"] == method);
   }
-  for (const std::string lesson : {"lesson-image-space", "lesson-object-space"}) {
+  CHECK(contents(d / "all/z-buffer.html").find("href=\"z-compression.html\"") != std::string::npos);
+  for (const std::string lesson : {"lesson-image-space", "lesson-object-space", "z-compression"}) {
     CHECK(index.find("href=\"" + lesson + ".html\"") != std::string::npos);
     CHECK(contents(d / ("all/" + lesson + ".html")).find("{{") == std::string::npos);
   }
@@ -38,6 +40,9 @@ TEST_CASE("explain shows one method on a model, in the view asked for", "[cli][e
   const std::string model = write(d / "pyramid.obj", pyramid);
   REQUIRE(run("explain z-buffer " + model + " --view top --size 8 -o " + (d / "one")).status == 0);
   const auto trace = nlohmann::json::parse(contents(d / "one/z-buffer.json"));
+  // Alone, the page links to none but the index; with all of them, to the others.
+  CHECK(contents(d / "one/z-buffer.html").find("href=\"z-compression.html\"") == std::string::npos);
+  CHECK(contents(d / "one/z-buffer.html").find("href=\"index.html\"") != std::string::npos);
   CHECK(trace["view"] == "pyramid.obj, view top");
   CHECK(trace["scene"]["width"] == 8);
   CHECK(trace["scene"]["faces"].size() == 5);

@@ -32,6 +32,11 @@
       check(count == 0 || count <= result.faces.length * result.faces[0].length, where + ': too many samples');
       check(count > 0 || result.faces.flat().every(f => f < 0), where + ': no samples');
     }
+    if (result.colours) {
+      check(picture.cells.length == result.colours.flat().length, where + ': not a colour for each sample');
+      for (const [i, j, fill] of picture.cells)
+        check(fill == result.colours[j][i], `${where}: sample ${i}, ${j} has not the library's colour`);
+    }
     if (result.painted) check(picture.painted.join() == result.painted.map(colour).join(), where + ': not painted in the library\'s order');
     if (result.lines) check(picture.drawn == result.lines.reduce((n, l) => n + l.visible.length, 0), where + ': not the library\'s lines');
     if (result.nodes !== undefined) check(player.state.nodes.size == result.nodes, where + ': not the library\'s tree');
@@ -84,6 +89,25 @@
     check(player.at == 0 && shown(player).all == first, where() + ': back does not lead to the beginning');
   };
 
+  const to_the_end = (player, k) => {
+    player.get('run').value = k;
+    player.get('run').dispatchEvent(new Event('change'));
+    player.go(player.last);
+    numbers_are_told(player, player.run.name);
+    compare(player, player.run, player.run.name);
+  };
+
+  // Every choice of every part of the runs' names leads to a run that has it.
+  const parts = player => {
+    for (const select of player.parts || [])
+      for (const option of select.options) {
+        select.value = option.value;
+        select.dispatchEvent(new Event('change'));
+        check(player.run.name.split(', ').includes(option.value) && select.value == option.value && player.trace.runs[player.get('run').value] == player.run,
+              `${option.value} is chosen, ${player.run.name} is shown`);
+      }
+  };
+
   const no_questions = player => {
     const box = document.getElementById('exercises');
     box.click();
@@ -128,41 +152,38 @@
     }
   };
 
-  // Of text to what is behind it: 4.5 by WCAG 2, AA.
-  const contrast = theme => {
-    const parts = c => { const m = c.match(/[\d.]+/g).map(Number); return m.length > 3 ? m : [...m, 1]; };
-    const light = c => {
-      const [r, g, b] = c.map(x => { x /= 255; return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4; });
-      return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    };
-    const ratio = (a, b) => { const [x, y] = [light(a), light(b)].sort((p, q) => q - p); return (x + 0.05) / (y + 0.05); };
-    const behind = e => {
-      for (; e; e = e.parentElement) {
-        const c = parts(getComputedStyle(e).backgroundColor);
-        if (c[3] == 1) return c;
+  // The sliders of the near and the far plane: every pair, by its table, its plot and its sentence.
+  const gaps = () => {
+    const data = document.querySelector('script.gaps');
+    if (!data) return;
+    const {formats, rows} = JSON.parse(data.textContent), get = id => document.getElementById(id);
+    const near = get('gap-near'), far = get('gap-far'), seen = new Set();
+    check(near && far, 'no sliders of planes');
+    for (near.value = 0; ; near.value = +near.value + 1) {
+      for (far.value = 0; ; far.value = +far.value + 1) {
+        near.dispatchEvent(new Event('input'));
+        far.dispatchEvent(new Event('input'));
+        const row = rows.find(r => r.near == get('gap-near-says').textContent && r.far == get('gap-far-says').textContent);
+        const lines = [...get('gap-table').tBodies[0].rows].map(r => [...r.cells].map(c => c.textContent));
+        check(row && lines.length == row.at.length && get('gap-plot').querySelectorAll('polyline').length == formats.length,
+              'the planes of the sliders are not shown');
+        row.at.forEach((at, k) => at.forEach((x, c) => check(x >= 1e9 || x < 1e-30 || Math.abs(+lines[k][c] - x) <= 0.006 * x, `a gap is ${lines[k][c]} for ${x}`)));
+        check(near.getAttribute('aria-valuetext').includes(row.near), 'the slider does not say its plane');
+        seen.add(get('gap-plot').innerHTML);
+        if (+far.value == +far.max) break;
       }
-      return [255, 255, 255, 1];
-    };
-    const seen = new Set();
-    for (const e of document.querySelectorAll('body *')) {
-      if (!e.getClientRects().length || e.disabled) continue;
-      if (![...e.childNodes].some(n => n.nodeType == 3 && n.textContent.trim())) continue;
-      if (['SCRIPT', 'STYLE', 'title', 'OPTION'].includes(e.tagName)) continue;
-      let ink, paper;
-      if (e.tagName == 'text') {
-        ink = parts(getComputedStyle(e).fill);
-        const box = e.parentElement.tagName == 'g' ? e.parentElement.querySelector('rect') : e.closest('.tree') ? e.previousElementSibling : null;
-        paper = box && getComputedStyle(box).fill != 'none' ? parts(getComputedStyle(box).fill) : behind(e.closest('svg'));
-      } else {
-        ink = parts(getComputedStyle(e).color);
-        paper = behind(e);
-      }
-      const r = ratio(ink.slice(0, 3), paper.slice(0, 3)), name = `${theme}: ${e.tagName}.${e.className.baseVal ?? e.className}`;
-      if (r < 4.5 && !seen.has(name)) {
-        seen.add(name);
-        check(false, `contrast ${r.toFixed(2)} of ${name}: ${e.textContent.slice(0, 30)}`);
-      }
+      if (+near.value == +near.max) break;
     }
+    check(seen.size == rows.length, `${seen.size} pictures of ${rows.length} pairs of planes`);
+    for (const slider of [near, far]) {
+      slider.focus();
+      check(document.activeElement == slider, 'a slider cannot be reached by keyboard');
+      const arrow = new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: true, cancelable: true});
+      check(slider.dispatchEvent(arrow), 'an arrow key does not move the slider of a plane');
+    }
+    near.value = 2;
+    far.value = 2;
+    near.dispatchEvent(new Event('input'));
   };
 
   addEventListener('load', () => {
@@ -174,16 +195,23 @@
       const players = typeof Player == 'undefined' ? [] : Player.all;
       check(players.length > 0 || !document.querySelector('script.trace'), 'no player');
       for (const player of players) {
-        player.trace.runs.forEach((run, k) => walk(player, k));
+        // Of many long runs some are walked, and of the others the end is looked at.
+        let walked = 0;
+        player.trace.runs.forEach((run, k) => {
+          if (walked < 600 || k == player.trace.runs.length - 1) walk(player, k); else to_the_end(player, k);
+          walked += run.steps.length;
+        });
+        parts(player);
         no_questions(player);
       }
       if (players.length) keyboard(players[0]);
+      gaps();
       const wide = document.documentElement.scrollWidth;
       check(wide <= innerWidth, `the page is ${wide} wide, the window ${innerWidth}`);
       for (const player of players) player.go(player.last >> 1);
-      contrast(document.documentElement.dataset.theme);
+      check_contrast(check, document.documentElement.dataset.theme);
       document.getElementById('theme').click();
-      contrast(document.documentElement.dataset.theme);
+      check_contrast(check, document.documentElement.dataset.theme);
       const links = [...document.querySelectorAll('[src],[href]')].map(e => e.getAttribute('src') || e.getAttribute('href'));
       check(!links.some(l => /^(https?:)?\/\//.test(l)), 'the page asks for something from elsewhere');
     } catch (e) {

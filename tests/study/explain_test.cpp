@@ -10,11 +10,17 @@
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
+#include "hsr/raster/a_buffer.h"
+#include "hsr/raster/alpha_buffer.h"
+#include "hsr/raster/caster.h"
 #include "hsr/raster/depth_buffer.h"
+#include "hsr/raster/row_z_buffer.h"
 #include "hsr/raster/scanline.h"
+#include "hsr/raster/tiled_z_buffer.h"
 #include "study/explain/example_scenes.h"
 #include "study/explain/explained_methods.h"
 #include "study/explain/lessons.h"
+#include "study/explain/picture_result.h"
 #include "tests/scenes/random_scenes.h"
 
 namespace hsr::internal {
@@ -28,7 +34,8 @@ struct Ended {
   std::map<std::pair<int, int>, std::pair<std::string, int>> cells;  // by column and row: text, face
   std::map<int, std::vector<std::pair<double, double>>> visible;     // by edge
   std::set<int> nodes;
-  std::vector<Json> drawn;  // lines of the picture
+  std::vector<Json> drawn;                             // lines of the picture
+  std::map<std::pair<int, int>, std::string> colours;  // of cells that have their own
 };
 
 Ended ended(const Json& run) {
@@ -45,7 +52,10 @@ Ended ended(const Json& run) {
       if (what == "draw")
         for (const Json& line : change["lines"]) end.drawn.push_back(line);
       if (what == "cells")
-        for (const Json& c : change["cells"]) end.cells[{c[0], c[1]}] = {c[2], c[3]};
+        for (const Json& c : change["cells"]) {
+          end.cells[{c[0], c[1]}] = {c[2], c[3]};
+          end.colours[{c[0], c[1]}] = c.size() > 4 ? c[4] : "";
+        }
       if (what == "bars" && change["name"] == "visible" && step["kind"] == "result")
         for (const Json& bar : change["bars"]) end.visible[step["edges"][0]].emplace_back(bar[0], bar[1]);
     }
@@ -85,9 +95,22 @@ void check_end(const Json& trace) {
         for (std::size_t i = 0; i < result["faces"][j].size(); ++i) {
           const auto cell = end.cells.find({static_cast<int>(i), static_cast<int>(j)});
           CHECK((cell == end.cells.end() ? -1 : cell->second.second) == result["faces"][j][i]);
-          if (cell != end.cells.end() && run["name"] == "float, less")
+          if (cell != end.cells.end() && run["name"] == "float, less, from the plane")
             CHECK(std::stod(cell->second.first) == Approx(result["depths"][j][i].get<double>()).epsilon(6e-4));
         }
+    if (result.contains("colours")) {
+      std::size_t fragments = 0, most = 0;
+      for (std::size_t j = 0; j < result["colours"].size(); ++j)
+        for (std::size_t i = 0; i < result["colours"][j].size(); ++i) {
+          const std::pair<int, int> at{static_cast<int>(i), static_cast<int>(j)};
+          CHECK(end.colours.at(at) == result["colours"][j][i]);
+          const std::size_t count = std::stoul(end.cells.at(at).first);
+          fragments += count;
+          most = std::max(most, count);
+        }
+      CHECK(fragments == result["fragments"]);
+      CHECK(most == result["most_fragments"]);
+    }
     if (result.contains("lines")) {
       std::map<int, std::vector<std::pair<double, double>>> visible;
       for (const Json& line : result["lines"])
@@ -182,9 +205,28 @@ TEST_CASE("a watched method returns what it returns unwatched", "[study][explain
       return rows;
     };
     const DepthRange range = depth_range(scene.mesh, scene.view, picture.samples());
-    CHECK(result(explain_z_buffer, 1)["faces"] ==
+    CHECK(result(explain_z_buffer, 5)["faces"] ==
           faces(depth_buffer(scene.mesh, scene.view, picture.samples(), range, {.format = DepthFormat::fixed16}).triangles));
     CHECK(result(explain_scanline, 0)["faces"] == faces(scanline(scene.mesh, scene.view, picture.samples()).triangles));
+    const auto faces_of_pixels = [&](const auto& image) {
+      Image<TriangleId> triangles(image.width, image.height);
+      std::transform(image.pixels.begin(), image.pixels.end(), triangles.pixels.begin(),
+                     [](const auto& p) { return p.triangle; });
+      return faces(triangles);
+    };
+    CHECK(result(explain_row_z_buffer, 0)["faces"] ==
+          faces_of_pixels(row_z_buffer<double>(scene.mesh, scene.view, picture.samples()).image));
+    CHECK(result(explain_tiled_z_buffer, 0)["faces"] ==
+          faces_of_pixels(tiled_z_buffer<float>(scene.mesh, scene.view, picture.samples()).image));
+    const Json cast_faces = faces(cast(prepared, picture.samples()).triangles);
+    CHECK(result(explain_ray_casting, 0)["faces"] == cast_faces);
+    CHECK(result(explain_ray_casting, 1)["faces"] == cast_faces);
+    const std::vector<Colour> colours = colours_of(picture.traced(false));
+    const auto colours_of_pixels = [](const Image<Colour>& image) { return Json::parse(colours_json(image)); };
+    CHECK(result(explain_a_buffer, 1)["colours"] ==
+          colours_of_pixels(a_buffer(scene.mesh, scene.view, picture.samples(), colours, 0.5).picture));
+    CHECK(result(explain_alpha_buffer, 0)["colours"] ==
+          colours_of_pixels(alpha_buffer(scene.mesh, scene.view, picture.samples(), colours, 0.5).picture));
   }
 }
 
@@ -228,7 +270,7 @@ TEST_CASE("a scene that cannot be followed is refused with the reason", "[study]
 
 TEST_CASE("the lessons have the numbers of the lectures", "[study][explain]") {
   const std::vector<Lesson> lessons = all_lessons("");
-  REQUIRE(lessons.size() == 2);
+  REQUIRE(lessons.size() == 3);
   const std::string& image = lessons[0].page;
   // Each trace of the page.
   std::vector<Json> traces;

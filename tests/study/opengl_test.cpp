@@ -43,6 +43,26 @@ TEST_CASE("the driver shows the nearest face where its numbers tell", "[study][o
   }
 }
 
+TEST_CASE("every difference of the driver is explained on random scenes", "[study][opengl][property]") {
+  if (opengl_driver() == nullptr) return;
+  std::uint64_t wrong = 0;
+  for (const char* const name : {"triangles", "polygons", "boxes", "slopes"})
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      const scenes::TestScene scene = scenes::family(name).make(seed);
+      const Mesh mesh = scene.mesh();
+      const SampleGrid grid = sample_grid(scene.view, paper_rectangle(mesh, scene.view), 240, 240);
+      const Image<TriangleId> nearest = cast(mesh, scene.view, grid).triangles;
+      for (const RunnableMethod& m : opengl_methods(mesh, scene.view, grid)) {
+        INFO(name << " " << seed << ", " << m.method << ", " << m.numbers);
+        m.solve();
+        const PictureCheck check = check_picture(mesh, scene.view, grid, m.show().triangles, nearest, m.resolution);
+        CHECK(check.order == 0);
+        wrong += check.wrong;
+      }
+    }
+  CHECK(wrong > 0);
+}
+
 TEST_CASE("16 bits tie what 24 tell apart, in the driver too", "[study][opengl]") {
   const auto gl = driver();
   if (gl == nullptr) return;
