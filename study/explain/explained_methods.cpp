@@ -9,9 +9,15 @@ const std::vector<ExplainedMethod>& explained_methods() {
       {"z-buffer", "z-buffer", "the nearest depth at each sample, in formats of few bits", explain_z_buffer, "triangles"},
       {"roberts", "Visible lines by Roberts", "each edge, the shadows of faces on it, and what their union leaves",
        explain_roberts, "house"},
+      {"appel", "Visible lines by Appel", "how many faces are in front, counted once and carried along the edges",
+       explain_appel, "house"},
+      {"fragments", "Visible fragments", "what is seen of each face: sides along visible lines, linked into rings",
+       explain_fragments, "house"},
       {"scanline", "Scanline algorithm", "row by row: active edges, flags of faces, depths compared where a face begins",
        explain_scanline, "triangles"},
       {"painter", "Painter's algorithm", "faces sorted by one depth each, and where that fails", explain_painter, "middle"},
+      {"culling", "Culling", "what need not be drawn: beside the picture, turned away, behind others, too small",
+       explain_culling, "yard"},
   };
   return methods;
 }

@@ -27,6 +27,9 @@ Trace explain_depth_sort(const ExplainedScene& scene, int size);
 Trace explain_bsp(const ExplainedScene& scene, int size);
 Trace explain_z_buffer(const ExplainedScene& scene, int size);
 Trace explain_roberts(const ExplainedScene& scene, int size);
+Trace explain_appel(const ExplainedScene& scene, int size);
+Trace explain_culling(const ExplainedScene& scene, int size);
+Trace explain_fragments(const ExplainedScene& scene, int size);
 Trace explain_scanline(const ExplainedScene& scene, int size);
 Trace explain_painter(const ExplainedScene& scene, int size);
 

@@ -11,6 +11,8 @@
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
 #include "hsr/raster/depth_buffer.h"
+#include "hsr/raster/facing_culling.h"
+#include "hsr/raster/occlusion_culling.h"
 #include "hsr/raster/scanline.h"
 #include "study/explain/example_scenes.h"
 #include "study/explain/explained_methods.h"
@@ -29,6 +31,7 @@ struct Ended {
   std::map<int, std::vector<std::pair<double, double>>> visible;     // by edge
   std::set<int> nodes;
   std::vector<Json> drawn;  // lines of the picture
+  std::vector<int> kept;    // faces of the list of this name
 };
 
 Ended ended(const Json& run) {
@@ -41,6 +44,7 @@ Ended ended(const Json& run) {
       if (what == "paint") end.painted.push_back(face_of.at(change["piece"]));
       if (what == "unpaint") end.painted.clear();
       if (what == "node") end.nodes.insert(change["node"].get<int>());
+      if (what == "add" && change["name"] == "kept") end.kept.push_back(change["item"][1]);
       if (what == "undraw") end.drawn.clear();
       if (what == "draw")
         for (const Json& line : change["lines"]) end.drawn.push_back(line);
@@ -79,6 +83,7 @@ void check_end(const Json& trace) {
     const Ended end = ended(run);
     const Json& result = run["result"];
     if (result.contains("painted")) CHECK(Json(end.painted) == result["painted"]);
+    if (result.contains("kept")) CHECK(Json(end.kept) == result["kept"]);
     if (result.contains("nodes")) CHECK(end.nodes.size() == result["nodes"]);
     if (result.contains("faces"))
       for (std::size_t j = 0; j < result["faces"].size(); ++j)
@@ -184,17 +189,24 @@ TEST_CASE("a watched method returns what it returns unwatched", "[study][explain
     const DepthRange range = depth_range(scene.mesh, scene.view, picture.samples());
     CHECK(result(explain_z_buffer, 1)["faces"] ==
           faces(depth_buffer(scene.mesh, scene.view, picture.samples(), range, {.format = DepthFormat::fixed16}).triangles));
+    const auto kept = [&](const Culled& culled) {
+      Json list = Json::array();
+      for (const TriangleId t : culled.kept) list.push_back(scene.mesh.face_of[t].value);
+      return list;
+    };
+    for (const std::size_t run : {2, 3, 4})
+      CHECK(result(explain_culling, run)["kept"] == kept(facing_culled(scene.mesh, scene.view)));
+    CHECK(result(explain_culling, 5)["kept"] == kept(occlusion_culled(prepared)));
     CHECK(result(explain_scanline, 0)["faces"] == faces(scanline(scene.mesh, scene.view, picture.samples()).triangles));
   }
 }
 
 TEST_CASE("a watched drawing has the lines that it has unwatched", "[study][explain][property]") {
-  for (const ExplainedScene& scene : some_scenes()) {
-    INFO(scene.title);
-    const Json told = Json::parse(explain_roberts(scene, 0).runs[0].result);
+  const auto check = [](const ExplainedScene& scene, Trace (*explain)(const ExplainedScene&, int)) {
     LineOptions options;
     options.classes[static_cast<std::size_t>(EdgeClass::intersection)] = false;
     const VisibleLines lines = visible_lines(scene.mesh, scene.view, options);
+    const Json told = Json::parse(explain(scene, 0).runs[0].result);
     std::size_t count = 0;
     for (const Line& line : lines.lines) {
       Json visible = Json::array();
@@ -209,6 +221,11 @@ TEST_CASE("a watched drawing has the lines that it has unwatched", "[study][expl
       ++count;
     }
     CHECK(told["lines"].size() == count);
+  };
+  for (const ExplainedScene& scene : some_scenes()) {
+    INFO(scene.title);
+    check(scene, explain_roberts);
+    check(scene, explain_appel);
   }
 }
 
