@@ -14,6 +14,8 @@
 #include "hsr/raster/facing_culling.h"
 #include "hsr/raster/occlusion_culling.h"
 #include "hsr/raster/scanline.h"
+#include "hsr/scene/facet.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "study/explain/example_scenes.h"
 #include "study/explain/explained_methods.h"
 #include "study/explain/lessons.h"
@@ -197,6 +199,10 @@ TEST_CASE("a watched method returns what it returns unwatched", "[study][explain
     for (const std::size_t run : {2, 3, 4})
       CHECK(result(explain_culling, run)["kept"] == kept(facing_culled(scene.mesh, scene.view)));
     CHECK(result(explain_culling, 5)["kept"] == kept(occlusion_culled(prepared)));
+    Json fragments = Json::array();
+    for (const Fragment& f : visible_fragments(prepared).fragments)
+      fragments.push_back(scene.mesh.face_of[first_triangle(f.facet)].value);
+    CHECK(result(explain_fragments, 0)["painted"] == fragments);
     CHECK(result(explain_scanline, 0)["faces"] == faces(scanline(scene.mesh, scene.view, picture.samples()).triangles));
   }
 }
