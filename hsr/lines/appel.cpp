@@ -9,6 +9,7 @@
 #include "geometry/error.h"
 #include "geometry/weighted_disjoint_sets.h"
 #include "hsr/lines/classified_edges.h"
+#include "hsr/lines/count_observer.h"
 #include "hsr/lines/hidden_intervals.h"
 #include "hsr/lines/invisibility_count.h"
 #include "hsr/lines/invisibility_events.h"
@@ -41,8 +42,9 @@ struct Part {
 class Appel {
  public:
   Appel(const ProjectedMesh& projected, const ClassifiedEdges& requested, const OccludingEdges& layers,
-        const Occluders& occluders, const LineOptions& options)
+        const Occluders& occluders, const LineOptions& options, CountObserver* observer)
       : options_(options),
+        observer_(observer),
         projected_(projected),
         requested_(requested),
         layers_(layers),
@@ -52,6 +54,7 @@ class Appel {
         counts_(projected.mesh().points.size()) {}
 
   VisibleLines lines() {
+    if (observer_ != nullptr) observer_->occluding(layers_.edges());
     LineProgress progress(options_.progress, options_.stop, 2 * order_.size());
     for_each_part([&](std::size_t part, std::size_t begin, std::size_t end) {
       find_courses(parts_[part], begin, end);
@@ -80,6 +83,11 @@ class Appel {
  private:
   template <class F>
   void for_each_part(const F& visit) const {
+    if (observer_ != nullptr) {
+      for (std::size_t part = 0; part < parts_.size(); ++part)
+        visit(part, part * edges_of_block, std::min((part + 1) * edges_of_block, order_.size()));
+      return;
+    }
     tbb::parallel_for(Range(0, parts_.size(), 1), [&](const Range& range) {
       for (std::size_t part = range.begin(); part < range.end(); ++part)
         visit(part, part * edges_of_block, std::min((part + 1) * edges_of_block, order_.size()));
@@ -92,12 +100,14 @@ class Appel {
   Sides at_vertex(InvisibilityCount& count, VertexId v, VertexId to) const;
   void carry_on();
   void count_roots();
+  void tell_counts(std::span<const VertexId> rayed);
   Sides start(const Part& part, std::size_t i, const Edge& e, InvisibilityCount& count) const;
   VisibleLines tiled(const Part& part, std::size_t begin, std::size_t end) const;
   void add_shadows(TriangleOcclusion& occlusion, std::span<const InvisibilityChange> changes, Sides layers,
                    std::vector<HiddenInterval>& hidden) const;
 
   const LineOptions& options_;
+  CountObserver* observer_;
   const ProjectedMesh& projected_;
   const ClassifiedEdges& requested_;
   const OccludingEdges& layers_;
@@ -136,6 +146,7 @@ void Appel::find_courses(Part& part, std::size_t begin, std::size_t end) const {
       walk = crossings.find(id, boxes[(k - begin) % group], part.changes);
     part.walks.push_back(walk);
     check_countable(part.changes.size(), "crossings of neighbouring edges");
+    if (observer_ != nullptr) observer_->looked_along(id, walk, std::span(part.changes).subspan(part.first_change.back()));
     part.first_change.push_back(static_cast<std::uint32_t>(part.changes.size()));
     Sides at_start, at_end;
     if (walk.is_followed()) {
@@ -225,6 +236,33 @@ void Appel::count_roots() {
       before_[v] = root_count[root] + above;
     }
   });
+  if (observer_ != nullptr) {
+    std::vector<VertexId> rayed;
+    for (const std::uint32_t r : roots) rayed.push_back(clean_end(first_edge[r]).first);
+    tell_counts(rayed);
+  }
+}
+
+/// Of each connected part the ray first, then edge by edge the vertices that are reached from there.
+void Appel::tell_counts(std::span<const VertexId> rayed) {
+  std::vector<std::uint8_t> is_told(before_.size(), 0);
+  for (const VertexId v : rayed) {
+    observer_->rayed(v, before_[v.value]);
+    is_told[v.value] = 1;
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      for (std::size_t k = 0; k < order_.size(); ++k) {
+        const EdgeWalk& c = parts_[k / edges_of_block].walks[k % edges_of_block];
+        const Edge& e = edge(k);
+        const bool from_a = is_told[e.a.value] != 0, from_b = is_told[e.b.value] != 0;
+        if (!c.is_followed() || !c.start_is_clean || !c.end_is_clean || from_a == from_b) continue;
+        const VertexId to = from_a ? e.b : e.a;
+        observer_->carried(requested_.edges[order_[k]], from_a ? e.a : e.b, to, before_[to.value]);
+        is_told[to.value] = 1;
+        goes_on = true;
+      }
+    }
+  }
 }
 
 /// From a clean end, or else by a query of its own.
@@ -248,14 +286,14 @@ void Appel::add_shadows(TriangleOcclusion& occlusion, std::span<const Invisibili
                         std::vector<HiddenInterval>& hidden) const {
   struct Place {
     Breakpoint at;
-    std::int32_t left, right;
+    const InvisibilityChange* change;
   };
   std::vector<Place> places;
   places.reserve(changes.size());
   for (const InvisibilityChange& c : changes) {
     const Edge& e = projected_.mesh().edges[EdgeId(c.is_face ? 0U : c.by)];
     const Cut cut = c.is_face ? Cut{Cut::Kind::face, 0, c.by, 0} : Cut{Cut::Kind::sight, 0, e.a.value, e.b.value};
-    places.push_back({occlusion.place(cut), c.left, c.right});
+    places.push_back({occlusion.place(cut), &c});
   }
   std::sort(places.begin(), places.end(),
             [&](const Place& x, const Place& y) { return occlusion.order(x.at, y.at) == Sign::negative; });
@@ -267,14 +305,15 @@ void Appel::add_shadows(TriangleOcclusion& occlusion, std::span<const Invisibili
     const bool has_length = k == 0 || k == places.size() || occlusion.order(from, to) != Sign::zero;
     if (is_hidden && has_length) hidden.push_back({from, to, {}});
     if (k == places.size()) break;
-    layers.left += places[k].left;
-    layers.right += places[k].right;
+    layers.left += places[k].change->left;
+    layers.right += places[k].change->right;
+    if (observer_ != nullptr) observer_->changed(places[k].at, *places[k].change, {layers.left, layers.right});
     from = to;
   }
 }
 
 VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) const {
-  HiddenIntervals intervals(projected_, options_);
+  HiddenIntervals intervals(projected_, options_, observer_);
   InvisibilityCount count(projected_, layers_);
   std::vector<HiddenInterval> hidden;
   for (std::size_t k = begin; k < end; ++k) {
@@ -298,6 +337,12 @@ VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) 
     const Sides layers = start(part, i, projected_.mesh().edges[id], count);
     const std::span<const InvisibilityChange> changes(part.changes.data() + part.first_change[i],
                                                       part.changes.data() + part.first_change[i + 1]);
+    if (observer_ != nullptr) {
+      const CountStart from = walk.start_is_clean ? CountStart::first_vertex
+                              : walk.end_is_clean ? CountStart::last_vertex
+                                                  : CountStart::own_ray;
+      observer_->walk_began(line, from, {layers.left, layers.right});
+    }
     const bool starts_hidden = layers.left > 0 || layers.right > 0;
     if (changes.empty() && (starts_hidden || layers_.cast().empty())) {
       intervals.add_whole(line, starts_hidden);
@@ -309,7 +354,9 @@ VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) 
     add_shadows(occlusion, changes, layers, hidden);
     layers_.cast_tree().visit(box, [&](std::uint32_t t) {
       ++intervals.pairs();
+      const std::size_t before = hidden.size();
       occlusion.cast(layers_.cast()[t], hidden);
+      if (observer_ != nullptr) observer_->cast(layers_.cast()[t], std::span(hidden).subspan(before));
       return true;
     });
     intervals.add(line, hidden);
@@ -322,8 +369,8 @@ VisibleLines Appel::tiled(const Part& part, std::size_t begin, std::size_t end) 
 }  // namespace
 
 VisibleLines appel(const ProjectedMesh& projected, const ClassifiedEdges& requested, const OccludingEdges& layers,
-                   const Occluders& occluders, const LineOptions& options) {
-  return Appel(projected, requested, layers, occluders, options).lines();
+                   const Occluders& occluders, const LineOptions& options, CountObserver* observer) {
+  return Appel(projected, requested, layers, occluders, options, observer).lines();
 }
 
 }  // namespace hsr::internal

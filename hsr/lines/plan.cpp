@@ -15,6 +15,7 @@
 #include "hsr/lines/behind_caps.h"
 #include "hsr/lines/classified_edges.h"
 #include "hsr/lines/convex_body.h"
+#include "hsr/lines/count_observer.h"
 #include "hsr/lines/hidden_classes.h"
 #include "hsr/lines/image_mask.h"
 #include "hsr/lines/inside_bodies.h"
@@ -49,8 +50,8 @@ class Plan {
  public:
   Plan(const SceneView& scene, const LineOptions& options);
 
-  /// @param observer of roberts, or null
-  VisibleLines run(ShadowObserver* observer = nullptr) const;
+  /// @param observer, counts of roberts, and of appel, or null
+  VisibleLines run(ShadowObserver* observer = nullptr, CountObserver* counts = nullptr) const;
   const LinePlan& outcome() const { return outcome_; }
   const std::vector<EdgeId>& in_doubt() const { return requested_->in_doubt; }
 
@@ -319,14 +320,14 @@ void append(VisibleLines& all, const VisibleLines& more) {
   all.decisions += more.decisions;
 }
 
-VisibleLines Plan::run(ShadowObserver* observer) const {
+VisibleLines Plan::run(ShadowObserver* observer, CountObserver* counts) const {
   VisibleLines all;
   if (!method_) {
     all = lines_of_convex_body(projected_, *requested_, *parts_.bodies(options_.stop), options_);
   } else {
     const Occluders& occluders = near_request_ ? *near_request_ : parts_.occluders(excluded_, options_.stop);
     all = *method_ == LineMethod::appel
-              ? appel(projected_, *requested_, parts_.occluding_edges(excluded_, options_.stop), occluders, options_)
+              ? appel(projected_, *requested_, parts_.occluding_edges(excluded_, options_.stop), occluders, options_, counts)
               : roberts(projected_, *requested_, occluders, options_, options_.why ? nullptr : parts_.pyramid(options_.stop),
                         observer);
     if (!merged_segments_.empty())
@@ -381,6 +382,11 @@ VisibleLines internal::visible_lines(const SceneView& scene, const LineOptions& 
   require(options.method == LineMethod::roberts && options.why,
           "visible_lines: watched are the shadows that roberts casts, all of them");
   return Plan(scene, options).run(&observer);
+}
+
+VisibleLines internal::visible_lines(const SceneView& scene, const LineOptions& options, CountObserver& observer) {
+  require(options.method == LineMethod::appel && !options.why, "visible_lines: watched are the layers that appel counts");
+  return Plan(scene, options).run(nullptr, &observer);
 }
 
 VisibleLines visible_lines(const SceneView& scene, const LineOptions& options) {

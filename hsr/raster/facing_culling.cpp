@@ -77,20 +77,30 @@ N value(const Mesh& mesh, const View& view, TriangleId t, FacingSpace space) {
                                      : in_projection(view, corners);
 }
 
-}  // namespace
+/// The sign is exact, the value as good as doubles are; 0 where these do not tell.
+struct Faced {
+  Sign sign;
+  double value;
+};
 
-Sign facing(const Mesh& mesh, const View& view, TriangleId t, FacingSpace space) {
+Faced faced(const Mesh& mesh, const View& view, TriangleId t, FacingSpace space) {
   const ErrorBounded near = value<ErrorBounded>(mesh, view, t, space);
-  if (near.is_certain()) return near.value > 0 ? Sign::positive : Sign::negative;
-  return value<Rational>(mesh, view, t, space).sign();
+  if (near.is_certain()) return {near.value > 0 ? Sign::positive : Sign::negative, near.value};
+  return {value<Rational>(mesh, view, t, space).sign(), 0};
 }
 
-Culled facing_culled(const Mesh& mesh, const View& view, Facing culled, FacingSpace space) {
+}  // namespace
+
+Sign facing(const Mesh& mesh, const View& view, TriangleId t, FacingSpace space) { return faced(mesh, view, t, space).sign; }
+
+Culled facing_culled(const Mesh& mesh, const View& view, Facing culled, FacingSpace space, CullingObserver* observer) {
   Culled result;
   const Sign kept = culled == Facing::back ? Sign::positive : Sign::negative;
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     ++result.tests;
-    if (facing(mesh, view, TriangleId(k), space) == kept)
+    const Faced found = faced(mesh, view, TriangleId(k), space);
+    if (observer != nullptr) observer->tested({k, k + 1, found.sign != kept, found.value});
+    if (found.sign == kept)
       result.kept.push_back(TriangleId(k));
     else
       ++result.culled;

@@ -2,6 +2,7 @@
 
 #include "geometry/number.h"
 #include "hsr/raster/culled.h"
+#include "hsr/raster/culling_observer.h"
 #include "hsr/view/view.h"
 
 namespace hsr::internal {
@@ -22,7 +23,9 @@ enum class Facing : std::uint8_t { back, front };
 /// The triangles without those that face the other way, or are seen edge-on.
 ///
 /// Without back faces the picture of closed, outward bodies does not change while the viewer is outside; of other models it
-/// may. Exact: yes. Cost: O(n). Source: Foley, van Dam, Feiner & Hughes 1990, "back-face culling".
-Culled facing_culled(const Mesh& mesh, const View& view, Facing culled = Facing::back, FacingSpace space = FacingSpace::world);
+/// may. @param observer is told each test; null: nobody is
+/// Exact: yes. Cost: O(n). Source: Foley, van Dam, Feiner & Hughes 1990, "back-face culling".
+Culled facing_culled(const Mesh& mesh, const View& view, Facing culled = Facing::back, FacingSpace space = FacingSpace::world,
+                     CullingObserver* observer = nullptr);
 
 }  // namespace hsr::internal

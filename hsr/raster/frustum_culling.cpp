@@ -17,6 +17,7 @@ using Number = ErrorBounded;
 struct HalfSpace {
   Vector<Number> normal;
   Vector<Number> at;
+  int number;      // CullingTest::side
   Number moved{};  // the value is normal . (p - at) - moved
   Number operator()(const Vector<Number>& p) const { return dot(normal, minus(p, at)) - moved; }
 };
@@ -33,17 +34,18 @@ std::vector<HalfSpace> frustum(const View& view, const SampleGrid& samples) {
   for (std::size_t k = 0; k < 4; ++k) {
     const auto corner = [&](std::size_t c) { return vector<Number>(samples.at(corners[c % 4][0], corners[c % 4][1])); };
     const Vector<Number> p = corner(k), q = corner(k + 1);
-    HalfSpace side{view.is_perspective() ? cross(minus(p, from), minus(q, from)) : cross(minus(q, p), from), p};
+    HalfSpace side{view.is_perspective() ? cross(minus(p, from), minus(q, from)) : cross(minus(q, p), from), p,
+                   static_cast<int>(k)};
     const Number inside = side(middle);
     if (!inside.is_certain()) continue;
     if (inside.value < 0) side.normal = times(Number{-1}, side.normal);
     all.push_back(side);
   }
   if (view.section) {
-    all.push_back({vector<Number>(view.section->normal), vector<Number>(view.section->point)});
+    all.push_back({vector<Number>(view.section->normal), vector<Number>(view.section->point), 4});
   } else if (view.is_perspective()) {
     const Vector<Number> to_target = minus(vector<Number>(view.target), from);
-    all.push_back({to_target, from, Number{view.near} * dot(to_target, to_target)});
+    all.push_back({to_target, from, 4, Number{view.near} * dot(to_target, to_target)});
   }
   return all;
 }
@@ -80,7 +82,8 @@ bool is_outside(const HalfSpace& half, const Sphere& sphere) {
 
 }  // namespace
 
-Culled frustum_culled(const Mesh& mesh, const View& view, const SampleGrid& samples, const FrustumOptions& options) {
+Culled frustum_culled(const Mesh& mesh, const View& view, const SampleGrid& samples, const FrustumOptions& options,
+                      CullingObserver* observer) {
   Culled result;
   const std::vector<HalfSpace> sides = frustum(view, samples);
   const std::size_t n = mesh.triangles.size();
@@ -93,9 +96,9 @@ Culled frustum_culled(const Mesh& mesh, const View& view, const SampleGrid& samp
     Box box;
     visit_corners([&](const Point3& p) { box.add(p); });
     ++result.tests;
-    bool is_out = false;
+    auto beyond = sides.end();
     if (options.bounds == Bounds::boxes) {
-      is_out = std::any_of(sides.begin(), sides.end(), [&](const HalfSpace& s) { return is_outside(s, box); });
+      beyond = std::find_if(sides.begin(), sides.end(), [&](const HalfSpace& s) { return is_outside(s, box); });
     } else {
       Sphere sphere{
           vector<Number>({box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2, box.low.z / 2 + box.high.z / 2})};
@@ -105,8 +108,10 @@ Culled frustum_culled(const Mesh& mesh, const View& view, const SampleGrid& samp
         if (!(squared.value + squared.error <= sphere.squared_radius.value + sphere.squared_radius.error))
           sphere.squared_radius = squared;
       });
-      is_out = std::any_of(sides.begin(), sides.end(), [&](const HalfSpace& s) { return is_outside(s, sphere); });
+      beyond = std::find_if(sides.begin(), sides.end(), [&](const HalfSpace& s) { return is_outside(s, sphere); });
     }
+    const bool is_out = beyond != sides.end();
+    if (observer != nullptr) observer->tested({first, end, is_out, 0, is_out ? beyond->number : -1});
     if (is_out)
       result.culled += end - first;
     else

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "hsr/raster/culled.h"
+#include "hsr/raster/culling_observer.h"
 #include "hsr/raster/samples.h"
 #include "hsr/view/view.h"
 
@@ -25,8 +26,10 @@ struct FrustumOptions {
 ///   (1) no picture changes, of any method
 ///   (2) where doubles cannot tell, triangles are kept
 ///
+/// @param observer is told each test; null: nobody is
 /// Exact: conservative. Cost: O(n).
 /// Source: Clark 1976; Assarsson & Möller 2000.
-Culled frustum_culled(const Mesh& mesh, const View& view, const SampleGrid& samples, const FrustumOptions& options = {});
+Culled frustum_culled(const Mesh& mesh, const View& view, const SampleGrid& samples, const FrustumOptions& options = {},
+                      CullingObserver* observer = nullptr);
 
 }  // namespace hsr::internal

@@ -6,18 +6,20 @@
 
 namespace hsr::internal {
 
-Culled occlusion_culled(const SceneView& scene) {
+Culled occlusion_culled(const SceneView& scene, CullingObserver* observer) {
   const Mesh& mesh = scene.mesh();
   const OcclusionPyramid pyramid(scene.parts().projected(), true);
   std::vector<std::uint8_t> hidden(mesh.triangles.size(), 0);
   if (!pyramid.is_empty()) pyramid.mark_hidden(hidden);
   Culled result;
   result.tests = pyramid.is_empty() ? 0 : hidden.size();
-  for (std::size_t k = 0; k < hidden.size(); ++k)
+  for (std::size_t k = 0; k < hidden.size(); ++k) {
+    if (observer != nullptr) observer->tested({k, k + 1, hidden[k] != 0});
     if (hidden[k] == 0)
       result.kept.push_back(TriangleId(k));
     else
       ++result.culled;
+  }
   return result;
 }
 

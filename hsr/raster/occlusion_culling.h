@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hsr/raster/culled.h"
+#include "hsr/raster/culling_observer.h"
 #include "hsr/scene/scene.h"
 #include "hsr/view/view.h"
 
@@ -12,9 +13,10 @@ namespace hsr::internal {
 ///
 ///   (1) no picture of an exact method changes, and of the others none but where rounding drew what is hidden
 ///
+/// @param observer is told each test; null: nobody is
 /// Exact: conservative; all bounds are rounded toward "seen". Cost: O(n + tiles covered), parallel.
 /// Source: Greene, Kass & Miller 1993, "Hierarchical Z-buffer visibility".
-Culled occlusion_culled(const SceneView& scene);
+Culled occlusion_culled(const SceneView& scene, CullingObserver* observer = nullptr);
 /// Of a scene that nothing else looks at.
 inline Culled occlusion_culled(const Mesh& mesh, const View& view) { return occlusion_culled(SceneView(mesh, view)); }
 

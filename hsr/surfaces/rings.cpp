@@ -9,6 +9,7 @@
 #include "geometry/error.h"
 #include "geometry/ragged.h"
 #include "hsr/scene/segment_filter.h"
+#include "hsr/surfaces/fragment_observer.h"
 
 namespace hsr::internal {
 
@@ -52,13 +53,15 @@ struct LoopRange {
 
 class RingLinker::Linker {
  public:
-  explicit Linker(MapPredicates& map) : map_(map) {}
+  Linker(MapPredicates& map, FragmentObserver* observer) : map_(map), observer_(observer) {}
 
   const Rings& link(std::span<const PlacedSide> sides) {
     clear();
     find_points(sides);
     cut_sides();
+    const std::size_t cut = pieces_.size();
     cancel();
+    if (observer_ != nullptr) observer_->cut_sides(cut, pieces_.size());
     link_pieces();
     walk();
     place_holes();
@@ -75,6 +78,7 @@ class RingLinker::Linker {
   void link_at(std::span<const std::uint32_t> in, std::span<const std::uint32_t> out);
   void walk();
   void split(const std::vector<std::uint32_t>& pieces);
+  void tell(const Loop& loop) const;
   void place_holes();
   bool is_before(std::uint32_t i, std::uint32_t j) const;
   bool begins_before(const Loop& a, const Loop& b) const;
@@ -95,6 +99,7 @@ class RingLinker::Linker {
   Rational exact_area(std::span<const std::uint32_t> pieces) const;
 
   MapPredicates& map_;
+  FragmentObserver* observer_;
   std::vector<const MapPoint*> end_points_;  // of both ends of each side
   std::vector<MapPlace> end_places_;
   DisjointSets owners_;  // those of one region
@@ -354,11 +359,19 @@ void RingLinker::Linker::split(const std::vector<std::uint32_t>& pieces) {
     add_corners(std::span(way).subspan(begin));
     loop.end = static_cast<std::uint32_t>(corners_.size());
     loop.is_outer = turns_left(pieces_of(loop));
+    if (observer_ != nullptr) tell(loop);
     loops_.push_back(loop);
     way.resize(begin);
   }
   if (!way.empty()) throw InvariantError("link_rings: a walk that does not close");
   walks_.push_back({first_loop, loops_.size()});
+}
+
+void RingLinker::Linker::tell(const Loop& loop) const {
+  std::vector<MapCorner> corners;
+  for (const std::uint32_t i : pieces_of(loop))
+    corners.push_back({points_[pieces_[i].from], pieces_[i].line, pieces_[i].reversed});
+  observer_->closed_ring(corners, loop.is_outer);
 }
 
 /// Of each straight run the first piece, which then stands for the run.
@@ -521,7 +534,7 @@ void RingLinker::Linker::make_result() {
   for (std::uint32_t k = 0; k < owners_.size(); ++k) rings_.region_owner.push_back(owners_.find(k));
 }
 
-RingLinker::RingLinker(MapPredicates& map) : linker_(std::make_unique<Linker>(map)) {}
+RingLinker::RingLinker(MapPredicates& map, FragmentObserver* observer) : linker_(std::make_unique<Linker>(map, observer)) {}
 RingLinker::~RingLinker() = default;
 
 const Rings& RingLinker::link(std::span<const PlacedSide> sides) { return linker_->link(sides); }

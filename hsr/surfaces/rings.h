@@ -10,6 +10,8 @@
 
 namespace hsr::internal {
 
+class FragmentObserver;
+
 /// Closed rings of corners in the map, and which of them bound one connected region.
 struct Rings {
   Ragged<MapCorner> rings;
@@ -42,7 +44,8 @@ struct PlacedSide {
 /// of m in a mesh of even triangles; O(m^2) where doubles do not tell points apart.
 class RingLinker {
  public:
-  explicit RingLinker(MapPredicates& map);
+  /// @param observer is told how; null: nobody is
+  explicit RingLinker(MapPredicates& map, FragmentObserver* observer = nullptr);
   ~RingLinker();
 
   /// The answer holds until the next call.

@@ -6,6 +6,7 @@
 #include "geometry/error.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/segment_filter.h"
+#include "hsr/surfaces/fragment_observer.h"
 #include "hsr/symbols/constructions.h"
 #include "hsr/symbols/cut_plane.h"
 
@@ -120,6 +121,7 @@ Sign SideFinder::runs_along(const TriangleIntersection& crossing, const MapStret
 
 /// Of the two faces that meet, what is seen to the left ends where the other one begins.
 void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart> left) {
+  if (observer_ != nullptr) observer_->looked_beside(stretch, left, {});
   const TriangleId s = stretch.first[0]->triangle, t = stretch.first[1]->triangle;
   double from_t = 0, from_error = 0;
   for (const SeenPart& part : left) {
@@ -127,8 +129,8 @@ void SideFinder::add_meeting(const MapStretch& stretch, std::span<const SeenPart
       const MapPlace from = place(stretch, part.from, from_t, from_error),
                      to = place(stretch, part.to, part.to_t, part.to_error);
       const FacetId l = facet_of(mesh_, part.seen), r = facet_of(mesh_, part.seen == s ? t : s);
-      sides_.add(l, {{stretch.line, false, part.from, part.to}, from, to});
-      sides_.add(r, {{stretch.line, true, part.to, part.from}, to, from});
+      add_side(l, {{stretch.line, false, part.from, part.to}, from, to});
+      add_side(r, {{stretch.line, true, part.to, part.from}, to, from});
     }
     from_t = part.to_t;
     from_error = part.to_error;
@@ -280,8 +282,14 @@ MapPlace SideFinder::place(const MapStretch& stretch, const MapPoint& p, double 
   return image.error < HUGE_VAL ? MapPlace{image.p.x, image.p.y, image.error, image.error} : unknown;
 }
 
+void SideFinder::add_side(FacetId facet, const PlacedSide& side) {
+  if (observer_ != nullptr) observer_->added_side(facet, side.side);
+  sides_.add(facet, side);
+}
+
 /// Where what is seen to the left and to the right differs, both end. What goes on beside several others ends in one side.
 void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right) {
+  if (observer_ != nullptr) observer_->looked_beside(stretch, left, right);
   const auto facet = [&](TriangleId t) { return t.is_valid() ? facet_of(mesh_, t) : FacetId(); };
   MapPoint at = left.front().from;
   MapPlace place_of_at = place(stretch, at, 0, 0);
@@ -295,8 +303,8 @@ void SideFinder::add_different(const MapStretch& stretch, std::span<const SeenPa
   const auto go_on = [&](Ending& ending, FacetId next, bool is_left) {
     if (ending.facet == next) return;
     if (ending.facet.is_valid())
-      sides_.add(ending.facet, is_left ? PlacedSide{{stretch.line, false, ending.from, at}, ending.place, place_of_at}
-                                       : PlacedSide{{stretch.line, true, at, ending.from}, place_of_at, ending.place});
+      add_side(ending.facet, is_left ? PlacedSide{{stretch.line, false, ending.from, at}, ending.place, place_of_at}
+                                     : PlacedSide{{stretch.line, true, at, ending.from}, place_of_at, ending.place});
     ending = {next, at, place_of_at};
   };
   std::size_t i = 0, j = 0;

@@ -14,6 +14,8 @@
 
 namespace hsr::internal {
 
+class FragmentObserver;
+
 /// Sides of fragments, and of which facet each is.
 struct FacetSides {
   std::vector<FacetId> facets;
@@ -29,11 +31,13 @@ struct FacetSides {
 class SideFinder {
  public:
   /// @param place of each triangle among the prepared ones @param pyramid what is known to be hidden, or nullptr
-  /// @param caps of a section, or nullptr
+  /// @param caps of a section, or nullptr @param observer is told how; null: nobody is
   SideFinder(const ProjectedMesh& projected, const Occluders& occluders, const Intersections& intersections,
-             const std::vector<std::uint32_t>& place, const OcclusionPyramid* pyramid, const SectionCaps* caps)
+             const std::vector<std::uint32_t>& place, const OcclusionPyramid* pyramid, const SectionCaps* caps,
+             FragmentObserver* observer = nullptr)
       : projected_(projected),
         caps_(caps),
+        observer_(observer),
         mesh_(projected.mesh()),
         occluders_(occluders),
         intersections_(intersections),
@@ -62,11 +66,13 @@ class SideFinder {
   void add(MapStretch stretch, TriangleId left, TriangleId right);
   Sign runs_along(const TriangleIntersection& crossing, const MapStretch& stretch);
   void add_meeting(const MapStretch& stretch, std::span<const SeenPart> left);
+  void add_side(FacetId facet, const PlacedSide& side);
   void add_different(const MapStretch& stretch, std::span<const SeenPart> left, std::span<const SeenPart> right);
   MapPlace place(const MapStretch& stretch, const MapPoint& p, double t, double error) const;
 
   const ProjectedMesh& projected_;
   const SectionCaps* caps_;
+  FragmentObserver* observer_;
   const Mesh& mesh_;
   const Occluders& occluders_;
   const Intersections& intersections_;

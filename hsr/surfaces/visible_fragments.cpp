@@ -1,6 +1,7 @@
 #include "hsr/surfaces/visible_fragments.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "hsr/scene/view_parts.h"
 #include "hsr/surfaces/cap_arrangement.h"
 #include "hsr/surfaces/fragment_invariants.h"
+#include "hsr/surfaces/fragment_observer.h"
 #include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/fragments_in_cells.h"
 #include "hsr/surfaces/side_finder.h"
@@ -30,8 +32,13 @@ using Range = tbb::blocked_range<std::size_t>;
 
 class FragmentFinder {
  public:
-  FragmentFinder(const SceneView& scene, const FragmentOptions& options)
-      : options_(options), parts_(scene.parts()), projected_(parts_.projected(options.stop)), mesh_(parts_.mesh()) {}
+  /// @param observer is told how; null: nobody is
+  FragmentFinder(const SceneView& scene, const FragmentOptions& options, FragmentObserver* observer = nullptr)
+      : options_(options),
+        observer_(observer),
+        parts_(scene.parts()),
+        projected_(parts_.projected(options.stop)),
+        mesh_(parts_.mesh()) {}
 
   VisibleFragments fragments();
 
@@ -41,10 +48,12 @@ class FragmentFinder {
   void find_lines();
   void find_own_lines(bool is_soup);
   void find_sides();
+  void tell(FacetId facet, const Rings& rings) const;
   template <class F>
   void collect(std::span<const std::uint32_t> order, const F& visit);
 
   const FragmentOptions& options_;
+  FragmentObserver* observer_;
   const ViewParts& parts_;
   const ProjectedMesh& projected_;
   const Mesh& mesh_;
@@ -138,7 +147,7 @@ void FragmentFinder::collect(std::span<const std::uint32_t> order, const F& visi
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
       SideFinder finder(projected_, *occluders_, *intersections_, place_, parts_.pyramid(options_.stop),
-                        parts_.caps(options_.stop));
+                        parts_.caps(options_.stop), observer_);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t i = part * block; i < end; ++i) visit(finder, order[i]);
       parts[part] = finder.take();
@@ -207,6 +216,14 @@ void FragmentFinder::find_sides() {
     for (std::size_t i = 0; i < part.sides.size(); ++i) sides_[next[part.facets[i].value]++] = &part.sides[i];
 }
 
+void FragmentFinder::tell(FacetId facet, const Rings& rings) const {
+  for (std::size_t k = 0; k + 1 < rings.first_ring.size(); ++k) {
+    std::vector<std::span<const MapCorner>> of_region;
+    for (std::uint32_t r = rings.first_ring[k]; r < rings.first_ring[k + 1]; ++r) of_region.push_back(rings.rings[r]);
+    observer_->found(facet, of_region);
+  }
+}
+
 VisibleFragments FragmentFinder::fragments() {
   if (mesh_.triangles.empty()) return {};
   find_lines();
@@ -215,17 +232,20 @@ VisibleFragments FragmentFinder::fragments() {
     MapPredicates at;
     RingLinker linker;
     std::vector<PlacedSide> sides;
-    explicit Worker(const ProjectedMesh& projected) : at(projected), linker(at) {}
+    Worker(const ProjectedMesh& projected, FragmentObserver* observer) : at(projected), linker(at, observer) {}
     MapPredicates& map() { return at; }
   };
   VisibleFragments all = fragments_in_blocks(
-      mesh_, options_, [&] { return Worker(projected_); },
+      mesh_, options_, [&] { return Worker(projected_, observer_); },
       [&](Worker& worker, FacetId facet, FragmentParts& parts) {
         const std::size_t begin = first_side_[facet.value], end = first_side_[facet.value + 1U];
         if (begin == end) return;
         worker.sides.clear();
         for (std::size_t k = begin; k < end; ++k) worker.sides.push_back(*sides_[k]);
-        parts.add(facet, worker.linker.link(worker.sides));
+        if (observer_ != nullptr) observer_->linking(facet, worker.sides.size());
+        const Rings& rings = worker.linker.link(worker.sides);
+        if (observer_ != nullptr) tell(facet, rings);
+        parts.add(facet, rings);
       });
   all.decisions += decisions_;
   all.decisions += own_lines_.decisions;
@@ -239,6 +259,15 @@ VisibleFragments FragmentFinder::fragments() {
 }  // namespace
 
 bool fragments_use_lines(const SceneView& scene) { return !scene.view().has_cells() && !scene.parts().has_edge_on(); }
+
+VisibleFragments internal::visible_fragments(const SceneView& scene, const FragmentOptions& options,
+                                             FragmentObserver& observer) {
+  require(!scene.view().has_cells(), "visible_fragments: watched is a view without cells");
+  VisibleFragments found;
+  tbb::task_arena one_thread(1);
+  one_thread.execute([&] { found = FragmentFinder(scene, options, &observer).fragments(); });
+  return found;
+}
 
 VisibleFragments visible_fragments(const SceneView& scene, const FragmentOptions& options) {
   throw_if_stopped(options.stop);

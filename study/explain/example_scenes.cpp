@@ -118,6 +118,19 @@ ExplainedScene fence_scene() {
                   from_above());
 }
 
+/// Something for each culling: beside the picture, turned away, behind a plate, and small.
+ExplainedScene yard_scene() {
+  return scene_of("plates: some beside the picture, one behind another, one turned away, one small, from above",
+                  {strip(1, 3, 6, 9, 6, 0, 0),
+                   strip(2, 4, 5, 8, 1, 0, 0),
+                   strip(0.5, 1, 3, 5, 2, 0, 0.2),
+                   {{8, 8.5, 1}, {8.6, 8.5, 1}, {8.2, 9, 1}},
+                   {{7, 5, 2}, {7.5, 7.5, 3}, {9.5, 7, 2}},
+                   strip(-3, 4, -1.5, 6, 0, 0, 0),
+                   strip(-1, 0.5, 0.6, 2.5, 0, 0.3, 0)},
+                  from_above());
+}
+
 }  // namespace
 
 ExplainedScene example_scene(const std::string& name) {
@@ -129,6 +142,7 @@ ExplainedScene example_scene(const std::string& name) {
   if (name == "walls") return walls_scene();
   if (name == "stairs") return stairs_scene();
   if (name == "fence") return fence_scene();
+  if (name == "yard") return yard_scene();
   throw InputError("explain: found no example \"" + name + "\"");
 }
 

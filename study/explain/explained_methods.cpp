@@ -9,6 +9,10 @@ const std::vector<ExplainedMethod>& explained_methods() {
       {"z-buffer", "z-buffer", "the nearest depth at each sample, in formats of few bits", explain_z_buffer, "triangles"},
       {"roberts", "Visible lines by Roberts", "each edge, the shadows of faces on it, and what their union leaves",
        explain_roberts, "house"},
+      {"appel", "Visible lines by Appel", "how many faces are in front, counted once and carried along the edges",
+       explain_appel, "house"},
+      {"fragments", "Visible fragments", "what is seen of each face: sides along visible lines, linked into rings",
+       explain_fragments, "house"},
       {"scanline", "Scanline algorithm", "row by row: active edges, flags of faces, depths compared where a face begins",
        explain_scanline, "triangles"},
       {"row-z-buffer", "z-buffer of one row", "row by row: buckets, active faces, and depths of one row only",
@@ -22,6 +26,8 @@ const std::vector<ExplainedMethod>& explained_methods() {
       {"alpha-buffer", "α-buffer", "lists of layers at samples, sorted and laid over one another", explain_alpha_buffer,
        "triangles"},
       {"painter", "Painter's algorithm", "faces sorted by one depth each, and where that fails", explain_painter, "middle"},
+      {"culling", "Culling", "what need not be drawn: beside the picture, turned away, behind others, too small",
+       explain_culling, "yard"},
   };
   return methods;
 }

@@ -219,7 +219,7 @@ class Player {
       rows += `<text x="20" y="${y + 9}" font-size="9">${escaped(name)}</text>`;
       y += 12;
       for (const [from, to, face] of bars) {
-        row(name, from, to, face >= 0 ? this.colour(face) : name == 'union' ? 'var(--quiet)' : 'var(--ink)', face);
+        row(name, from, to, face >= 0 ? this.colour(face) : name == 'union' || name.endsWith('in front') ? 'var(--quiet)' : 'var(--ink)', face);
         if (name == 'shadows') y += 12;
       }
       if (name != 'shadows' || !bars.length) y += 12;

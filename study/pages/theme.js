@@ -11,3 +11,7 @@ const root = document.documentElement;
   dark.addEventListener('change', paint);
   paint();
 }
+// On paper nothing can be unfolded.
+addEventListener('beforeprint', () => {
+  for (const details of document.querySelectorAll('details')) details.open = true;
+});

@@ -39,6 +39,7 @@
     }
     if (result.painted) check(picture.painted.join() == result.painted.map(colour).join(), where + ': not painted in the library\'s order');
     if (result.lines) check(picture.drawn == result.lines.reduce((n, l) => n + l.visible.length, 0), where + ': not the library\'s lines');
+    if (result.kept) check(player.state.lists.get('kept').map(item => item[1]).join() == result.kept.join(), where + ': not what the library keeps');
     if (result.nodes !== undefined) check(player.state.nodes.size == result.nodes, where + ': not the library\'s tree');
   };
 

@@ -14,9 +14,13 @@
 #include "hsr/raster/alpha_buffer.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/depth_buffer.h"
+#include "hsr/raster/facing_culling.h"
+#include "hsr/raster/occlusion_culling.h"
 #include "hsr/raster/row_z_buffer.h"
 #include "hsr/raster/scanline.h"
 #include "hsr/raster/tiled_z_buffer.h"
+#include "hsr/scene/facet.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "study/explain/example_scenes.h"
 #include "study/explain/explained_methods.h"
 #include "study/explain/lessons.h"
@@ -36,6 +40,7 @@ struct Ended {
   std::set<int> nodes;
   std::vector<Json> drawn;                             // lines of the picture
   std::map<std::pair<int, int>, std::string> colours;  // of cells that have their own
+  std::vector<int> kept;                               // faces of the list of this name
 };
 
 Ended ended(const Json& run) {
@@ -48,6 +53,7 @@ Ended ended(const Json& run) {
       if (what == "paint") end.painted.push_back(face_of.at(change["piece"]));
       if (what == "unpaint") end.painted.clear();
       if (what == "node") end.nodes.insert(change["node"].get<int>());
+      if (what == "add" && change["name"] == "kept") end.kept.push_back(change["item"][1]);
       if (what == "undraw") end.drawn.clear();
       if (what == "draw")
         for (const Json& line : change["lines"]) end.drawn.push_back(line);
@@ -89,6 +95,7 @@ void check_end(const Json& trace) {
     const Ended end = ended(run);
     const Json& result = run["result"];
     if (result.contains("painted")) CHECK(Json(end.painted) == result["painted"]);
+    if (result.contains("kept")) CHECK(Json(end.kept) == result["kept"]);
     if (result.contains("nodes")) CHECK(end.nodes.size() == result["nodes"]);
     if (result.contains("faces"))
       for (std::size_t j = 0; j < result["faces"].size(); ++j)
@@ -207,6 +214,18 @@ TEST_CASE("a watched method returns what it returns unwatched", "[study][explain
     const DepthRange range = depth_range(scene.mesh, scene.view, picture.samples());
     CHECK(result(explain_z_buffer, 5)["faces"] ==
           faces(depth_buffer(scene.mesh, scene.view, picture.samples(), range, {.format = DepthFormat::fixed16}).triangles));
+    const auto kept = [&](const Culled& culled) {
+      Json list = Json::array();
+      for (const TriangleId t : culled.kept) list.push_back(scene.mesh.face_of[t].value);
+      return list;
+    };
+    for (const std::size_t run : {2, 3, 4})
+      CHECK(result(explain_culling, run)["kept"] == kept(facing_culled(scene.mesh, scene.view)));
+    CHECK(result(explain_culling, 5)["kept"] == kept(occlusion_culled(prepared)));
+    Json fragments = Json::array();
+    for (const Fragment& f : visible_fragments(prepared).fragments)
+      fragments.push_back(scene.mesh.face_of[first_triangle(f.facet)].value);
+    CHECK(result(explain_fragments, 0)["painted"] == fragments);
     CHECK(result(explain_scanline, 0)["faces"] == faces(scanline(scene.mesh, scene.view, picture.samples()).triangles));
     const auto faces_of_pixels = [&](const auto& image) {
       Image<TriangleId> triangles(image.width, image.height);
@@ -231,12 +250,11 @@ TEST_CASE("a watched method returns what it returns unwatched", "[study][explain
 }
 
 TEST_CASE("a watched drawing has the lines that it has unwatched", "[study][explain][property]") {
-  for (const ExplainedScene& scene : some_scenes()) {
-    INFO(scene.title);
-    const Json told = Json::parse(explain_roberts(scene, 0).runs[0].result);
+  const auto check = [](const ExplainedScene& scene, Trace (*explain)(const ExplainedScene&, int)) {
     LineOptions options;
     options.classes[static_cast<std::size_t>(EdgeClass::intersection)] = false;
     const VisibleLines lines = visible_lines(scene.mesh, scene.view, options);
+    const Json told = Json::parse(explain(scene, 0).runs[0].result);
     std::size_t count = 0;
     for (const Line& line : lines.lines) {
       Json visible = Json::array();
@@ -251,6 +269,11 @@ TEST_CASE("a watched drawing has the lines that it has unwatched", "[study][expl
       ++count;
     }
     CHECK(told["lines"].size() == count);
+  };
+  for (const ExplainedScene& scene : some_scenes()) {
+    INFO(scene.title);
+    check(scene, explain_roberts);
+    check(scene, explain_appel);
   }
 }
 
