@@ -53,19 +53,15 @@ TEST_CASE("glTF: extras of a primitive have marks of its faces and edges", "[rea
   const Model model = read_model("a.glb", with(marks));
   REQUIRE(model.polygons.size() == 12);
   constexpr std::uint32_t none = 0xffffffffU;
-  // Of a second instance they are other surfaces, and its circle is where it has been moved to.
+  // Of a second instance they are other surfaces, and its circle has moved with it.
   CHECK(model.face_surface == std::vector<std::uint32_t>{0, 0, none, none, none, none, 1, 1, none, none, none, none});
   REQUIRE(model.marks.size() == 4);
   CHECK(model.marks[0] == MarkedEdge{{1, 2}, EdgeMark::smooth, 0, 0});
   CHECK(model.marks[1] == MarkedEdge{{2, 3}, EdgeMark::smooth, 0, 0});
   CHECK(model.marks[2] == MarkedEdge{{6, 7}, EdgeMark::smooth, 1, 1});
   REQUIRE(model.circles.size() == 2);
+  CHECK(model.circles[0].centre == Point3{0, 0, 0});
   CHECK(model.circles[1].centre == Point3{5, 0, 0});
-  CHECK(model.circles[1].radius == 1);
-  // A circle that becomes an ellipse is none.
-  const Model flat = read_model("a.glb", with(marks, R"({"mesh": 0}, {"mesh": 0, "scale": [1, 2, 1]})"));
-  CHECK(flat.circles.size() == 1);
-  CHECK(flat.marks[2] == MarkedEdge{{6, 7}, EdgeMark::smooth, 1, none});
   CHECK(model.notes.empty());
   const auto refused = [&](const std::string& wrong) { return refusal("a.glb", with(wrong)); };
   CHECK(refused("[]") == "a.glb: mesh 0, primitive 0, extras: found no object, expected {\"format\": \"hsr-marks/1\", ...}");
@@ -74,6 +70,10 @@ TEST_CASE("glTF: extras of a primitive have marks of its faces and edges", "[rea
   CHECK(refused(R"({"format": "hsr-marks/1", "edges": [{"points": [0, 5], "mark": "sharp"}]})") ==
         "a.glb: mesh 0, primitive 0, extras, edge 0: points: found 5, expected the number of one of the 5 points of the "
         "primitive");
+  CHECK(refused(R"({"format": "hsr-marks/1", "surfaces": [1, 2, 4294967295]})") ==
+        "a.glb: mesh 0, primitive 0, extras, surfaces, face 2: found 4294967295, expected the number of a surface, or null");
+  CHECK(refused(R"({"format": "hsr-marks/1", "edges": {}})") ==
+        "a.glb: mesh 0, primitive 0, extras, edges: found {}, expected a list");
 }
 
 TEST_CASE("glTF: extras of a mesh have marks where it has one primitive", "[read][gltf][marks][J7]") {
@@ -84,6 +84,71 @@ TEST_CASE("glTF: extras of a mesh have marks where it has one primitive", "[read
   CHECK(read_model("a.glb", with_extras(primitive(5))).face_surface == std::vector<std::uint32_t>{0, 0, 1});
   CHECK(refusal("a.glb", with_extras(primitive(5) + ", " + primitive(6))) ==
         "a.glb: mesh 0, extras: found hsr_marks of 2 primitives, expected them in the extras of each primitive");
+}
+
+TEST_CASE("glTF: a circle of marks turns and grows with its node, and is none where that makes an ellipse of it",
+          "[read][gltf][marks][J7]") {
+  const auto circles_of = [](const std::string& motion) {
+    std::string marked = primitive(5);
+    marked.insert(1, R"("extras": {"hsr_marks": {"format": "hsr-marks/1", "edges": [{"points": [1, 2], "mark": "sharp",
+"circle": {"centre": [1, 0, 0], "axis": [0, 0, 2], "radius": 3}}]}}, )");
+    const Model model = read_model("a.glb", scene(R"({"mesh": 0, )" + motion + "}", marked));
+    REQUIRE(model.marks.size() == 1);
+    CHECK(model.marks[0].circle == (model.circles.empty() ? 0xffffffffU : 0U));
+    return model.circles;
+  };
+  // A quarter of a turn about x, in single precision, as exporters write it.
+  const auto turned = circles_of(R"("rotation": [0.70710677, 0, 0, 0.70710677], "scale": [2, 2, 2], "translation": [0, 1, 0])");
+  REQUIRE(turned.size() == 1);
+  CHECK(turned[0].centre.x == Approx(2));
+  CHECK(turned[0].centre.y == Approx(1));
+  CHECK(turned[0].axis.y == Approx(-1));
+  CHECK(turned[0].radius == Approx(6));
+  CHECK(circles_of(R"("scale": [-1, 1, 1])").size() == 1);
+  CHECK(circles_of(R"("scale": [1, 1, 1.001])").empty());
+  CHECK(circles_of(R"("matrix": [1, 0, 0, 0, 0.6, 0.8, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1])").empty());
+}
+
+TEST_CASE("glTF: marks count the triangles of MASK that are not there", "[read][gltf][marks][J7]") {
+  // Vertices 0 and 1 are clear: of the three triangles of the strip the first has too little of its mean, and is left out.
+  std::string marked = R"({"attributes": {"POSITION": 0, "COLOR_0": 5}, "indices": 1, "mode": 5, "material": 0, "extras":
+{"hsr_marks": {"format": "hsr-marks/1", "surfaces": [7, 8, 9], "edges": [{"points": [0, 1], "mark": "smooth"},
+{"points": [2, 4], "mark": "sharp"}]}}})";
+  std::string binary;
+  for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0}) binary += little_float(x);
+  for (const float alpha : {0, 0, 1, 1, 1})
+    for (const float x : {1.0F, 1.0F, 1.0F, alpha}) binary += little_float(x);
+  for (const int i : {0, 1, 2, 3, 4}) binary += little(static_cast<std::uint64_t>(i), 2);
+  const std::string file = glb(R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [)" + marked +
+                                   R"(]}], "materials": [{"alphaMode": "MASK", "alphaCutoff": 0.5}], "accessors": [
+{"bufferView": 0, "componentType": 5126, "count": 5, "type": "VEC3"},
+{"bufferView": 2, "componentType": 5123, "count": 5, "type": "SCALAR"},
+{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+{"bufferView": 1, "componentType": 5126, "count": 5, "type": "VEC4"}],
+"bufferViews": [{"buffer": 0, "byteLength": 60}, {"buffer": 0, "byteOffset": 60, "byteLength": 80},
+{"buffer": 0, "byteOffset": 140, "byteLength": 10}], "buffers": [{"byteLength": 152}]})",
+                               binary);
+  const Model model = read_model("a.glb", file);
+  REQUIRE(model.polygons.size() == 2);
+  CHECK(model.face_surface == std::vector<std::uint32_t>{0, 1});  // those of the second and the third triangle
+  REQUIRE(model.marks.size() == 1);                               // the edge of the first one is of none that is there
+  CHECK(model.marks[0] == MarkedEdge{{2, 4}, EdgeMark::sharp, 0, 0xffffffffU});
+  CHECK(model.notes.size() == 2);
+}
+
+TEST_CASE("glTF: primitives of one mesh have marks of their own, and one of points needs none", "[read][gltf][marks][J7]") {
+  const auto with = [](int mode, const std::string& surfaces) {
+    std::string marked = primitive(mode);
+    return marked.insert(1, R"("extras": {"hsr_marks": {"format": "hsr-marks/1", "surfaces": )" + surfaces + "}}, ");
+  };
+  const Model model = read_model("a.glb", scene(R"({"mesh": 0})", with(5, "[4, 4, null]") + ", " + primitive(6) + ", " +
+                                                                      with(6, "[4, 5, 4]") + ", " + with(0, "[]")));
+  constexpr std::uint32_t none = 0xffffffffU;
+  CHECK(model.face_surface == std::vector<std::uint32_t>{0, 0, none, none, none, none, 1, 2, 1});
+  CHECK(refusal("a.glb", scene(R"({"mesh": 0})", primitive(5) + ", " + with(6, "[4, 5]"))) ==
+        "a.glb: mesh 0, primitive 1, extras, surfaces: found 2 numbers, expected one for each of the 3 faces of the primitive");
 }
 
 TEST_CASE("glTF: triangles, strips, fans, lines and loops", "[read][gltf]") {
