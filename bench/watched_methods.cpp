@@ -16,7 +16,11 @@
 #include "hsr/painter/sort/depth_sort.h"
 #include "hsr/painter/sort/z_sort.h"
 #include "hsr/raster/depth_buffer.h"
+#include "hsr/raster/facing_culling.h"
+#include "hsr/raster/frustum_culling.h"
+#include "hsr/raster/occlusion_culling.h"
 #include "hsr/raster/scanline.h"
+#include "hsr/surfaces/visible_fragments.h"
 
 namespace hsr::bench {
 namespace {
@@ -35,6 +39,8 @@ void run(int rounds) {
   LineOptions roberts;
   roberts.method = LineMethod::roberts;
   roberts.classes.fill(true);
+  LineOptions appel = roberts;
+  appel.method = LineMethod::appel;
   const std::vector<std::pair<const char*, std::function<void()>>> methods = {
       {"depth-sort", [&] { (void)depth_sort(mesh, view); }},
       {"depth-sort-with-cuts", [&] { (void)depth_sort(tangled, soup_view); }},
@@ -45,6 +51,11 @@ void run(int rounds) {
       {"depth-buffer-float", [&] { (void)depth_buffer(mesh, view, grid, range, {.format = DepthFormat::float32}); }},
       {"scanline", [&] { (void)scanline(mesh, view, grid); }},
       {"roberts", [&] { (void)visible_lines(mesh, view, roberts); }},
+      {"appel", [&] { (void)visible_lines(mesh, view, appel); }},
+      {"fragments", [&] { (void)visible_fragments(mesh, view); }},
+      {"frustum", [&] { (void)frustum_culled(mesh, view, grid); }},
+      {"back-faces", [&] { (void)facing_culled(mesh, view); }},
+      {"occlusion", [&] { (void)occlusion_culled(mesh, view); }},
   };
   std::vector<double> least(methods.size(), 1e300);
   for (int round = 0; round < rounds; ++round)
