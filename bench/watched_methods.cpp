@@ -19,9 +19,13 @@
 #include "hsr/raster/alpha_buffer.h"
 #include "hsr/raster/caster.h"
 #include "hsr/raster/depth_buffer.h"
+#include "hsr/raster/facing_culling.h"
+#include "hsr/raster/frustum_culling.h"
+#include "hsr/raster/occlusion_culling.h"
 #include "hsr/raster/row_z_buffer.h"
 #include "hsr/raster/scanline.h"
 #include "hsr/raster/tiled_z_buffer.h"
+#include "hsr/surfaces/visible_fragments.h"
 
 namespace hsr::bench {
 namespace {
@@ -41,6 +45,8 @@ void run(int rounds) {
   LineOptions roberts;
   roberts.method = LineMethod::roberts;
   roberts.classes.fill(true);
+  LineOptions appel = roberts;
+  appel.method = LineMethod::appel;
   const std::vector<std::pair<const char*, std::function<void()>>> methods = {
       {"depth-sort", [&] { (void)depth_sort(mesh, view); }},
       {"depth-sort-with-cuts", [&] { (void)depth_sort(tangled, soup_view); }},
@@ -58,6 +64,11 @@ void run(int rounds) {
       {"alpha-buffer", [&] { (void)alpha_buffer(mesh, view, grid, colours, 0.5); }},
       {"scanline", [&] { (void)scanline(mesh, view, grid); }},
       {"roberts", [&] { (void)visible_lines(mesh, view, roberts); }},
+      {"appel", [&] { (void)visible_lines(mesh, view, appel); }},
+      {"fragments", [&] { (void)visible_fragments(mesh, view); }},
+      {"frustum", [&] { (void)frustum_culled(mesh, view, grid); }},
+      {"back-faces", [&] { (void)facing_culled(mesh, view); }},
+      {"occlusion", [&] { (void)occlusion_culled(mesh, view); }},
   };
   std::vector<double> least(methods.size(), 1e300);
   for (int round = 0; round < rounds; ++round)
