@@ -194,31 +194,31 @@ bool touch_along_a_line(const Mesh& mesh, TriangleId s, TriangleId t, double tol
 std::size_t faces_in_near_planes(const Mesh& mesh, double tolerance, double& farthest) {
   const std::size_t n = mesh.triangles.size();
   if (n > most_triangles) return 0;
-  const SpaceTree tree(mesh);
+  constexpr double large = 1000;
+  std::vector<std::uint8_t> is_large(n);
   const RepeatedTriangles repeated(mesh);
+  parallel_for_each(n, [&](std::size_t t) {
+    is_large[t] =
+        repeated.first(TriangleId(t)) == TriangleId(t) && least_height(mesh, TriangleId(t)) > large * tolerance ? 1 : 0;
+  });
   const BitRange bits = bit_range(mesh.points);
   std::vector<std::atomic<std::uint8_t>> is_near(n);
   std::atomic<double> most = 0;
-  parallel_for_each(n, [&](std::size_t i) {
-    const TriangleId s(i);
-    constexpr double large = 1000;
-    if (repeated.first(s) != s || !(least_height(mesh, s) > large * tolerance)) return;
-    const Flat flat(mesh, s);
-    Predicates exact(bits);
-    tree.visit_near_triangle(mesh, s, tolerance, [&](TriangleId t) {
-      if (t <= s || repeated.first(t) != t || mesh.face_of[s] == mesh.face_of[t]) return;
+  SpaceTree(mesh, tolerance).visit_pairs([&] {
+    return [&, exact = Predicates(bits)](TriangleId s, TriangleId t) mutable {
+      if (is_large[s.value] == 0 || is_large[t.value] == 0 || mesh.face_of[s] == mesh.face_of[t]) return;
       const auto& d = mesh.triangles[t];
       if (std::any_of(d.begin(), d.end(), [&](VertexId v) { return mesh.has_corner(s, v); })) return;
-      const double off = std::max(flat.farthest(mesh, t), Flat(mesh, t).farthest(mesh, s));
-      if (off > tolerance || !(least_height(mesh, t) > large * tolerance) || !is_off_plane(mesh, s, t, exact) ||
-          !touch_along_a_line(mesh, s, t, tolerance))
+      const double off = std::max(Flat(mesh, s).farthest(mesh, t), Flat(mesh, t).farthest(mesh, s));
+      if (off > tolerance || !is_off_plane(mesh, std::min(s, t), std::max(s, t), exact) ||
+          !touch_along_a_line(mesh, std::min(s, t), std::max(s, t), tolerance))
         return;
       is_near[s.value].store(1, std::memory_order_relaxed);
       is_near[t.value].store(1, std::memory_order_relaxed);
       double seen = most.load(std::memory_order_relaxed);
       while (off > seen && !most.compare_exchange_weak(seen, off, std::memory_order_relaxed)) {
       }
-    });
+    };
   });
   farthest = most;
   std::size_t faces = 0;
