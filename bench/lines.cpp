@@ -154,7 +154,8 @@ int main(int argc, char** argv) {
   hsr::bench::Request request;
   CLI::App app{"Times, pairs and decisions of visible lines on generated scenes"};
   app.add_option("--scene", request.scenes,
-                 "knot, city, rand, terrain, plate or quadplate and a size, as in knot100k; a city's is in boxes of 12, a plate's in holes");
+                 "knot, city, rand, terrain, plate or quadplate and a size, as in knot100k; a city's is in boxes of 12, a "
+                 "plate's in holes");
   app.add_option("--view", request.views, "oblique, elevation, perspective; default: all three");
   app.add_option("--edges", request.edges, "all, or default: all but smooth ones")->check(CLI::IsMember({"all", "default"}));
   app.add_option("--method", request.method, "automatic, appel or roberts")

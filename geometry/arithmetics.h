@@ -60,9 +60,7 @@ struct FixedArithmetic {
   using Number = FixedInteger<L>;
   int lowest, direction_lowest;
 
-  Number difference(const Point3& p, const Point3& q, int axis) const {
-    return Number::difference(p[axis], q[axis], lowest);
-  }
+  Number difference(const Point3& p, const Point3& q, int axis) const { return Number::difference(p[axis], q[axis], lowest); }
   Number direction(const Point3& d, int axis) const { return Number::from_double(d[axis], direction_lowest); }
   static Number axis(const Point3& d, int axis) { return Number(static_cast<std::int64_t>(d[axis])); }
   static Number scalar(double) { throw InvariantError("the near plane has no fixed-width stage"); }

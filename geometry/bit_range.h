@@ -17,8 +17,8 @@ struct BitRange {
   int bits() const { return highest - lowest; }
   bool is_zero() const { return highest == lowest; }
 
-  void add(double x);         ///< @throws PreconditionError unless finite
-  void add(const Point3& p);  ///< @throws PreconditionError unless finite
+  void add(double x);           ///< @throws PreconditionError unless finite
+  void add(const Point3& p);    ///< @throws PreconditionError unless finite
   void add(const BitRange& c);  ///< of both sets of numbers
 
   friend bool operator==(const BitRange&, const BitRange&) = default;

@@ -36,8 +36,9 @@ int fail(const std::string& message) {
 /// The library names what it refuses as the options are named, without the dashes.
 std::string with_dashes(const std::string& message) {
   for (const std::string option :
-       {"page", "pen",   "scale",  "unit",    "margin", "size", "fov",   "near",   "up",      "direction", "eye",     "target",
-        "view", "views", "family", "oblique", "only",   "hide", "ghost", "detail", "section", "depth",     "overhead", "tolerance", "crease", "edges"})
+       {"page",      "pen",    "scale",   "unit",  "margin",   "size",      "fov",     "near", "up",
+        "direction", "eye",    "target",  "view",  "views",    "family",    "oblique", "only", "hide",
+        "ghost",     "detail", "section", "depth", "overhead", "tolerance", "crease",  "edges"})
     if (message.rfind(option + ":", 0) == 0) return "--" + message;
   return message;
 }

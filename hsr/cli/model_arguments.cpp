@@ -18,8 +18,9 @@ using namespace internal;
 
 void ModelArguments::add_to(Options& options) {
   options
-      .add_several("MODEL", models,
-                   "OBJ, OFF, PLY, STL (each also .gz), glTF, GLB, STEP, IGES or 3MF; several are one scene, - is standard input")
+      .add_several(
+          "MODEL", models,
+          "OBJ, OFF, PLY, STL (each also .gz), glTF, GLB, STEP, IGES or 3MF; several are one scene, - is standard input")
       .required();
   options.add("--from", from, "FORMAT", "What standard input holds, where MODEL is - [by content]")
       .one_of({"obj", "off", "ply", "stl", "gltf", "glb", "step", "3mf"});

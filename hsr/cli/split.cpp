@@ -76,7 +76,8 @@ std::size_t count_of_triangles(const Polygons& polygons) {
 
 void check(const SplitArguments& a) {
   a.models.check();
-  if (a.fill) throw InputError("--fill: found with split, expected it with hsr draw: fills are not split, tiles have lines only");
+  if (a.fill)
+    throw InputError("--fill: found with split, expected it with hsr draw: fills are not split, tiles have lines only");
   if (!a.view.sections.empty())
     throw InputError("--section: found with split, expected it with hsr draw: its caps are of whole bodies");
   parse_memory(a.memory);

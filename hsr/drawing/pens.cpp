@@ -170,8 +170,8 @@ std::optional<int> weight_of(const PenSetting& s, bool hidden, EdgeClass edge_cl
 Pens::Pens(double wide, HiddenLines hidden_lines) : wide_(wide) {
   for (std::size_t k = 0; k < edge_class_count; ++k) {
     const auto c = static_cast<EdgeClass>(k);
-    const bool is_narrow = c == EdgeClass::smooth || c == EdgeClass::joint || c == EdgeClass::hatching ||
-                           c == EdgeClass::overhead;
+    const bool is_narrow =
+        c == EdgeClass::smooth || c == EdgeClass::joint || c == EdgeClass::hatching || c == EdgeClass::overhead;
     pens_[0][k].width = is_narrow ? wide / 2 : c == EdgeClass::section ? wide * 1.4 : wide;
     if (c == EdgeClass::overhead) pens_[0][k].dashes = dash_lengths(*dash_named("dashed"), wide / 2);
     pens_[1][k].width = wide / 2;

@@ -25,8 +25,7 @@ Plane cut_plane(const Points& points, const Cut& cut) {
     case Cut::Kind::sight_of_vertex:
       return Plane::of_sight_along_axis(points.eye(), points.point(u), cut.axis);
     case Cut::Kind::near_line_end:
-      return points.cutting_plane(cut.plane())
-          .line_with(Plane::along_axis(points.point(u), points.point(v), cut.dropped()));
+      return points.cutting_plane(cut.plane()).line_with(Plane::along_axis(points.point(u), points.point(v), cut.dropped()));
     case Cut::Kind::fold:
       return points.fold_plane(static_cast<std::uint8_t>(cut.u), static_cast<std::uint8_t>(cut.v));
     case Cut::Kind::across:

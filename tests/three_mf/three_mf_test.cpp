@@ -139,7 +139,8 @@ TEST_CASE("the command takes 3MF, and says what it knows of other formats", "[3m
   CHECK(run("draw " + part + to).status == 0);
   CHECK(run("draw - --from 3mf" + to, "cat " + part + " | ").status == 0);
   CHECK(run("draw -" + to, "cat " + part + " | ").status == 0);
-  check_refused(run("draw " + directory.write("bad.3mf", "PK\x03\x04 and no more") + to), {"bad.3mf: found a file that lib3mf"});
+  check_refused(run("draw " + directory.write("bad.3mf", "PK\x03\x04 and no more") + to),
+                {"bad.3mf: found a file that lib3mf"});
   check_refused(run("draw " + directory.write("part.xyz", "1 2 3") + to),
                 {"found the ending \".xyz\", expected OBJ, OFF, PLY, STL, glTF or GLB, also gzipped", ", 3MF"});
 }

@@ -122,7 +122,8 @@ TEST_CASE("A gzip bomb is refused at the limit", "[read][gzip]") {
                     Catch::Contains("byte 0") && Catch::Contains("inflates to more than 1048576 bytes"));
   // By what comes out: two members, of which the last says little.
   const std::string two = bomb + gzipped("v 0 0 0\n");
-  CHECK_THROWS_WITH(read::gunzip({"two.obj.gz", two}, std::size_t{1} << 20), Catch::Contains("inflates to more than 1048576 bytes"));
+  CHECK_THROWS_WITH(read::gunzip({"two.obj.gz", two}, std::size_t{1} << 20),
+                    Catch::Contains("inflates to more than 1048576 bytes"));
 }
 
 TEST_CASE("Every public model is read, or refused in one line", "[read][models]") {
