@@ -21,9 +21,8 @@ constexpr Sign sign_of(const T& x) {
 class Rational {
  public:
   Rational() { mpq_init(q_); }
-  Rational(
-      double
-          x);  // NOLINT(google-explicit-constructor): every finite double is a rational. @throws PreconditionError unless finite
+  /// Every finite double is a rational. @throws PreconditionError unless finite
+  Rational(double x);  // NOLINT(google-explicit-constructor)
   Rational(const Rational& o) : Rational() { mpq_set(q_, o.q_); }
   /// What is left may be assigned to and destroyed, and nothing else. It takes no memory: mpz_init() does not.
   Rational(Rational&& o) noexcept {

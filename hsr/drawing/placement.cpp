@@ -283,7 +283,7 @@ std::vector<std::uint32_t> internal::bounding_lines(const Mesh& mesh, const View
     Box one;
     add_line(one, projection, lines, lines.lines[i]);
     for (int k = 0; k < 2; ++k) {
-      const auto at = static_cast<std::size_t>(2 * k);
+      const std::size_t at = 2 * static_cast<std::size_t>(k);
       if (one.low[k] < all.low[k]) farthest[at] = i;
       if (one.high[k] > all.high[k]) farthest[at + 1] = i;
     }
