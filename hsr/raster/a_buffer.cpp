@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 
+#include "geometry/watched.h"
 #include "hsr/raster/a_buffer_observer.h"
 #include "hsr/raster/compositing.h"
 #include "hsr/raster/drawn_triangles.h"
@@ -31,16 +32,6 @@ struct Fragment {
 };
 
 PixelFragment told(const Fragment& f) { return {f.facet, f.mask, f.mean()}; }
-
-/// Who draws unwatched: this is asked where the code is made, and costs nothing when it runs.
-struct Unwatched {
-  static constexpr bool is_watched = false;
-};
-
-struct Watched {
-  static constexpr bool is_watched = true;
-  ABufferObserver* observer;
-};
 
 template <class Watch>
 class Fragments {
@@ -180,7 +171,7 @@ ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, 
 
 ABuffer a_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
                  double opacity, TieRule ties, ABufferObserver& observer) {
-  return resolved(mesh, view, samples, colours, opacity, ties, Watched{&observer});
+  return resolved(mesh, view, samples, colours, opacity, ties, Watched<ABufferObserver>{&observer});
 }
 
 }  // namespace hsr::internal

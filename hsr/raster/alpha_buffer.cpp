@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/watched.h"
 #include "hsr/raster/alpha_buffer_observer.h"
 #include "hsr/raster/compositing.h"
 #include "hsr/raster/drawn_triangles.h"
@@ -16,16 +17,6 @@ using Layer = SampleLayer;
 bool is_behind(const Layer& a, const Layer& b, TieRule ties) {
   return a.nearness != b.nearness ? a.nearness < b.nearness : ties.is_above(b.triangle, a.triangle);
 }
-
-/// Who blends unwatched: this is asked where the code is made, and costs nothing when it runs.
-struct Unwatched {
-  static constexpr bool is_watched = false;
-};
-
-struct Watched {
-  static constexpr bool is_watched = true;
-  AlphaBufferObserver* observer;
-};
 
 template <class Watch>
 AlphaBuffer blended(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
@@ -81,7 +72,7 @@ AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& s
 
 AlphaBuffer alpha_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const std::vector<Colour>& colours,
                          double opacity, TieRule ties, AlphaBufferObserver& observer) {
-  return blended(mesh, view, samples, colours, opacity, ties, Watched{&observer});
+  return blended(mesh, view, samples, colours, opacity, ties, Watched<AlphaBufferObserver>{&observer});
 }
 
 }  // namespace hsr::internal

@@ -10,6 +10,7 @@
 
 #include "geometry/error.h"
 #include "geometry/parallel.h"
+#include "geometry/watched.h"
 #include "hsr/raster/capped_samples.h"
 #include "hsr/raster/cast_observer.h"
 #include "hsr/raster/cell_samples.h"
@@ -25,16 +26,6 @@ namespace {
 
 constexpr int packet_width = 16;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Who casts unwatched: this is asked where the code is made, and costs nothing when it runs.
-struct Unwatched {
-  static constexpr bool is_watched = false;
-};
-
-struct Watched {
-  static constexpr bool is_watched = true;
-  CastObserver* observer;
-};
 
 /// How near a triangle's plane is at a sample: larger is nearer, and affine in the sample.
 ///
@@ -283,7 +274,7 @@ WatchedCast cast_in_packets(const SceneView& scene, const SampleGrid& samples, C
   WatchedCast result{{Image<TriangleId>(samples.width, samples.height), {}}, occluders.triangles.size()};
   for (int top = 0; top < samples.height; top += width)
     for (int left = 0; left < samples.width; left += width)
-      Tile<width, Watched>(signs, occluders, predicates, left, top, {&observer}).cast(result.image.triangles);
+      Tile<width, Watched<CastObserver>>(signs, occluders, predicates, left, top, {&observer}).cast(result.image.triangles);
   result.image.decisions = predicates.counts();
   return result;
 }

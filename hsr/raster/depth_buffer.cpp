@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/error.h"
+#include "geometry/watched.h"
 #include "hsr/raster/depth_observer.h"
 #include "hsr/raster/drawn_triangles.h"
 
@@ -85,16 +86,6 @@ struct Logarithmic {
 
  private:
   float least_, factor_;
-};
-
-/// Who draws unwatched: this is asked where the code is made, and costs nothing when it runs.
-struct Unwatched {
-  static constexpr bool is_watched = false;
-};
-
-struct Watched {
-  static constexpr bool is_watched = true;
-  DepthObserver* observer;
 };
 
 template <class Format, class Watch>
@@ -345,7 +336,7 @@ DepthBuffer depth_buffer(const Mesh& mesh, const View& view, const SampleGrid& s
 
 DepthBuffer depth_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, const DepthRange& range,
                          const DepthBufferOptions& options, DepthObserver& observer) {
-  return drawn_in_format(mesh, view, samples, range, options, Watched{&observer});
+  return drawn_in_format(mesh, view, samples, range, options, Watched<DepthObserver>{&observer});
 }
 
 }  // namespace hsr::internal

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/watched.h"
 #include "hsr/raster/drawn_triangles.h"
 #include "hsr/raster/row_z_buffer_observer.h"
 
@@ -10,16 +11,6 @@ namespace hsr::internal {
 namespace {
 
 constexpr std::uint32_t nothing = 0xffffffffU;
-
-/// Who draws unwatched: this is asked where the code is made, and costs nothing when it runs.
-struct Unwatched {
-  static constexpr bool is_watched = false;
-};
-
-struct Watched {
-  static constexpr bool is_watched = true;
-  RowZBufferObserver* observer;
-};
 
 template <class Real, class Watch = Unwatched>
 class RowDrawer {
@@ -128,7 +119,7 @@ RowZBuffer<Real> row_z_buffer(const Mesh& mesh, const View& view, const SampleGr
 
 RowZBuffer<double> row_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties,
                                 RowZBufferObserver& observer) {
-  return RowDrawer<double, Watched>(mesh, view, samples, ties, {&observer}).drawn();
+  return RowDrawer<double, Watched<RowZBufferObserver>>(mesh, view, samples, ties, {&observer}).drawn();
 }
 
 template RowZBuffer<float> row_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);

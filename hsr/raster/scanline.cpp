@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/watched.h"
 #include "hsr/raster/drawn_triangles.h"
 #include "hsr/raster/scanline_observer.h"
 
@@ -25,16 +26,6 @@ struct Face {
 
 using FaceEdge = ScannedEdge;
 using Crossing = ScannedCrossing;
-
-/// Who scans unwatched: this is asked where the code is made, and costs nothing when it runs.
-struct Unwatched {
-  static constexpr bool is_watched = false;
-};
-
-struct Watched {
-  static constexpr bool is_watched = true;
-  ScanlineObserver* observer;
-};
 
 template <class Watch = Unwatched>
 class Scanner {
@@ -235,7 +226,7 @@ Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples,
 }
 
 Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties, ScanlineObserver& observer) {
-  return scanned(mesh, view, samples, Scanner<Watched>(samples, ties, {&observer}));
+  return scanned(mesh, view, samples, Scanner<Watched<ScanlineObserver>>(samples, ties, {&observer}));
 }
 
 Scanline scanline(const Mesh& mesh, const View& view, const SampleGrid& samples, const PaintersOrder& pieces, TieRule ties) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 
+#include "geometry/watched.h"
 #include "hsr/raster/drawn_triangles.h"
 #include "hsr/raster/tiled_z_buffer_observer.h"
 
@@ -17,16 +18,6 @@
 namespace hsr::internal {
 
 namespace {
-
-/// Who draws unwatched: this is asked where the code is made, and costs nothing when it runs.
-struct Unwatched {
-  static constexpr bool is_watched = false;
-};
-
-struct Watched {
-  static constexpr bool is_watched = true;
-  TiledZBufferObserver* observer;
-};
 
 /// Tiles left ... right - 1 of rows top ... bottom - 1.
 struct TileRange {
@@ -240,7 +231,7 @@ TiledZBuffer<Real> tiled_z_buffer(const Mesh& mesh, const View& view, const Samp
 
 TiledZBuffer<float> tiled_z_buffer(const Mesh& mesh, const View& view, const SampleGrid& samples, TieRule ties,
                                    TiledZBufferObserver& observer) {
-  return TileDrawer<float, watched_tile_size, Watched>(mesh, view, samples, ties, {&observer}).drawn();
+  return TileDrawer<float, watched_tile_size, Watched<TiledZBufferObserver>>(mesh, view, samples, ties, {&observer}).drawn();
 }
 
 template TiledZBuffer<float> tiled_z_buffer(const Mesh&, const View&, const SampleGrid&, TieRule);

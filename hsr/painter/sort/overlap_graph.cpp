@@ -5,21 +5,12 @@
 #include <algorithm>
 
 #include "geometry/cancel.h"
+#include "geometry/watched.h"
 #include "hsr/painter/sort/piece_relations.h"
 
 namespace hsr::internal {
 
 namespace {
-
-/// Who finds unwatched: this is asked where the code is made, and costs nothing when it runs.
-struct Unwatched {
-  static constexpr bool is_watched = false;
-};
-
-struct Watched {
-  static constexpr bool is_watched = true;
-  SortObserver* observer;
-};
 
 /// Finds the overlapping pairs of some clusters.
 template <class Watch>
@@ -136,7 +127,7 @@ OverlapGraph found(const ProjectedMesh& projected, const FacePieces& pieces, con
 
 OverlapGraph overlap_graph(const ProjectedMesh& projected, const FacePieces& pieces, const ClusterBoxes& boxes,
                            const ImageTriangles& images, bool classic, const std::stop_token& stop, SortObserver* observer) {
-  if (observer != nullptr) return found(projected, pieces, boxes, images, classic, stop, Watched{observer});
+  if (observer != nullptr) return found(projected, pieces, boxes, images, classic, stop, Watched<SortObserver>{observer});
   return found(projected, pieces, boxes, images, classic, stop, Unwatched{});
 }
 
