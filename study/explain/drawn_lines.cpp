@@ -1,8 +1,13 @@
 #include "study/explain/drawn_lines.h"
 
+#include <string>
+#include <vector>
+
 #include "hsr/io/write/json_text.h"
 
 namespace hsr::internal {
+
+namespace {
 
 std::vector<TraceLine> drawn_lines(const ScenePicture& picture, const VisibleLines& lines) {
   const ExplainedScene& scene = picture.scene();
@@ -38,6 +43,16 @@ std::string lines_result(const ExplainedScene& scene, const VisibleLines& lines)
     out += "]}";
   }
   return out + "]}";
+}
+
+}  // namespace
+
+void end_with_lines(TraceRun& run, const ScenePicture& picture, const VisibleLines& lines) {
+  run.step("end", "end",
+           "All edges of the classes that drawings have, outlines, borders and sharp ones: what is hidden is dashed.")
+      .undraw()
+      .draw(drawn_lines(picture, lines));
+  run.result = lines_result(picture.scene(), lines);
 }
 
 }  // namespace hsr::internal

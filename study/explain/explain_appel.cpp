@@ -265,11 +265,7 @@ Trace explain_appel(const ExplainedScene& scene, int /*size*/) {
   SceneOptions all;
   all.stages.fill(When::never);
   const VisibleLines lines = visible_lines(SceneView(scene.mesh, scene.view, all), options, teller);
-  run.step("end", "end",
-           "All edges of the classes that drawings have, outlines, borders and sharp ones: what is hidden is dashed.")
-      .undraw()
-      .draw(drawn_lines(picture, lines));
-  run.result = lines_result(scene, lines);
+  end_with_lines(run, picture, lines);
   return trace;
 }
 

@@ -225,7 +225,7 @@ Trace explain_ray_casting(const ExplainedScene& scene, int size) {
     Teller teller(picture, width, run);
     const WatchedCast result = cast(SceneView(scene.mesh, scene.view), picture.samples(), width, teller);
     teller.end(result.boxes);
-    run.result = "{\"faces\":" + faces_json(picture, result.image.triangles) + "}";
+    run.result = faces_result(picture, result.image.triangles);
   }
   return trace;
 }

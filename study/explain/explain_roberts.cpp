@@ -163,11 +163,7 @@ Trace explain_roberts(const ExplainedScene& scene, int /*size*/) {
   // Where faces pierce each other is a line of no edge, and of no name here.
   options.classes[static_cast<std::size_t>(EdgeClass::intersection)] = false;
   const VisibleLines lines = visible_lines(SceneView(scene.mesh, scene.view), options, teller);
-  run.step("end", "end",
-           "All edges of the classes that drawings have, outlines, borders and sharp ones: what is hidden is dashed.")
-      .undraw()
-      .draw(drawn_lines(picture, lines));
-  run.result = lines_result(scene, lines);
+  end_with_lines(run, picture, lines);
   return trace;
 }
 

@@ -1,9 +1,9 @@
 // The z-buffer of one row, told by the one that compare measures.
-#include <algorithm>
 
 #include "hsr/raster/row_z_buffer_observer.h"
 #include "study/explain/explained_methods.h"
 #include "study/explain/nearness_spans.h"
+#include "study/explain/picture_result.h"
 #include "study/page_texts.h"
 
 namespace hsr::internal {
@@ -99,10 +99,7 @@ Trace explain_row_z_buffer(const ExplainedScene& scene, int size) {
   Teller teller(picture, run);
   const RowZBuffer<double> buffer = row_z_buffer(scene.mesh, scene.view, picture.samples(), {}, teller);
   teller.end(buffer.most_active);
-  Image<TriangleId> shown(buffer.image.width, buffer.image.height);
-  std::transform(buffer.image.pixels.begin(), buffer.image.pixels.end(), shown.pixels.begin(),
-                 [](const auto& p) { return p.triangle; });
-  run.result = "{\"faces\":" + faces_json(picture, shown) + "}";
+  run.result = faces_result(picture, buffer.image);
   return trace;
 }
 

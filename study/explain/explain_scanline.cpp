@@ -3,6 +3,7 @@
 
 #include "hsr/raster/scanline_observer.h"
 #include "study/explain/explained_methods.h"
+#include "study/explain/picture_result.h"
 #include "study/page_texts.h"
 
 namespace hsr::internal {
@@ -106,16 +107,7 @@ Trace explain_scanline(const ExplainedScene& scene, int size) {
   Teller teller(picture, run);
   const Scanline scanned = scanline(scene.mesh, scene.view, picture.samples(), {}, teller);
   run.step("end", "end", "All rows are done.");
-  std::string& out = run.result = "{\"faces\":[";
-  for (int j = 0; j < scanned.triangles.height; ++j) {
-    out += j == 0 ? "[" : ",[";
-    for (int i = 0; i < scanned.triangles.width; ++i) {
-      const TriangleId t = scanned.triangles.row(j)[i];
-      out += (i == 0 ? "" : ",") + (t.is_valid() ? std::to_string(scene.mesh.face_of[t].value) : std::string("-1"));
-    }
-    out += "]";
-  }
-  out += "]}";
+  run.result = faces_result(picture, scanned.triangles);
   return trace;
 }
 

@@ -1,9 +1,9 @@
 // The z-buffer in tiles, told by the one that compare measures.
-#include <algorithm>
 
 #include "hsr/raster/tiled_z_buffer_observer.h"
 #include "study/explain/explained_methods.h"
 #include "study/explain/nearness_spans.h"
+#include "study/explain/picture_result.h"
 #include "study/page_texts.h"
 
 namespace hsr::internal {
@@ -81,10 +81,7 @@ Trace explain_tiled_z_buffer(const ExplainedScene& scene, int size) {
   Teller teller(picture, run);
   const TiledZBuffer<float> buffer = tiled_z_buffer(scene.mesh, scene.view, picture.samples(), {}, teller);
   teller.end();
-  Image<TriangleId> shown(buffer.image.width, buffer.image.height);
-  std::transform(buffer.image.pixels.begin(), buffer.image.pixels.end(), shown.pixels.begin(),
-                 [](const auto& p) { return p.triangle; });
-  run.result = "{\"faces\":" + faces_json(picture, shown) + "}";
+  run.result = faces_result(picture, buffer.image);
   return trace;
 }
 

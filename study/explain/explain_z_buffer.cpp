@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "geometry/error.h"
-#include "hsr/io/write/json_text.h"
 #include "hsr/raster/depth_observer.h"
 #include "study/explain/explained_methods.h"
+#include "study/explain/picture_result.h"
 #include "study/explain/z_buffer_run.h"
 #include "study/page_texts.h"
 
@@ -190,25 +190,7 @@ class Teller : public DepthObserver {
 };
 
 std::string result_of(const ScenePicture& picture, const DepthBuffer& buffer) {
-  std::string out = "{\"faces\":[";
-  for (int j = 0; j < buffer.triangles.height; ++j) {
-    out += j == 0 ? "[" : ",[";
-    for (int i = 0; i < buffer.triangles.width; ++i) {
-      const TriangleId t = buffer.triangles.row(j)[i];
-      out += (i == 0 ? "" : ",") + (t.is_valid() ? std::to_string(picture.scene().mesh.face_of[t].value) : std::string("-1"));
-    }
-    out += "]";
-  }
-  out += "],\"depths\":[";
-  for (int j = 0; j < buffer.depths.height; ++j) {
-    out += j == 0 ? "[" : ",[";
-    for (int i = 0; i < buffer.depths.width; ++i) {
-      if (i > 0) out += ',';
-      append_number(out, buffer.depths.row(j)[i], Numbers::rounded);
-    }
-    out += "]";
-  }
-  return out + "]}";
+  return "{\"faces\":" + faces_json(picture, buffer.triangles) + ",\"depths\":" + numbers_json(buffer.depths) + "}";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "study/explain/picture_result.h"
 
+#include "hsr/io/write/json_text.h"
 #include "hsr/io/write/svg_text.h"
 
 namespace hsr::internal {
@@ -22,6 +23,18 @@ std::string rows_json(const Image<T>& image, const Text& text) {
 std::string faces_json(const ScenePicture& picture, const Image<TriangleId>& triangles) {
   return rows_json(triangles, [&](TriangleId t) {
     return t.is_valid() ? std::to_string(picture.scene().mesh.face_of[t].value) : std::string("-1");
+  });
+}
+
+std::string faces_result(const ScenePicture& picture, const Image<TriangleId>& triangles) {
+  return "{\"faces\":" + faces_json(picture, triangles) + "}";
+}
+
+std::string numbers_json(const Image<double>& numbers) {
+  return rows_json(numbers, [](double x) {
+    std::string text;
+    append_number(text, x, Numbers::rounded);
+    return text;
   });
 }
 

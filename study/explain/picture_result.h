@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "geometry/mesh.h"
@@ -10,6 +11,17 @@ namespace hsr::internal {
 
 /// The faces that samples show, by row, as JSON: [[0, -1, ...], ...].
 std::string faces_json(const ScenePicture& picture, const Image<TriangleId>& triangles);
+/// The same as the result of a run: {"faces": ...}.
+std::string faces_result(const ScenePicture& picture, const Image<TriangleId>& triangles);
+/// Of an image whose pixels have a triangle each.
+template <class Pixel>
+std::string faces_result(const ScenePicture& picture, const Image<Pixel>& image) {
+  Image<TriangleId> triangles(image.width, image.height);
+  std::transform(image.pixels.begin(), image.pixels.end(), triangles.pixels.begin(), [](const Pixel& p) { return p.triangle; });
+  return faces_result(picture, triangles);
+}
+/// Numbers by row, as JSON: [[0.5, 255, ...], ...].
+std::string numbers_json(const Image<double>& numbers);
 /// Colours by row, as JSON: [["#rrggbb", ...], ...].
 std::string colours_json(const Image<Colour>& picture);
 /// Of a scene as it is shown, the colour of each face.
