@@ -234,8 +234,14 @@ void read_marks(const std::string& path, Model& model) {
   whole.places.emplace_back();
   MarksReader reader(source, whole, model);
   reader.read(json);
-  if (json.contains("surfaces")) model.face_surface = reader.surfaces();
-  if (json.contains("surfaces")) model.surfaces.clear();
+  if (json.contains("surfaces")) {
+    model.face_surface = reader.surfaces();
+    model.surfaces.clear();
+  }
+  if (json.contains("edges")) {
+    model.marks.clear();
+    model.circles.clear();
+  }
   reader.add_marks();
 }
 

@@ -36,6 +36,21 @@ TEST_CASE("marks name surfaces of faces", "[read][marks][J7]") {
   CHECK(m.marks.empty());
 }
 
+TEST_CASE("what a file says of edges stands in the place of what the model had", "[read][marks][J7]") {
+  const test::TemporaryDirectory directory;
+  Model model = read_model("part.obj", two_objects);
+  const auto add = [&](const std::string& json) { read_marks(directory.write("part.marks.json", json), model); };
+  add(edge(R"({"points": [0, 1], "mark": "smooth", "circle": {"centre": [0, 0, 0], "axis": [0, 0, 1], "radius": 1}})"));
+  REQUIRE(model.marks.size() == 2);
+  REQUIRE(model.circles.size() == 1);
+  add(R"({"format": "hsr-marks/1", "surfaces": [1, 2]})");
+  CHECK(model.marks.size() == 2);
+  add(edge(R"({"points": [1, 2], "mark": "sharp"})"));
+  CHECK(model.marks == std::vector<MarkedEdge>{{{1, 2}, EdgeMark::sharp, 0, 0xffffffffU}});
+  CHECK(model.circles.empty());
+  CHECK(model.face_surface == std::vector<std::uint32_t>{1, 2});
+}
+
 TEST_CASE("a mark is of each object that has a face at the edge, whatever its points are numbered", "[read][marks][J7][C25]") {
   CHECK(marked(edge(R"({"points": [0, 1], "mark": "smooth"})")).marks ==
         std::vector<MarkedEdge>{{{0, 1}, EdgeMark::smooth, 0}, {{0, 1}, EdgeMark::smooth, 1}});
