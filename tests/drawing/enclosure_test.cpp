@@ -132,8 +132,15 @@ TEST_CASE("Images of vertices are enclosed, and not by much more than their last
       const auto exact = projection.exact(VertexId(v));
       CHECK(contains(at.x, exact[0]));
       CHECK(contains(at.y, exact[1]));
-      const long double most = std::max({std::fabs(at.x.middle), std::fabs(at.y.middle), 1.0L}) * 0x1p40L;
-      CHECK(at.x.error < most * Enclosure::eps);
+      // The terms that are added up, of which the last places of a sum are at most.
+      const Point3 &p = corners[v], &o = projection.anchor();
+      const std::array<double, 4> place = {p.x - o.x, p.y - o.y, p.z - o.z, 1};
+      for (std::size_t i = 0; i < 2; ++i) {
+        long double size = 0;
+        for (std::size_t c = 0; c < 4; ++c)
+          size += std::fabs(static_cast<long double>(projection.rounded_rows()[i][c]) * place[c]);
+        CHECK((i == 0 ? at.x : at.y).error < 32 * Enclosure::eps * size);
+      }
     }
   }
 }
