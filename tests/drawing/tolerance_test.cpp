@@ -308,6 +308,17 @@ TEST_CASE("a clean model of short numbers has no noise, however small its steps"
   }
 }
 
+TEST_CASE("faces beside a gap as narrow as the noise are nearly in one plane", "[drawing][tolerance]") {
+  // In floats, so that the boxes of these faces do not touch: a gap, and a step as high, of a quarter of the noise.
+  const double gap = 0x1p-20;
+  TestScene boxes;
+  boxes.add_box({0, 0, 0}, {1, 1, 1});
+  boxes.add_box({1 + gap, 0, 0.25}, {2, 1, 1 + gap});
+  const InputNoise noise = noise_of(boxes.mesh());
+  CHECK(noise.near_planes == 4);  // the tops, and the two sides at the gap
+  CHECK(noise.tolerance >= gap);
+}
+
 TEST_CASE("a round model has no near planes, however far from the origin", "[drawing][tolerance]") {
   for (const double far : {20.0, 200.0, 1000.0}) {
     TestScene ball;
