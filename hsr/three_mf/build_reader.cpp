@@ -51,7 +51,7 @@ void BuildReader::read() {
     check(NMR::lib3mf_builditem_getobjectresource(item.get(), object.place()));
     BOOL is_placed = 0;
     check(NMR::lib3mf_builditem_hasobjecttransform(item.get(), &is_placed));
-    NMR::MODELTRANSFORM transform;
+    NMR::MODELTRANSFORM transform = {};
     if (is_placed != 0) check(NMR::lib3mf_builditem_getobjecttransform(item.get(), &transform));
     add_object(object, is_placed != 0 ? placement_of(transform) : unmoved, "", 0);
   }
