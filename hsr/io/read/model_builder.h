@@ -30,6 +30,11 @@ class ModelBuilder {
   const std::vector<Point3>& points() const { return model_.points; }
   void add_point(double x, double y, double z) { model_.points.push_back({x, y, z}); }
 
+  /// So many faces and corners follow. @pre the size of the file has confirmed it
+  void reserve_faces(std::uint64_t faces, std::uint64_t corners) {
+    model_.polygons.first.reserve(model_.polygons.first.size() + faces);
+    model_.polygons.corners.reserve(model_.polygons.corners.size() + corners);
+  }
   void add_corner(std::uint32_t i) { model_.polygons.corners.push_back(i); }
   std::size_t corners_of_open_face() const { return model_.polygons.corners.size() - model_.polygons.first.back(); }
   std::uint32_t open_corner(std::size_t k) const { return model_.polygons.corners[model_.polygons.first.back() + k]; }

@@ -62,6 +62,7 @@ class AsciiRows {
     text_.refuse(text_.position(), found, expected);
   }
   std::string rest() { return text_.skip_lines() ? "line " + std::to_string(text_.line()) + ": what follows" : std::string(); }
+  void reserve_faces(const PlyElement&, int, ModelBuilder&) {}
   static constexpr bool is_ascii = true;
 
  private:
@@ -147,13 +148,18 @@ class BinaryRows {
   }
   std::string rest() { return bytes_.left() == 0 ? std::string() : "the last " + std::to_string(bytes_.left()) + " bytes"; }
   static constexpr bool is_ascii = false;
+  /// What the faces of an element will take, if the bytes that are left can be so many of at least three corners.
+  void reserve_faces(const PlyElement& e, int indices, ModelBuilder& model) const {
+    const std::size_t index = size_of(e.properties[static_cast<std::size_t>(indices)].type);
+    if (e.count <= bytes_.left() / (e.least_size(false) + 3 * index)) model.reserve_faces(e.count, 3 * e.count);
+  }
 
  private:
   void need(std::size_t n) {
     if (bytes_.left() < n) refuse_end();
   }
   [[noreturn]] void refuse_end() {
-    bytes_.refuse(source_.bytes.size(), "the end of the file",
+    bytes_.refuse(source_.size(), "the end of the file",
                   *element_ + " " + std::to_string(row_) + " of " + std::to_string(count_));
   }
 
@@ -287,6 +293,7 @@ class PlyReader {
     if (indices < 0 && e.count != 0)
       source_.refuse("", "found an element \"face\" without list \"vertex_indices\" or \"vertex_index\", expected one");
     const ColourProperties colours(e);
+    if (indices >= 0) rows_.reserve_faces(e, indices, model_);
     for (std::uint64_t f = 0; f < e.count; ++f) {
       rows_.begin_row(e.name, f, e.count);
       Colour colour = {0, 0, 0, 255};

@@ -149,7 +149,7 @@ PlyHeader read_ply_header(const Source& source) {
     text.next_line();
   header.body = text.offset();
 
-  const std::size_t left = text.bytes_left();
+  const std::size_t left = source.size() - header.body;
   std::size_t used = 0;
   for (std::size_t i = 0; i < header.elements.size(); ++i) {
     const PlyElement& e = header.elements[i];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <optional>
 #include <string_view>
 
 #include "geometry/error.h"
@@ -93,6 +94,17 @@ Model read_source(const Source& source, const std::string& more) {
   }
 }
 
+/// The first bytes of a file, in which a header ends.
+constexpr std::size_t head_size = std::size_t{1} << 16;
+
+/// Whether a format needs no more of a file than the block at hand: PLY and STL in binary.
+bool is_gone_through_once(const Source& source) {
+  if (!looks_like_ply(source))
+    return looks_like_binary_stl(source) && !read::is_gzip(source.bytes) && !looks_like_gltf(source) && !looks_like_off(source);
+  const std::size_t end = std::min(source.bytes.find("\nend_header"), source.bytes.find("\rend_header"));
+  return end < source.bytes.size() / 2 && source.bytes.substr(0, end).find("format binary_") != std::string_view::npos;
+}
+
 }  // namespace
 
 Model read_model(const std::string& path) { return read::read_model_among(path, ""); }
@@ -103,6 +115,12 @@ namespace internal::read {
 
 Model read_model_among(const std::string& path, const std::string& more) {
   try {
+    if (const std::optional<BlockFile> file = BlockFile::open(path); file && file->size() > head_size) {
+      Bytes head = Bytes::of_size(head_size);
+      const Source source{path, head.view(), &*file};
+      if (file->read(0, head.data.get(), head_size) == head_size && is_gone_through_once(source))
+        return read_source(source, more);
+    }
     const Bytes bytes = read_file(path);
     return read_source({path, bytes.view()}, more);
   } catch (const std::bad_alloc&) {

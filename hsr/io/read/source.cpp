@@ -93,6 +93,30 @@ Bytes read_file(const std::string& path) {
   return bytes;
 }
 
+std::optional<BlockFile> BlockFile::open(const std::string& path) {
+  if (path.find('\0') != std::string::npos) return {};
+  BlockFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK), 0);  // without blocking: it may be a pipe
+  struct stat info {};
+  if (file.fd_ < 0 || ::fstat(file.fd_, &info) != 0 || !S_ISREG(info.st_mode)) return {};
+  file.size_ = static_cast<std::size_t>(info.st_size);
+  return file;
+}
+
+BlockFile::~BlockFile() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+std::size_t BlockFile::read(std::size_t at, char* to, std::size_t n) const {
+  std::size_t done = 0;
+  while (done < n) {
+    const ssize_t k = ::pread(fd_, to + done, n - done, static_cast<off_t>(at + done));
+    if (k < 0 && errno == EINTR) continue;
+    if (k <= 0) break;
+    done += static_cast<std::size_t>(k);
+  }
+  return done;
+}
+
 std::optional<Bytes> read_named_file(const std::string& path) {
   if (path.find('\0') != std::string::npos) return {};
   // Without blocking: a model may name a pipe that nobody writes to.
@@ -104,10 +128,10 @@ std::optional<Bytes> read_named_file(const std::string& path) {
   return bytes;
 }
 
-std::string Source::beside(std::string_view file) const {
-  if (!file.empty() && file.front() == '/') return std::string(file);
+std::string Source::beside(std::string_view named) const {
+  if (!named.empty() && named.front() == '/') return std::string(named);
   const std::size_t slash = path.rfind('/');
-  return (slash == std::string::npos ? std::string() : path.substr(0, slash + 1)) + std::string(file);
+  return (slash == std::string::npos ? std::string() : path.substr(0, slash + 1)) + std::string(named);
 }
 
 void Source::refuse(const std::string& where, const std::string& what) const {

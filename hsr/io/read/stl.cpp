@@ -31,15 +31,16 @@ std::uint64_t counted_triangles(const Source& source) {
 
 /// Whether the two bytes behind any triangle are other than 0.
 bool has_attributes(const Source& source, std::uint64_t triangles) {
-  for (std::uint64_t t = 1; t <= triangles; ++t) {
-    const std::size_t end = header_size + triangle_size * static_cast<std::size_t>(t);
-    if (source.bytes[end - 1] != 0 || source.bytes[end - 2] != 0) return true;
+  ByteScanner bytes(source, header_size, ByteOrder::little);
+  for (std::uint64_t t = 0; t < triangles; ++t) {
+    bytes.skip(triangle_size - 2);
+    if (bytes.get<std::uint16_t>() != 0) return true;
   }
   return false;
 }
 
 Model read_binary(const Source& source) {
-  const std::size_t size = source.bytes.size();
+  const std::size_t size = source.size();
   if (size < header_size)
     source.refuse("", "found " + std::to_string(size) + " bytes, expected the 84 of a binary STL header, or \"solid\"");
   const std::uint64_t n = counted_triangles(source);
@@ -51,12 +52,13 @@ Model read_binary(const Source& source) {
     source.refuse("byte 80", "found 0 triangles in a file of " + std::to_string(size) + " bytes, expected their number");
   ModelBuilder model(source, "STL binary");
   if (size > expected) model.note("the last " + std::to_string(size - expected) + " bytes belong to no triangle");
+  model.reserve_faces(n, 3 * n);
   MergedPoints merged(model.points());
   const StlColours colours(source.bytes.substr(0, 80), has_attributes(source, n));
   ByteScanner bytes(source, header_size, ByteOrder::little);
   for (std::uint64_t t = 0; t < n; ++t) {
     bytes.skip(12);  // the normal
-    model.set_colour(colours.of(bytes.peek<std::uint16_t>(bytes.position() + 36)));
+    model.set_colour(colours.of(bytes.peek<std::uint16_t>(bytes.next(triangle_size - 12) + 36)));
     for (int k = 0; k < 3; ++k) {
       Point3 p;
       for (double* const c : {&p.x, &p.y, &p.z}) {
@@ -184,7 +186,7 @@ class AsciiStlReader {
 }  // namespace
 
 bool looks_like_binary_stl(const Source& source) {
-  return source.bytes.size() > header_size && source.bytes.size() == header_size + triangle_size * counted_triangles(source);
+  return source.size() > header_size && source.size() == header_size + triangle_size * counted_triangles(source);
 }
 
 bool looks_like_ascii_stl(const Source& source) {
