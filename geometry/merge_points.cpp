@@ -1,6 +1,7 @@
 #include "geometry/merge_points.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -29,38 +30,80 @@ std::uint64_t hash(const Point3& p) {
 
 }  // namespace
 
-IndexedVector<VertexId, VertexId> merge_points(const IndexedVector<VertexId, Point3>& points) {
-  const std::size_t n = points.size();
-  IndexedVector<VertexId, VertexId> merged(n);
-  // Open addressing, half full at most; a slot has the upper half of the hash, so that a point is fetched only to confirm,
-  // and one more than the index. Slots are fetched ahead: the table does not fit into the cache.
-  const std::size_t mask = std::bit_ceil(std::max<std::size_t>(2 * n, 16)) - 1;
-  std::vector<std::uint64_t> table(mask + 1, 0);
-  constexpr std::size_t ahead = 16;
-  std::uint64_t hashes[ahead];
-  const auto prepare = [&](std::size_t k) {
-    hashes[k % ahead] = hash(points[VertexId(k)]);
-    __builtin_prefetch(&table[hashes[k % ahead] & mask], 1);
+namespace {
+
+/// Points whose hashes are one share of all: their table fits into a cache, or nearly, whatever the number of points.
+class ShareOfPoints {
+ public:
+  /// @param most points that this share has
+  ShareOfPoints(const IndexedVector<VertexId, Point3>& points, std::size_t most, IndexedVector<VertexId, VertexId>& merged)
+      : points_(points), merged_(merged), mask_(std::bit_ceil(std::max<std::size_t>(2 * most, 16)) - 1), table_(mask_ + 1, 0) {}
+
+  /// Slots are fetched ahead, so a point is merged when some more have been added.
+  void add(VertexId v, std::uint64_t hash) {
+    if (added_ - settled_ == ahead) settle();
+    waiting_[added_++ % ahead] = {v, hash};
+    __builtin_prefetch(&table_[hash & mask_], 1);
+  }
+  void settle_all() {
+    while (settled_ < added_) settle();
+  }
+
+ private:
+  static constexpr std::size_t ahead = 16;
+  struct Waiting {
+    VertexId v;
+    std::uint64_t hash = 0;
   };
-  for (std::size_t k = 0; k < std::min(ahead, n); ++k) prepare(k);
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::uint64_t h = hashes[k % ahead];
-    if (k + ahead < n) prepare(k + ahead);
-    const std::uint64_t tag = h >> 32 << 32;
-    VertexId representative(k);
-    for (std::size_t slot = h & mask;; slot = (slot + 1) & mask) {
-      const std::uint64_t entry = table[slot];
+
+  /// Open addressing, half full at most; a slot has the upper half of the hash, so that a point is fetched only to confirm, and
+  /// one more than the index.
+  void settle() {
+    const auto [v, hash] = waiting_[settled_++ % ahead];
+    const std::uint64_t tag = hash >> 32 << 32;
+    for (std::size_t slot = hash & mask_;; slot = (slot + 1) & mask_) {
+      const std::uint64_t entry = table_[slot];
       if (entry == 0) {
-        table[slot] = tag | (k + 1);
-        break;
+        table_[slot] = tag | (v.value + 1ULL);
+        merged_[v] = v;
+        return;
       }
       const VertexId other((entry & 0xffffffffU) - 1);
-      if ((entry >> 32 << 32) == tag && points[other] == points[VertexId(k)]) {
-        representative = other;
-        break;
+      if ((entry >> 32 << 32) == tag && points_[other] == points_[v]) {
+        merged_[v] = other;
+        return;
       }
     }
-    merged[VertexId(k)] = representative;
+  }
+
+  const IndexedVector<VertexId, Point3>& points_;
+  IndexedVector<VertexId, VertexId>& merged_;
+  std::size_t mask_;
+  std::vector<std::uint64_t> table_;
+  std::array<Waiting, ahead> waiting_ = {};
+  std::size_t added_ = 0, settled_ = 0;
+};
+
+constexpr std::size_t points_of_share = std::size_t{1} << 21, most_shares = 256;
+
+}  // namespace
+
+IndexedVector<VertexId, VertexId> merge_points(const IndexedVector<VertexId, Point3>& points) {
+  IndexedVector<VertexId, VertexId> merged(points.size());
+  const std::size_t shares = std::min(most_shares, std::bit_ceil(points.size() / points_of_share + 1));
+  const auto share_of = [&](std::uint64_t h) { return (h >> 24U) & (shares - 1); };
+  std::vector<std::size_t> most(shares, 0);
+  if (shares == 1)
+    most[0] = points.size();
+  else
+    for (const Point3& p : points) ++most[share_of(hash(p))];
+  for (std::size_t share = 0; share < shares; ++share) {
+    ShareOfPoints some(points, most[share], merged);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const std::uint64_t h = hash(points[VertexId(k)]);
+      if (share_of(h) == share) some.add(VertexId(k), h);
+    }
+    some.settle_all();
   }
   return merged;
 }
