@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "geometry/error.h"
 #include "hsr/cli/command_context.h"
@@ -124,7 +125,7 @@ void run(const SplitArguments& a, UnfinishedFiles& unfinished) {
   job.hidden = a.hidden;
   job.is_complete = a.json || a.hidden != "none";
   context.progress.stage("points");
-  const std::vector<std::uint32_t> stands_for = context.report.timed("points", [&] { return merged_points(model); });
+  context.report.timed("points", [&] { name_merged_points(model); });
   job.chosen = context.report.timed("view", [&] { return choose_view(a.view, bounding_mesh(model), model); });
   for (const std::string& text : model.notes) context.note(text);
   if (!job.chosen.note.empty()) context.note(job.chosen.note);
@@ -145,8 +146,8 @@ void run(const SplitArguments& a, UnfinishedFiles& unfinished) {
   std::uint64_t faces = 0, bytes = 0, most = 0;
   context.report.timed("write", [&] {
     for (std::uint32_t t = 0; t < job.image.count(); ++t) {
-      write_tile(job, t, part_of(model, stands_for, {contents.faces[t], contents.segments[t]}), unfinished);
-      contents.faces[t] = {};
+      const auto in_tile = std::exchange(contents.faces[t], {}).all(), wires = contents.segments[t].all();
+      write_tile(job, t, part_of(model, {}, {in_tile, wires}), unfinished);
       faces += job.tiles[t].faces;
       bytes += job.tiles[t].bytes;
       most = std::max(most, job.tiles[t].faces);

@@ -69,15 +69,15 @@ constexpr std::size_t block = 65536;
 
 }  // namespace
 
-std::vector<std::uint32_t> merged_points(Model& model) {
+void name_merged_points(Model& model) {
   for (Point3& p : model.points) p = {p.x + 0.0, p.y + 0.0, p.z + 0.0};
   IndexedVector<VertexId, Point3> points;
   static_cast<std::vector<Point3>&>(points).swap(model.points);
   const auto merged = merge_points(points);
   static_cast<std::vector<Point3>&>(points).swap(model.points);
-  std::vector<std::uint32_t> numbers(merged.size());
-  for (std::size_t v = 0; v < numbers.size(); ++v) numbers[v] = merged[VertexId(v)].value;
-  return numbers;
+  for (std::uint32_t& c : model.polygons.corners) c = merged[VertexId(c)].value;
+  for (auto& wire : model.polygons.segments)
+    for (std::uint32_t& end : wire) end = merged[VertexId(end)].value;
 }
 
 Mesh bounding_mesh(const Model& model) {
@@ -148,7 +148,7 @@ TileContents contents_of_tiles(const Model& model, const View& view, const Image
       }
     });
     for (const auto& some : found)
-      for (const Found& f : some) all.faces[f.tile].push_back(f.face);
+      for (const Found& f : some) all.faces[f.tile].add(f.face);
   }
   TileFinder finder(tiles, view, bits);
   std::vector<std::uint32_t> of_segment;
@@ -156,7 +156,7 @@ TileContents contents_of_tiles(const Model& model, const View& view, const Image
     const auto [a, b] = model.polygons.segments[s];
     of_segment.clear();
     finder.find(std::array{model.points[a], model.points[b]}, of_segment);
-    for (const std::uint32_t t : of_segment) all.segments[t].push_back(s);
+    for (const std::uint32_t t : of_segment) all.segments[t].add(s);
   }
   return all;
 }

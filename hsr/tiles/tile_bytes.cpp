@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/error.h"
+#include "hsr/tiles/ascending_numbers.h"
 
 namespace hsr::internal {
 
@@ -32,15 +33,11 @@ class Writer {
     add(static_cast<std::uint64_t>(text.size()));
     bytes_ += text;
   }
-  /// Ascending numbers, as how far each is from the one before, in seven bits of each byte: mostly one byte.
+  /// Ascending numbers, as how far each is from the one before: mostly one byte.
   void add_ascending(const std::vector<std::uint32_t>& numbers) {
     add(static_cast<std::uint64_t>(numbers.size()));
     std::uint32_t last = 0;
-    for (const std::uint32_t n : numbers) {
-      std::uint32_t gap = n - std::exchange(last, n);
-      for (; gap >= 128; gap >>= 7U) add(static_cast<std::uint8_t>(gap | 128U));
-      add(static_cast<std::uint8_t>(gap));
-    }
+    for (const std::uint32_t n : numbers) append_gap(bytes_, n - std::exchange(last, n));
   }
   /// In floats where these are the same numbers.
   void add(const std::vector<Point3>& points) {
@@ -81,16 +78,7 @@ class Reader {
     if (count > bytes_.size()) refuse();
     numbers.reserve(count);
     std::uint32_t last = 0;
-    for (std::uint64_t k = 0; k < count; ++k) {
-      std::uint32_t gap = 0;
-      for (unsigned shift = 0;; shift += 7) {
-        const auto byte = get<std::uint8_t>();
-        if (shift > 28) refuse();
-        gap |= (byte & 127U) << shift;
-        if (byte < 128) break;
-      }
-      numbers.push_back(last += gap);
-    }
+    for (std::uint64_t k = 0; k < count; ++k) numbers.push_back(last += gap_of([&] { return get<std::uint8_t>(); }, refuse));
   }
   void get(std::vector<Point3>& points) {
     const auto count = get<std::uint64_t>();
