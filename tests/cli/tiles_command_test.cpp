@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -114,6 +115,46 @@ TEST_CASE("a scene that was split is drawn byte for byte as in one piece, in eve
     for (const std::string& f : formats)
       if (f != "json" || c.with_json) CHECK(contents(d / "one." + f) == contents(d / "many." + f));
   }
+}
+
+TEST_CASE("GNU parallel does the tiles by the line in docs/tiles.md", "[cli][tiles]") {
+  const Directory d;
+  const std::string model = write(d / "town.obj", town(4)), job = d / "job";
+  make_job(job, model, 16, "--hidden dashed");
+  write(d / "hosts", ":\n");  // this machine
+  const std::string page = contents(HSR_SOURCE_DIR "/docs/tiles.md");
+  const std::size_t from = page.find("parallel --retries"), to = page.find('\n', from);
+  REQUIRE(to != std::string::npos);
+  const std::string before = "cd " + (d / "") + " && export HOME=$PWD PATH=" + fs::path(HSR_COMMAND).parent_path().string() +
+                             ":$PATH && " + page.substr(from, to - from) + " > said 2>&1 < /dev/null; ";
+  const Outcome joined = run("join " + job + " -q -o " + (d / "many.svg"), before);
+  INFO(contents(d / "said") << joined.text);
+  REQUIRE(joined.status == 0);
+  REQUIRE(run("draw " + model + " -q --hidden dashed -o " + (d / "one.svg")).status == 0);
+  CHECK(contents(d / "one.svg") == contents(d / "many.svg"));
+}
+
+TEST_CASE("small models in tiles have the bytes that they have in one piece", "[cli][tiles][models]") {
+  const char* const named = std::getenv("HSR_MODELS");
+  const fs::path models = named ? named : HSR_SOURCE_DIR "/../shared/models";
+  if (!fs::is_directory(models)) return;
+  const Directory d;
+  std::size_t compared = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(models)) {
+    const std::string path = entry.path().string();
+    if (!entry.is_regular_file() || entry.file_size() > 60000) continue;
+    const std::string view = compared % 2 == 0 ? "" : "--view front --hidden dashed";
+    const Outcome split = run("split '" + path + "' -q -o " + (d / "job") + " --tiles 3 " + view);
+    if (split.status == 2) continue;  // no model, a broken one, or one with surfaces
+    INFO(path << "\n" << split.text);
+    CHECK(split.status == 0);
+    make_parts(d / "job", 3);
+    CHECK(run("join " + (d / "job") + " -q -o " + (d / "many.svg")).status == 0);
+    CHECK(run("draw '" + path + "' -q -o " + (d / "one.svg") + " " + view).status == 0);
+    CHECK(contents(d / "one.svg") == contents(d / "many.svg"));
+    ++compared;
+  }
+  CHECK(compared > 0);
 }
 
 TEST_CASE("a tile that is done is left as it is, and a job that is split again begins anew", "[cli][tiles]") {
