@@ -55,9 +55,8 @@ def doubles(name, values):
         for k in numpy.flatnonzero((abs(points) >= 2.0**53).any(axis=1)):
             if any(int(x) != int(y) for x, y in zip(points[k], given[k])):
                 raise _core.InputError(f"{name}, row {k}: found {given[k].tolist()}, expected whole numbers that are doubles")
-    bad = ~numpy.isfinite(points)
-    if bad.any():
-        row, column = numpy.argwhere(bad)[0]
+    if not numpy.isfinite(points).all():
+        row, column = numpy.argwhere(~numpy.isfinite(points))[0]
         raise _core.InputError(f"{name}, row {row}: found {'xyz'[column]} = {points[row, column]}, expected a finite number")
     return points
 
@@ -70,9 +69,8 @@ def indices(name, values):
     if given.dtype.kind not in "iu":
         raise _core.InputError(f"{name}: found numbers of type {given.dtype}, expected whole ones")
     flat = given.reshape(-1)
-    bad = (flat < 0) | (flat > 0xFFFFFFFE)
-    if bad.any():
-        k = int(numpy.argmax(bad))
+    if flat.min() < 0 or flat.max() > 0xFFFFFFFE:
+        k = int(numpy.argmax((flat < 0) | (flat > 0xFFFFFFFE)))
         raise _core.InputError(f"{name}, entry {k}: found {int(flat[k])}, expected a number from 0 on")
     return numpy.ascontiguousarray(flat, dtype=numpy.uint32), given.shape
 

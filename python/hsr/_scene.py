@@ -203,8 +203,7 @@ def _build(points, corners, offsets, wires=()):
         raise _core.InputError(f"faces: found {len(corners)} corners, expected fewer than 2^32 - 1")
     wires = numpy.asarray(wires, dtype=numpy.uint32).reshape(-1, 2)
     for name, numbers in (("faces", corners), ("wires", wires.reshape(-1))):
-        bad = numbers >= len(points)
-        if bad.any():
-            k = int(numpy.argmax(bad))
+        if numbers.size != 0 and numbers.max() >= len(points):
+            k = int(numpy.argmax(numbers >= len(points)))
             raise _core.InputError(f"{name}, entry {k}: found {int(numbers[k])}, expected a number below the {len(points)} points")
     return _core.from_arrays(points, corners, numpy.asarray(offsets, dtype=numpy.uint32), wires)
