@@ -23,6 +23,10 @@ std::string contents_of(const std::string& path) {
 
 }  // namespace
 
+HiddenLines hidden_lines_named(const std::string& name) {
+  return name == "none" ? HiddenLines::none : name == "dashed" ? HiddenLines::dashed : HiddenLines::solid;
+}
+
 double tolerance_of_arcs(const std::string& text) {
   double mm = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), mm);

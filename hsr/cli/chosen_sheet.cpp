@@ -82,7 +82,7 @@ SheetOptions SheetArguments::options() const {
   o.has_dimensions = dimensions == "overall";
   o.has_centre_lines = centre_lines == "on";
   o.lines = lines.options();
-  o.hidden = hidden == "none" ? HiddenLines::none : hidden == "dashed" ? HiddenLines::dashed : HiddenLines::solid;
+  o.hidden = hidden_lines_named(hidden);
   o.coplanar = scene.which_coplanar();
   for (const std::string& text : pens) {
     const auto more = parse_pens(text);
@@ -118,7 +118,7 @@ Drawing from_lower_left(const Sheet& sheet) {
 std::string sheet_bytes(const Sheet& sheet, const SheetOptions& options, const SheetArguments& arguments, Format format) {
   if (format == Format::json) return json_of(sheet, options).text() + "\n";
   WriteOptions words = page_options(format, {options.title.title, "drawing sheet", {}}, "", arguments.pixels());
-  add_dxf(words, arguments.dxf_release, options.unit, sheet.drawing.scale);
+  add_dxf(words, arguments.formats.dxf_release, options.unit, sheet.drawing.scale);
   return written(format == Format::dxf ? from_lower_left(sheet) : sheet.drawing, name_of(format), words);
 }
 

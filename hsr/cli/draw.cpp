@@ -3,27 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 
 #include "geometry/error.h"
-#include "geometry/rounded_sum.h"
 #include "hsr/check/error_against_time.h"
 #include "hsr/check/error_csv.h"
 #include "hsr/cli/coincident_note.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
+#include "hsr/cli/draw_arguments.h"
+#include "hsr/cli/draw_report.h"
 #include "hsr/cli/drawing_check.h"
-#include "hsr/cli/line_arguments.h"
 #include "hsr/cli/messages.h"
 #include "hsr/cli/outline_only.h"
 #include "hsr/cli/output_summary.h"
-#include "hsr/cli/page_arguments.h"
 #include "hsr/cli/page_writing.h"
 #include "hsr/cli/paper_note.h"
 #include "hsr/cli/scale_text.h"
-#include "hsr/cli/scene_arguments.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/pen_order.h"
 #include "hsr/drawing/shading.h"
@@ -41,106 +38,6 @@ namespace hsr::cli {
 using namespace internal;
 
 namespace {
-
-struct DrawArguments {
-  ModelArguments models;
-  std::vector<std::string> outputs;
-  ViewOptions view;
-  SceneArguments scene;
-  LineArguments lines;
-  bool fill = false, outline_only = false;
-  std::string merge = "none", shade = "slope";
-  bool check = false;
-  std::string hidden = "none", overhead = "off";
-  bool section_each = false;
-  PageArguments page;
-  std::string dxf_release = "r12", id_prefix;
-  bool exact = false, why = false;
-  std::string arithmetic = "staged";
-  CommonArguments common;
-};
-
-const char* const examples = R"(Examples:
-  hsr draw part.stl -o part.svg                            iso view on A4
-  hsr draw part.stl -o part.svg --hidden dashed            hidden lines dashed, on their own layers
-  hsr draw part.obj -o front.svg -o front.png --view front --scale 1:2
-  hsr draw house.glb -o house.svg --eye 20,15,30          glTF has y up, in metres
-  hsr draw part.obj -o part.pdf -o part.dxf --view front   for a reader of papers, and for a CAD program
-  hsr draw part.ply -o lines.json --edges all --exact      every edge, parameters as "p/q"
-  hsr draw part.stl -o part.svg --fill                     filled, with the lines on top
-  hsr draw part.stl -o part.svg -o errors.csv              and how wrong a z-buffer is, size by size, against its time
-  hsr draw part.ply -o lines.json --hidden dashed --why    and which faces hide what
-  hsr draw house.obj trees.stl -o x.svg --ghost trees.stl  one scene; the trees are drawn and hide nothing
-  hsr draw part.stl -o part.svg --oblique 45,0.5           cabinet projection: the front stays true
-  hsr draw house.obj -o plan.pdf --view top --section z=1.2  a plan: what is above is taken away, walls are hatched
-  hsr draw part.stl -o part.svg --pen visible=0.35,hidden-sharp=0.18:#555 --hidden dashed --scale standard
-  hsr draw part.stl -o part.hpgl --sort pen                for a plotter: short ways with the pen up
-  hsr draw part.stl -o part.dxf --outline-only --view top  closed rings for a laser cutter
-  hsr draw part.stl -o part.dxf --view front --fit-arcs 0.05  holes as circles, where the edges of the model lie on some
-  zcat part.obj.gz | hsr draw - -o svg:- > part.svg        from standard input to standard output
-
-Writes each FILE, all of them or none: .svg, .pdf, .eps, .tex (TikZ), .hpgl (or .plt) and .png show the lines on a page, .dxf has
-them in units of the model, 1:1, whatever the page; .json has every line with its visible and its
-hidden intervals; .csv is a table of errors against run time. Standard error tells what was written, and the scale of a page.
-Exit status 1: --check or a csv found a difference that must not be.)";
-
-void describe(Report& report, const Model& model, const Mesh& mesh, const VisibleLines& lines) {
-  report.set("model", {{"name", model.name},
-                       {"format", model.format},
-                       {"points", mesh.points.size()},
-                       {"faces", mesh.faces.size()},
-                       {"triangles", mesh.triangles.size()},
-                       {"edges", mesh.edges.size()}});
-  std::uint64_t visible = 0, hidden = 0;
-  for (const Line& line : lines.lines)
-    for (std::uint32_t k = 0; k < line.intervals(); ++k) ++(line.hidden(k) ? hidden : visible);
-  report.set("lines", {{"edges", lines.lines.size()}, {"visible_intervals", visible}, {"hidden_intervals", hidden}});
-  report.set("method", lines.plan.method);
-  report.set("pairs", lines.pairs);
-  for (const LeftOut& stage : lines.plan.left_out) report.leave_out(stage.stage, stage.why);
-}
-
-void describe(Report& report, const Drawing& drawing) {
-  report.set("drawing", {{"polylines", drawing.polylines.size()},
-                         {"visible_under_visible", drawing.visible_under_visible},
-                         {"hidden_under_visible", drawing.hidden_under_visible},
-                         {"hidden_under_hidden", drawing.hidden_under_hidden},
-                         {"near_coincident", drawing.near_coincident},
-                         {"merged", drawing.merged},
-                         {"short_dropped", drawing.short_dropped},
-                         {"groups_dropped", drawing.groups_dropped},
-                         {"arcs", drawing.arcs.size()},
-                         {"scale_mm_per_unit", drawing.scale}});
-}
-
-/// The visible area of each face and each object that has one, in squares of the view's frame.
-Report::Json areas_json(const Model& model, const Mesh& mesh, const View& view, const VisibleFragments& fragments, bool exact) {
-  const std::vector<Rational> of_fragment = visible_areas(mesh, view, fragments);
-  using Areas = std::vector<const Rational*>;
-  std::map<std::uint32_t, Areas> of_face, of_object;
-  Areas all;
-  for (std::size_t k = 0; k < of_fragment.size(); ++k) {
-    const std::uint32_t face = mesh.face_of[first_triangle(fragments.fragments[k].facet)].value;
-    of_face[face].push_back(&of_fragment[k]);
-    all.push_back(&of_fragment[k]);
-    if (model.face_object.empty() || model.face_object[face] == 0xffffffffU) continue;
-    of_object[model.face_object[face]].push_back(&of_fragment[k]);
-  }
-  const auto number = [&](const Areas& areas) -> Report::Json {
-    if (!exact) return rounded_sum(areas);
-    Rational sum;
-    for (const Rational* x : areas) sum = sum + *x;
-    return sum.to_string();
-  };
-  Report::Json faces = Report::Json::array(), objects = Report::Json::array();
-  for (const auto& [face, areas] : of_face) faces.push_back(Report::Json::array({face, number(areas)}));
-  for (const auto& [object, areas] : of_object) objects.push_back(Report::Json::array({model.objects[object], number(areas)}));
-  return {{"fragments", fragments.fragments.size()},
-          {"rings", fragments.rings.size()},
-          {"visible_area", number(all)},
-          {"visible_area_of_faces", std::move(faces)},
-          {"visible_area_of_objects", std::move(objects)}};
-}
 
 /// Why a drawing has no line, for one who wonders.
 std::string empty_drawing(const DrawArguments& a, bool in_frame, const VisibleLines& lines, const Drawing& drawing) {
@@ -192,9 +89,7 @@ DrawRequest parse(const DrawArguments& a) {
   request.scene.coplanar = a.scene.which_coplanar();
   request.scene.arithmetic = arithmetic_named(a.arithmetic);
   request.drawing = a.page.options();
-  request.drawing.hidden = a.hidden == "none"     ? HiddenLines::none
-                           : a.hidden == "dashed" ? HiddenLines::dashed
-                                                  : HiddenLines::solid;
+  request.drawing.hidden = hidden_lines_named(a.hidden);
   request.drawing.arithmetic = request.scene.arithmetic;
   request.drawing.leave_out_near = true;
   if (a.outline_only && request.wants(Format::json))
@@ -205,7 +100,7 @@ DrawRequest parse(const DrawArguments& a) {
   request.scene.hidden_lines = a.why || request.drawing.hidden != HiddenLines::none || request.wants(Format::json);
   request.merge = a.merge == "none" ? Merge::none : a.merge == "coplanar" ? Merge::coplanar : Merge::colour;
   if (!a.page.size.empty()) request.size = parse_size(a.page.size);
-  check_id_prefix(a.id_prefix);
+  check_id_prefix(a.formats.id_prefix);
   return request;
 }
 
@@ -298,11 +193,11 @@ void DrawCommand::note_idle_options() {
     context_.note(fmt::format("{} has no effect without an output that ends in .{}", option, format));
   };
   if (a_.why && !request_.wants(Format::json)) note("--why", "json");
-  if (a_.exact && !request_.wants(Format::json)) note("--exact", "json");
+  if (a_.formats.exact && !request_.wants(Format::json)) note("--exact", "json");
   if (!request_.drawing.pens.empty() && request_.wants(Format::hpgl))
     context_.note("hpgl has a pen for each layer and the dashes asked for, but no widths and colours");
-  if (!a_.id_prefix.empty() && !request_.wants(Format::svg)) note("--id-prefix", "svg");
-  if (a_.dxf_release != "r12" && !request_.wants(Format::dxf)) note("--dxf", "dxf");
+  if (!a_.formats.id_prefix.empty() && !request_.wants(Format::svg)) note("--id-prefix", "svg");
+  if (a_.formats.dxf_release != "r12" && !request_.wants(Format::dxf)) note("--dxf", "dxf");
   if (a_.fill && a_.outline_only) context_.note("--fill has no effect with --outline-only");
   if (a_.fill)
     for (const auto& [format, name] : {std::pair{Format::dxf, "dxf"}, std::pair{Format::hpgl, "hpgl"}})
@@ -373,7 +268,7 @@ void DrawCommand::find_fragments() {
   decisions_ += fragments_->decisions;
   if (context_.reports())
     report.set("fragments", report.timed("areas", [&] {
-      return areas_json(scene_.model, scene_.mesh, scene_.view(), *fragments_, a_.exact);
+      return areas_json(scene_.model, scene_.mesh, scene_.view(), *fragments_, a_.formats.exact);
     }));
 }
 
@@ -489,22 +384,13 @@ std::string DrawCommand::bytes_of(Format format) const {
   if (format == Format::csv) return error_csv(errors_);
   if (format == Format::json)
     return lines_json(scene_.mesh, scene_.view(), lines_,
-                      {a_.exact ? Numbers::exact : Numbers::rounded, a_.fill ? &*fragments_ : nullptr, a_.why, &objects_,
-                       request_.drawing.section});
+                      {a_.formats.exact ? Numbers::exact : Numbers::rounded, a_.fill ? &*fragments_ : nullptr, a_.why,
+                       &objects_, request_.drawing.section});
   SvgOptions captions = scene_.captions();
-  captions.id_prefix = a_.id_prefix;
+  captions.id_prefix = a_.formats.id_prefix;
   WriteOptions options = page_options(format, captions, scale_in_title(*drawing_, request_.drawing, a_.page), request_.size);
-  add_dxf(options, a_.dxf_release, request_.drawing.unit, drawing_->scale);
+  add_dxf(options, a_.formats.dxf_release, request_.drawing.unit, drawing_->scale);
   return written(format == Format::dxf ? *model_drawing_ : *drawing_, name_of(format), options);
-}
-
-/// The straight ones, of which those that were joined end to end count each, and the arcs.
-std::string counted_lines(const Drawing& drawing) {
-  std::uint64_t count = 0;
-  for (const Polyline& p : drawing.polylines) count += p.end_point - p.first_point - (p.closed ? 0 : 1);
-  for (const DrawnArc& arc : drawing.arcs) count -= arc.end_line - arc.first_line;
-  const std::string lines = counted(count, "line");
-  return drawing.arcs.empty() ? lines : lines + ", " + counted(drawing.arcs.size(), "arc");
 }
 
 std::string DrawCommand::summary_of_page(bool has_fills) const {
@@ -573,81 +459,11 @@ void run_each(const DrawArguments& a, UnfinishedFiles& unfinished) {
   }
 }
 
-void add_line_options(DrawArguments& a, Options& options) {
-  options.begin_group("Lines");
-  options.add("--hidden", a.hidden, "STYLE", "Hidden lines: none, dashed or solid")
-      .with_default_shown()
-      .one_of({"none", "dashed", "solid"});
-  a.lines.add_to(options);
-  options
-      .add("--overhead", a.overhead, "STYLE",
-           "What the section takes away, as it is seen from the cut: dashed, in the class overhead, or off. In parallel views")
-      .with_default_shown()
-      .one_of({"dashed", "off"});
-  options.add_flag("--section-each", a.section_each,
-                   "A drawing for each --section, numbered in their order: plan-1.svg, plan-2.svg");
-  options.add_flag("--why", a.why, "JSON: which faces hide each hidden interval");
-}
-
-void add_surface_options(DrawArguments& a, Options& options) {
-  options.begin_group("Surfaces");
-  options.add_flag("--fill", a.fill, "Fill the visible parts of faces, in the file's colours or grey; JSON: with fragments");
-  options.add("--shade", a.shade, "HOW", "Fills are darker by the slope of their faces, or not: slope or none")
-      .with_default_shown()
-      .one_of({"slope", "none"});
-  options.add_flag(
-      "--outline-only", a.outline_only,
-      "Instead of lines and fills: the outline of everything, with holes, as closed rings, such as for laser cutting");
-  options
-      .add("--merge", a.merge, "WHICH",
-           "With --fill: unite neighbours of one colour: none, coplanar (only in one plane) or colour")
-      .with_default_shown()
-      .one_of({"none", "coplanar", "colour"});
-  options.add_flag(
-      "--check", a.check,
-      "Compare the visible fragments with the nearest face at each sample of --size [1024x1024], exit status 1 if they "
-      "differ; and z-buffers, with the reason for each difference, those of the driver's OpenGL last");
-}
-
 }  // namespace
 
 void add_draw(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<DrawArguments>();
-  Options options =
-      command.add_verb("draw", "Draw the visible lines of models: SVG, PDF, EPS, DXF, TikZ, HPGL, PNG or JSON", examples);
-  a->models.add_to(options);
-  options
-      .add_one_each(
-          "-o,--output", a->outputs, "FILE",
-          "The drawing; its ending chooses svg, pdf, eps, dxf, tex, hpgl, png or json; csv: a table of error against run time, "
-          "of the "
-          "exact fragments and of z-buffers of 256, 512, ... samples each way, up to --size [8192]; svg:- and the like "
-          "write to standard output; may be repeated")
-      .required();
-  a->models.add_objects_to(options);
-  a->view.add_to(options);
-  a->scene.add_to(options);
-  add_line_options(*a, options);
-  add_surface_options(*a, options);
-  a->page.add_to(options, "PNG: pixels [150 to the inch]; --check and csv: samples");
-  a->page.add_pens_to(options);
-  a->page.add_sort_to(options);
-  a->page.add_fit_arcs_to(options);
-  options.add("--dxf", a->dxf_release, "RELEASE", "DXF: r12, which everything reads, or 2000, with line weights")
-      .with_default_shown()
-      .one_of({"r12", "2000"});
-  options.add("--id-prefix", a->id_prefix, "TEXT", "SVG: what each id begins with, for several files in one document");
-  options.begin_group("Numbers");
-  options.add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
-  a->common.add_threads_to(options);
-  options
-      .add("--arithmetic", a->arithmetic, "KIND",
-           "staged (exact, fast), or for comparison double (may be wrong!), interval, rational")
-      .with_default_shown()
-      .one_of({"staged", "double", "interval", "rational"});
-  options.begin_group("Report");
-  a->common.add_report_to(options, "Times, counts and decisions");
-  a->common.add_quiet_to(options, "Say nothing but what is wrong");
+  Options options = a->add_to(command);
   options.on_run([a, &unfinished] { a->section_each ? run_each(*a, unfinished) : run(*a, unfinished); });
 }
 

@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
+#include "hsr/cli/format_arguments.h"
 #include "hsr/cli/messages.h"
 #include "hsr/cli/model_defaults.h"
 #include "hsr/cli/output_summary.h"
@@ -30,8 +31,7 @@ struct JoinArguments {
   std::string job;
   std::vector<std::string> outputs;
   PageArguments page;
-  std::string dxf_release = "r12", id_prefix;
-  bool exact = false;
+  FormatArguments formats;
   CommonArguments common;
 };
 
@@ -51,7 +51,7 @@ class JoinCommand {
       : a_(a), outputs_(parse_outputs(a.outputs, formats)), context_(a.common, {}, paths_of(outputs_), unfinished) {
     drawing_options_ = a.page.options();
     if (!a.page.size.empty()) size_ = parse_size(a.page.size);
-    check_id_prefix(a.id_prefix);
+    check_id_prefix(a.formats.id_prefix);
   }
 
   void run() {
@@ -135,9 +135,7 @@ void JoinCommand::unite() {
 }
 
 void JoinCommand::draw_page() {
-  drawing_options_.hidden = job_.hidden == "none"     ? HiddenLines::none
-                            : job_.hidden == "dashed" ? HiddenLines::dashed
-                                                      : HiddenLines::solid;
+  drawing_options_.hidden = hidden_lines_named(job_.hidden);
   drawing_options_.leave_out_near = true;
   drawing_options_.objects = &objects_;
   drawing_options_.field_of_view = job_.chosen.field_of_view;
@@ -153,7 +151,7 @@ void JoinCommand::draw_page() {
 std::string JoinCommand::bytes_of(Format format) const {
   if (format == Format::json) {
     JsonOptions options;
-    options.numbers = a_.exact ? Numbers::exact : Numbers::rounded;
+    options.numbers = a_.formats.exact ? Numbers::exact : Numbers::rounded;
     options.objects = &objects_;
     options.point_numbers = scene_.part.points;
     options.face_numbers = scene_.part.faces;
@@ -163,9 +161,9 @@ std::string JoinCommand::bytes_of(Format format) const {
   viewed.model.name = job_.names.name;
   viewed.chosen = job_.chosen;
   SvgOptions captions = viewed.captions();
-  captions.id_prefix = a_.id_prefix;
+  captions.id_prefix = a_.formats.id_prefix;
   WriteOptions options = page_options(format, captions, scale_in_title(*drawing_, drawing_options_, a_.page), size_);
-  add_dxf(options, a_.dxf_release, drawing_options_.unit, drawing_->scale);
+  add_dxf(options, a_.formats.dxf_release, drawing_options_.unit, drawing_->scale);
   return written(format == Format::dxf ? *model_drawing_ : *drawing_, name_of(format), options);
 }
 
@@ -204,12 +202,9 @@ void add_join(CommandLine& command, UnfinishedFiles& unfinished) {
   a->page.add_pens_to(options);
   a->page.add_sort_to(options);
   a->page.add_fit_arcs_to(options);
-  options.add("--dxf", a->dxf_release, "RELEASE", "DXF: r12, which everything reads, or 2000, with line weights")
-      .with_default_shown()
-      .one_of({"r12", "2000"});
-  options.add("--id-prefix", a->id_prefix, "TEXT", "SVG: what each id begins with, for several files in one document");
-  options.begin_group("Numbers");
-  options.add_flag("--exact", a->exact, "JSON: exact numbers as strings \"p/q\"");
+  a->formats.add_dxf_to(options);
+  a->formats.add_id_prefix_to(options);
+  a->formats.add_exact_to(options);
   a->common.add_threads_to(options);
   options.begin_group("Report");
   a->common.add_report_to(options, "Times and counts");

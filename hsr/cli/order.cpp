@@ -9,6 +9,7 @@
 #include "hsr/cli/coincident_note.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
+#include "hsr/cli/format_arguments.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/messages.h"
 #include "hsr/cli/output_summary.h"
@@ -38,10 +39,11 @@ struct OrderArguments {
   PageArguments page;
   std::string method = "depth-sort", cuts = "few";
   std::string edges = "outline,sharp,boundary,intersection,wire,material,section,hatching";
-  std::string crease = "30", shade = "slope", id_prefix;
+  std::string crease = "30", shade = "slope";
   double opacity = 1;
   std::uint64_t seed = 1;
-  bool exact = false, check = false;
+  FormatArguments formats;
+  bool check = false;
   CommonArguments common;
 };
 
@@ -114,7 +116,7 @@ OrderRequest parse(const OrderArguments& a) {
   request.drawing = a.page.options();
   request.drawing.leave_out_near = true;
   request.painting.opacity = a.opacity;
-  check_id_prefix(a.id_prefix);
+  check_id_prefix(a.formats.id_prefix);
   request.painting.paints_lines_with_pieces = a.method == "naive" || a.method == "z-sort";
   if (!a.page.size.empty()) request.size = parse_size(a.page.size);
   return request;
@@ -248,10 +250,10 @@ const Drawing& OrderCommand::drawing() {
 
 std::string OrderCommand::bytes_of(Format format) {
   if (format == Format::json)
-    return order_json(scene_.mesh, scene_.view(), order_, a_.exact ? Numbers::exact : Numbers::rounded,
+    return order_json(scene_.mesh, scene_.view(), order_, a_.formats.exact ? Numbers::exact : Numbers::rounded,
                       a_.scene.which_coplanar(), request_.drawing.section);
   SvgOptions captions = scene_.captions();
-  captions.id_prefix = a_.id_prefix;
+  captions.id_prefix = a_.formats.id_prefix;
   return written(drawing(), name_of(format),
                  page_options(format, captions, scale_in_title(drawing(), request_.drawing, a_.page), request_.size));
 }
@@ -332,9 +334,8 @@ void add_order(CommandLine& command, UnfinishedFiles& unfinished) {
   a->page.add_to(options, "PNG: pixels [150 to the inch]; --check: samples [1024x1024]");
   a->page.add_pens_to(options);
   a->page.add_fit_arcs_to(options);
-  options.add("--id-prefix", a->id_prefix, "TEXT", "SVG: what each id begins with, for several files in one document");
-  options.begin_group("Numbers");
-  options.add_flag("--exact", a->exact, "JSON: all coordinates as strings \"p/q\"; those that are no doubles always are");
+  a->formats.add_id_prefix_to(options);
+  a->formats.add_exact_to(options, "JSON: all coordinates as strings \"p/q\"; those that are no doubles always are");
   a->common.add_threads_to(options);
   options.begin_group("Report");
   a->common.add_report_to(options, "Times, tests, cuts and cycles");

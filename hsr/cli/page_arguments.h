@@ -32,6 +32,9 @@ struct PageArguments {
   std::string adopt_unit(const Model& model, DrawingOptions& options) const;
 };
 
+/// @param name none, dashed or solid
+HiddenLines hidden_lines_named(const std::string& name);
+
 /// The millimetres of --fit-arcs. @throws InputError unless they are more than 0
 double tolerance_of_arcs(const std::string& text);
 

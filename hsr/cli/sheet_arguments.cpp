@@ -37,9 +37,7 @@ void SheetArguments::add_to(Options& options) {
   options.add("--title-block", title_file, "FILE",
               "Fields of the title block as JSON, such as {\"title\": \"Bracket\"}; --title counts more");
   options.add("--size", size, "WxH", "PNG: pixels [150 to the inch]");
-  options.add("--dxf", dxf_release, "RELEASE", "DXF: r12, which everything reads, or 2000, with line weights")
-      .with_default_shown()
-      .one_of({"r12", "2000"});
+  formats.add_dxf_to(options);
   options.add_one_each("--pen", pens, "NAME=MM[:COLOUR[:DASH]]", "Pens of the views' lines, as hsr draw has them");
   options.add("--fit-arcs", fit_arcs, "MM",
               "Draw lines that lie on one circle, within this on paper, as arcs, as hsr draw does");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hsr/cli/command_line.h"
+#include "hsr/cli/format_arguments.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/scene_arguments.h"
 #include "hsr/io/write/format.h"
@@ -21,7 +22,8 @@ using namespace internal;
 struct SheetArguments {
   std::string page = "A3", angle, scale = "standard", unit, up_axis, views = "front,top,side,iso";
   std::vector<std::string> sections, details, titles, pens;
-  std::string title_file, dimensions = "overall", centre_lines = "on", hidden = "dashed", dxf_release = "r12", fit_arcs, size;
+  std::string title_file, dimensions = "overall", centre_lines = "on", hidden = "dashed", fit_arcs, size;
+  FormatArguments formats;
   SceneArguments scene;
   LineArguments lines;
 

@@ -72,8 +72,7 @@ DrawRequest::DrawRequest(const Arguments& a)
   scene.arithmetic = cli::arithmetic_named(arithmetic);
   drawing = page.options();
   drawing.arithmetic = scene.arithmetic;
-  const std::string hidden = a.word("hidden", "none", {"none", "dashed", "solid"});
-  drawing.hidden = hidden == "none" ? HiddenLines::none : hidden == "dashed" ? HiddenLines::dashed : HiddenLines::solid;
+  drawing.hidden = cli::hidden_lines_named(a.word("hidden", "none", {"none", "dashed", "solid"}));
   drawing.leave_out_near = true;
   scene.hidden_lines = lines.why || drawing.hidden != HiddenLines::none || outputs.wants(Format::json);
   shows_overhead = a.word("overhead", "off", {"dashed", "off"}) == "dashed";

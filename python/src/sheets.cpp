@@ -30,7 +30,7 @@ cli::SheetArguments words_of(const Arguments& a) {
   words.dimensions = a.get("dimensions", true) ? "overall" : "none";
   words.centre_lines = a.get("centre_lines", true) ? "on" : "off";
   words.hidden = a.word("hidden", "dashed", {"none", "dashed", "solid"});
-  words.dxf_release = a.word("dxf", "r12", {"r12", "2000"});
+  words.formats.dxf_release = a.word("dxf", "r12", {"r12", "2000"});
   words.fit_arcs = a.get("fit_arcs", words.fit_arcs);
   words.size = a.get("size", words.size);
   words.scene = a.scene();
@@ -56,7 +56,7 @@ DrawnPage sheet_of(const cli::SheetArguments& words, const OutputPaths& outputs,
   page.json = cli::json_of(sheet, options).text() + "\n";
   page.captions = {options.title.title, "drawing sheet", {}};
   page.size = words.pixels();
-  page.dxf_release = words.dxf_release;
+  page.dxf_release = words.formats.dxf_release;
   page.unit = options.unit;
   ticket.check();
   outputs.write(page);
