@@ -20,7 +20,7 @@ class Extremes {
   explicit Extremes(const std::vector<Point3>& points) : points_(points) {}
   void add(std::uint32_t v) {
     for (int axis = 0; axis < 3; ++axis) {
-      std::uint32_t &low = at_[static_cast<std::size_t>(2 * axis)], &high = at_[static_cast<std::size_t>(2 * axis + 1)];
+      std::uint32_t &low = at_[2 * static_cast<std::size_t>(axis)], &high = at_[2 * static_cast<std::size_t>(axis) + 1];
       if (low == none || points_[v][axis] < points_[low][axis]) low = v;
       if (high == none || points_[v][axis] > points_[high][axis]) high = v;
     }
