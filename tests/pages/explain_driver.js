@@ -65,6 +65,7 @@
     const half = run.steps.length >> 1;
     for (let clicks = 0; !next.disabled && clicks < 3 * run.steps.length + 10; ++clicks) {
       numbers_are_told(player, where());
+      check_labels(check, player, where());
       if (player.at == half) middle = shown(player).all;
       next.click();
       if (!player.asking) continue;
@@ -82,6 +83,8 @@
     check(player.at == run.steps.length - 1, where() + ': the end is not reached');
     check(asked == run.steps.filter(s => s.choices).length, where() + ': not every question was asked');
     compare(player, run, run.name);
+    check_labels(check, player, where());
+    check_cells(check, player, where());
     const slider = player.get('slider');
     slider.value = half;
     slider.dispatchEvent(new Event('input'));
