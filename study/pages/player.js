@@ -10,7 +10,8 @@ class Player {
     get('runs').hidden = trace.runs.length < 2;
     this.make_parts();
     get('run').addEventListener('change', () => this.choose(+get('run').value));
-    get('code').innerHTML = trace.pseudocode.map(([name, text]) => `<li data-line="${escaped(name)}">${escaped(text)}</li>`).join('');
+    get('code').innerHTML = trace.pseudocode.map(([name, text]) =>
+      `<li data-line="${escaped(name)}"><span style="--indent:${text.search(/\S/)}">${escaped(text.trim())}</span></li>`).join('');
     get('first').addEventListener('click', () => this.go(0));
     get('back').addEventListener('click', () => this.back());
     get('next').addEventListener('click', () => this.next());

@@ -103,8 +103,7 @@
       tables();
       theme();
       slider();
-      const wide = document.documentElement.scrollWidth;
-      check(wide <= innerWidth, `the page is ${wide} wide, the window ${innerWidth}`);
+      check_widths(check);
       for (const table of document.querySelectorAll('table.fits'))
         check(table.offsetWidth <= table.parentElement.clientWidth + 1, `a table is ${table.offsetWidth} wide, its place ${table.parentElement.clientWidth}`);
       check_contrast(check, document.documentElement.dataset.theme);

@@ -210,8 +210,7 @@
       }
       if (players.length) keyboard(players[0]);
       gaps();
-      const wide = document.documentElement.scrollWidth;
-      check(wide <= innerWidth, `the page is ${wide} wide, the window ${innerWidth}`);
+      check_widths(check);
       for (const player of players) player.go(player.last >> 1);
       check_contrast(check, document.documentElement.dataset.theme);
       document.getElementById('theme').click();
