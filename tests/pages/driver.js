@@ -114,6 +114,6 @@
     } catch (e) {
       wrong.push('exception: ' + e);
     }
-    parent.postMessage('PAGE ' + (wrong.length ? 'WRONG\n' + wrong.join('\n') : 'RIGHT') + '\nEND', '*');
+    parent.postMessage('PAGE ' + (wrong.length ? 'WRONG\n' + wrong.join('\n') : 'RIGHT') + '\n', '*');
   });
 })();

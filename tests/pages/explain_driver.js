@@ -202,7 +202,7 @@
         // Of many long runs some are walked, and of the others the end is looked at.
         let walked = 0;
         player.trace.runs.forEach((run, k) => {
-          if (walked < 600 || k == player.trace.runs.length - 1) walk(player, k); else to_the_end(player, k);
+          if (walked < 3000 || k == player.trace.runs.length - 1) walk(player, k); else to_the_end(player, k);
           walked += run.steps.length;
         });
         parts(player);
@@ -220,6 +220,6 @@
     } catch (e) {
       wrong.push('exception: ' + e + ' ' + e.stack);
     }
-    parent.postMessage('PAGE ' + (wrong.length ? 'WRONG\n' + wrong.join('\n') : 'RIGHT') + '\nEND', '*');
+    parent.postMessage('PAGE ' + (wrong.length ? 'WRONG\n' + wrong.join('\n') : 'RIGHT') + '\n', '*');
   });
 })();
