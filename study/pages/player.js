@@ -203,6 +203,7 @@ class Player {
       if (!painted.has(id))
         html += `<polygon class="piece" points="${points(p.ring)}" fill="${this.colour(p.face)}" fill-opacity="0.14" stroke-width="${unit * 0.2}" stroke-opacity="0.7" stroke-dasharray="${unit} ${unit * 0.7}"/>`;
     if (edges.length) for (const e of edges) html += `<line class="edge" x1="${e.from[0]}" y1="${e.from[1]}" x2="${e.to[0]}" y2="${e.to[1]}" stroke-width="${unit * 0.2}"/>`;
+    if (state.tiles) html += this.tiles_html(state.tiles, step.tiles || [], unit);
     for (const [a, b, is_hidden] of state.drawn)
       html += `<line class="drawn${is_hidden ? ' hidden' : ''}" x1="${a[0]}" y1="${a[1]}" x2="${b[0]}" y2="${b[1]}" stroke-width="${unit * (is_hidden ? 0.25 : 0.5)}"${is_hidden ? ` stroke-dasharray="${unit} ${unit * 0.8}"` : ''} stroke-linecap="round"/>`;
     if (step.row !== undefined) html += `<rect class="row" x="0" y="${step.row}" width="${width}" height="1" stroke-width="${unit * 0.4}"/>`;
@@ -238,6 +239,17 @@ class Player {
     return `<rect class="cell" x="${i}" y="${j}" width="1" height="1" fill="${fill}" stroke-width="0.02"/>` +
         `<text x="${i + 0.5}" y="${j + 0.5 + size * 0.36}" text-anchor="middle" font-size="${size}" style="fill:${own || face >= 0 ? ink_on(fill) : 'var(--quiet)'}">${escaped(text)}</text>` +
         `<title>row ${j}, column ${i}: ${escaped(text)}${face >= 0 ? ', ' + escaped(this.scene.faces[face].name) : ''}</title>`;
+  }
+
+  // Those that hide something are shaded; of those that a step looks at, those that do not hide what it asks about have a cross.
+  tiles_html({corner, column, row, columns, depths}, looked_at, unit) {
+    const at = (i, j) => [0, 1].map(k => +(corner[k] + i * column[k] + j * row[k]).toFixed(2)).join(' ');
+    const tile = (i, j) => `M${at(i, j)}L${at(i + 1, j)}L${at(i + 1, j + 1)}L${at(i, j + 1)}Z`;
+    const cross = (i, j) => `M${at(i + 0.2, j + 0.2)}L${at(i + 0.8, j + 0.8)}M${at(i + 0.8, j + 0.2)}L${at(i + 0.2, j + 0.8)}`;
+    const covering = depths.map((depth, k) => depth == null ? '' : tile(k % columns, Math.floor(k / columns))).join('');
+    const path = (name, d) => d && `<path class="${name}" d="${d}" stroke-width="${unit * 0.25}"/>`;
+    return path('covering', covering) + path('touched', looked_at.map(([i, j]) => tile(i, j)).join('')) +
+        path('open', looked_at.filter(tile => !tile[2]).map(([i, j]) => cross(i, j)).join(''));
   }
 
   // Names are over all else. What is painted over a face hides its name.

@@ -28,6 +28,7 @@ class State {
     this.bars = new Map();
     this.masks = new Map();
     this.drawn = [];
+    this.tiles = null;
   }
   apply(change) {
     switch (change.do) {
@@ -43,6 +44,7 @@ class State {
       case 'masks': this.masks.set(change.name, change.masks); break;
       case 'draw': this.drawn.push(...change.lines); break;
       case 'undraw': this.drawn = []; break;
+      case 'tiles': this.tiles = change; break;
     }
   }
   // Another one, which changes by itself: what is in a map is replaced, never changed.
