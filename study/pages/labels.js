@@ -70,7 +70,9 @@ class Labels {
     // Its own sides cross it, or there is another name. Where there are many names, so are their lines: then rather within.
     const beside = 3 + Math.max(0, this.rings.length - 16) / 5;
     if (least >= beside) {
-      const anchor = within.reduce((a, p) => far(p) < far(a) ? p : a);
+      // The line leads to where few other faces are.
+      const around_it = p => far(p) / 4 + 2 * this.rings.filter(face => inside(face, p)).length;
+      const anchor = within.reduce((a, p) => around_it(p) < around_it(a) ? p : a);
       for (let k = 0; k < 80; ++k) {
         const turn = Math.PI * k / 8, reach = [1.6, 2.6, 4.6, 7.6, 11][k >> 4] * size;
         const at = [(x + x2) / 2 + Math.cos(turn) * ((x2 - x) / 2 + reach), (y + y2) / 2 - Math.sin(turn) * ((y2 - y) / 2 + reach)];
