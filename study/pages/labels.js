@@ -1,5 +1,5 @@
 // Where the names of faces stand in a picture: each within its face if it has room there, off other faces and lines if that can be, and
-// none over another. What is too small for its name has it beside it, at the end of a line.
+// none over another. Numbers of vertices stand beside these. What is too small for its name has it beside it, at the end of a line.
 const inside = (ring, [x, y]) => ring.reduce((is_in, [ax, ay], k) => {
   const [bx, by] = ring[(k + 1) % ring.length];
   return (ay > y) != (by > y) && x < ax + (bx - ax) * (y - ay) / (by - ay) ? !is_in : is_in;
@@ -40,7 +40,7 @@ class Labels {
       if (names.get(id)?.ring != this.placed.get(id).ring) this.placed.delete(id);
     const area = ring => { const [x, y, x2, y2] = around(ring); return (x2 - x) * (y2 - y); };
     const fresh = [...names].filter(([id]) => !this.placed.has(id)).sort((a, b) => area(a[1].ring) - area(b[1].ring));
-    this.rings = [...names.values()].map(name => name.ring);
+    this.rings = [...names.values()].map(name => name.ring).filter(ring => ring.length > 2);
     this.lines = this.rings.flatMap(ring => ring.map((p, k) => line_of(p, ring[(k + 1) % ring.length])));
     for (const [id, {text, ring}] of fresh) this.placed.set(id, {text, ring, ...this.find(text, ring, [])});
   }
@@ -54,6 +54,7 @@ class Labels {
 
   find(text, ring, over) {
     const size = this.size * (text.length > 4 ? 0.75 : 1) * (this.rings.length > 60 ? 0.6 : this.rings.length > 26 ? 0.75 : 1), centre = middle(ring), [x, y, x2, y2] = around(ring), n = this.rings.length > 60 ? 4 : 10;
+    if (ring.length == 1) return this.find_beside(text, ring);
     let within = [centre];
     for (let i = 0; i <= n; ++i)
       for (let j = 0; j <= n; ++j) within.push([x + (x2 - x) * (i + 0.5) / (n + 1), y + (y2 - y) * (j + 0.5) / (n + 1)]);
@@ -78,6 +79,18 @@ class Labels {
         const at = [(x + x2) / 2 + Math.cos(turn) * ((x2 - x) / 2 + reach), (y + y2) / 2 - Math.sin(turn) * ((y2 - y) / 2 + reach)];
         offer(at, line_of(anchor, at), beside + far(at) / 4);
       }
+    }
+    return best;
+  }
+
+  // The number of a vertex, without a line.
+  find_beside(text, ring) {
+    const size = this.size * 0.6, [[x, y]] = ring;
+    let best = {at: null, size, box: [0, 0, 0, 0], leader: null}, least = Infinity;
+    for (let k = 0; k < 32; ++k) {
+      const turn = Math.PI * k / 8, reach = size * [1, 1.5][k >> 4], at = [x + Math.cos(turn) * reach * (0.6 + 0.3 * text.length), y - Math.sin(turn) * reach];
+      const cost = this.cost(at, text, size, ring, null) + (k >> 4);
+      if (cost < least) least = cost, best = {at, size, box: this.box(at, text, size), leader: null};
     }
     return best;
   }

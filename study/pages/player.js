@@ -260,7 +260,7 @@ class Player {
       const {at, text, size, leader} = labels.seen(id, painted.includes(id) ? rings.slice(painted.lastIndexOf(id) + 1) : []);
       if (!at) continue;
       if (leader) html += `<line class="leader" x1="${leader.a[0]}" y1="${leader.a[1]}" x2="${at[0]}" y2="${at[1]}" stroke-width="${size * 0.06}"/>`;
-      html += `<text class="halo" x="${at[0]}" y="${at[1] + size * 0.35}" text-anchor="middle" font-size="${size}" stroke-width="${size * 0.25}">${escaped(text)}</text>`;
+      html += `<text class="halo${this.state.vertices.has(id) ? ' vertex' : ''}" x="${at[0]}" y="${at[1] + size * 0.35}" text-anchor="middle" font-size="${size}" stroke-width="${size * 0.25}">${escaped(text)}</text>`;
     }
     return html;
   }

@@ -17,8 +17,10 @@ function middle(ring) {
 }
 
 class State {
-  constructor({width, height, faces, samples}) {
+  constructor({width, height, faces, edges, samples}) {
     this.faces = samples ? [] : faces;
+    // Edges are named by their vertices: 3–7.
+    this.vertices = new Map(edges.length > 100 ? [] : edges.flatMap(({name, from, to}) => name.split('–').map((v, k) => ['vertex ' + v, {text: v, ring: [k ? to : from]}])));
     this.labels = new Labels(width, height, Math.max(width, height) * 0.036);
     this.lists = new Map();
     this.pieces = new Map();
@@ -60,6 +62,6 @@ class State {
   settle() {
     const pieces = [...this.pieces].map(([id, p]) => [id, {text: p.name, ring: p.ring}]);
     const faces = this.faces.flatMap((f, k) => f.rings.map(ring => ['face ' + k, {text: f.name, ring}]));
-    this.labels.settle(new Map(pieces.length ? pieces : faces));
+    this.labels.settle(new Map([...(pieces.length ? pieces : faces), ...this.vertices]));
   }
 }

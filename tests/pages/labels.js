@@ -14,10 +14,14 @@ const check_labels = (check, player, where) => {
     });
   }
   const {pieces, painted} = player.state, {faces, samples} = player.scene;
-  const count = player.root.querySelectorAll('.picture text.halo').length;
+  const count = player.root.querySelectorAll('.picture text.halo:not(.vertex)').length;
   const names = pieces.size || samples ? pieces.size : faces.filter(f => f.rings.length).length;
   const least = names > 26 ? 0.9 * names : names;  // of many there may be one without room
   check(count <= names && (painted.length || count >= least), `${where}: ${count} names of ${names} faces are shown`);
+  const vertices = new Set(player.scene.edges.flatMap(edge => edge.name.split('–')));
+  const numbers = [...player.root.querySelectorAll('.picture text.vertex')].map(text => text.textContent);
+  check(numbers.every(v => vertices.has(v)) && (player.scene.edges.length > 100 || numbers.length >= 0.9 * vertices.size),
+        `${where}: ${numbers.length} numbers of ${vertices.size} vertices are shown`);
 };
 
 // What stands in a sample is within it.
