@@ -199,11 +199,13 @@ std::string with_gaps(std::string_view page) {
 std::vector<Lesson> all_lessons(const std::string& made) {
   Lesson image{"lesson-image-space",
                "Lesson 1: image space",
-               "depths at samples, from one to a grid; what a format holds; rows and their edges",
+               "depths at samples, from one to a grid; what a format holds; rows and their edges; what need not be drawn",
                {}};
   image.page = lesson_page(image.title, with_gaps("lesson-image-space.html"), image_space_traces(), made);
-  Lesson object{
-      "lesson-object-space", "Lesson 2: object space", "orders of faces, cycles, cuts, trees, and visible lines, exactly", {}};
+  Lesson object{"lesson-object-space",
+                "Lesson 2: object space",
+                "orders of faces, cycles, cuts and trees; visible lines two ways, and visible fragments, exactly",
+                {}};
   object.page = lesson_page(object.title, page_text("lesson-object-space.html"), object_space_traces(), made);
   Lesson compression{"z-compression",
                      "Near and far planes",

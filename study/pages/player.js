@@ -53,6 +53,9 @@ class Player {
     this.scene = this.run.scene || this.trace.scene;
     this.cells_shown = new Map();  // by place: the cell of the state, and its element
     this.get('picture').querySelector('svg').innerHTML = '<g class="cells"></g><g class="over"></g>';
+    // Where samples have numbers there is no room for names.
+    this.get('legend').innerHTML = this.scene.samples && this.scene.faces.length <= 26 ?
+        this.scene.faces.map(f => `<li style="--chip:${f.colour}">${escaped(f.name)}</li>`).join('') : '';
     this.answered = new Map();  // by step: whether the first answer was right
     this.asking = false;
     this.get('slider').max = this.run.steps.length - 1;
@@ -193,7 +196,7 @@ class Player {
     if (!with_pieces)
       for (const f of faces)
         for (const ring of f.rings)
-          html += samples ? `<polygon class="outline" points="${points(ring)}" stroke-width="${unit * 0.25}"/>` :
+          html += samples ? `<polygon class="outline" style="--of:${f.colour}" points="${points(ring)}" stroke-width="${unit * 0.4}"/>` :
                             `<polygon points="${points(ring)}" fill="${f.colour}" fill-opacity="0.14"/>`;
     for (const id of state.painted) {
       const p = state.pieces.get(id);

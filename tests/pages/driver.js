@@ -104,6 +104,10 @@
       theme();
       slider();
       check_widths(check);
+      for (const text of document.querySelectorAll('.diagram text')) {
+        const {width, height} = text.getBoundingClientRect(), size = text.hasAttribute('transform') ? width : height;  // turned upright
+        check(size >= 9, `in a diagram “${text.textContent}” is ${size.toFixed(1)} high`);
+      }
       for (const table of document.querySelectorAll('table.fits'))
         check(table.offsetWidth <= table.parentElement.clientWidth + 1, `a table is ${table.offsetWidth} wide, its place ${table.parentElement.clientWidth}`);
       check_contrast(check, document.documentElement.dataset.theme);

@@ -198,6 +198,7 @@
       }
       const players = typeof Player == 'undefined' ? [] : Player.all;
       check(players.length > 0 || !document.querySelector('script.trace'), 'no player');
+      check((players.length > 0) == document.getElementById('exercises').getClientRects().length > 0, 'a switch for exercises where there are none');
       for (const player of players) {
         // Of many long runs some are walked, and of the others the end is looked at.
         let walked = 0;
