@@ -69,6 +69,22 @@ TEST_CASE("the steps of every method come to what it returns", "[study][explain]
   }
 }
 
+TEST_CASE("nodes of a tree with parts of one face are told apart", "[study][explain]") {
+  const Json trace = Json::parse(trace_json(explain_bsp(example_scene("walls"), 0)));
+  for (const Json& run : trace["runs"]) {
+    std::set<std::string> names;
+    std::size_t nodes = 0;
+    for (const Json& step : run["steps"])
+      for (const Json& change : step.value("changes", Json::array()))
+        if (change["do"] == "node") {
+          ++nodes;
+          names.insert(change["text"]);
+        }
+    CHECK(names.size() == nodes);
+    CHECK(names.count("E.1") == 1);
+  }
+}
+
 TEST_CASE("the steps come to the result on random scenes, too", "[study][explain][property]") {
   const std::vector<ExplainedScene> some = some_scenes();
   CHECK(some.size() > 30);
