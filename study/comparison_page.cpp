@@ -238,7 +238,7 @@ std::string comparison_page(const Comparison& c, const std::vector<ComparisonIma
       "fragments in it. One thread each unless said otherwise. Methods whose points would lie on others' are in the table "
       "alone.");
   page.html("<div class=\"plots\">");
-  for (const NamedPlot& p : comparison_plots(c)) page.html(plot_svg(p.plot));
+  for (const NamedPlot& p : comparison_plots(c)) page.diagram(plot_svg(p.plot));
   page.html("</div>");
 
   add_all_figures(page, c);

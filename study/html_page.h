@@ -51,6 +51,8 @@ class HtmlPage {
   void table(const std::vector<std::string>& columns, const std::vector<std::vector<HtmlCell>>& rows);
   void table(const std::vector<std::string>& columns, const std::vector<HtmlGroup>& groups,
              const std::string& style_class = "");
+  /// An <svg> element that scrolls on a narrow screen, where its words would be too small.
+  void diagram(const std::string& svg) { html("<div class=\"scroll diagram\" tabindex=\"0\">" + svg + "</div>\n"); }
   void style(std::string_view text) { html("<style>\n"), html(text), html("</style>\n"); }
   void html(std::string_view markup) { body_ += markup; }
   void script(std::string_view text) { script_ += text; }

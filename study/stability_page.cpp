@@ -211,7 +211,7 @@ std::string stability_page(const Stability& stability, const PageText& text) {
                    std::to_string(samples) + " samples of " + std::to_string(f.values.size()) +
                    " values; the exact caster differs from it at " + std::to_string(errors) + ".");
     page.html("</div>\n");
-    page.html(plot_svg(plots[k].plot));
+    page.diagram(plot_svg(plots[k].plot));
     page.html("</div>\n");
     add_details(page, f);
   }

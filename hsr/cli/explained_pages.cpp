@@ -1,6 +1,5 @@
 #include "hsr/cli/explained_pages.h"
 
-#include "study/explain/example_scenes.h"
 #include "study/explain/explain_pages.h"
 
 namespace hsr::cli {
@@ -13,11 +12,10 @@ void write_explained(OutputDirectory& directory, const std::string& prefix, cons
   for (const ExplainedMethod& m : methods) names.push_back(m.name);
   for (const Lesson& lesson : lessons) names.push_back(lesson.name);
   for (const ExplainedMethod& m : methods) {
-    const ExplainedScene shown = scene != nullptr ? *scene : example_scene(m.scene);
-    Trace trace = m.explain(shown, size);
+    Trace trace = scene != nullptr ? m.explain(*scene, size) : example_trace(m, size);
     trace.method = m.name;
     trace.title = m.title;
-    trace.view = shown.title;
+    if (scene != nullptr) trace.view = scene->title;
     directory.write(prefix + m.name + ".json", trace_json(trace));
     directory.write(prefix + m.name + ".html", explain_page(m, trace, made, names));
   }

@@ -118,9 +118,10 @@ void run(const StabilityArguments& a, UnfinishedFiles& unfinished) {
   directory.write("table.csv", stability_csv(result));
   PageText text;
   text.title = "Where visibility methods break";
-  text.facts = {fmt::format("{0} families of scenes with one knob each{1}; {2} x {2} samples", result.families.size(),
-                            a.quick ? ", fewer values (--quick)" : "", a.size),
-                machine_and_date(), std::string("hsr ") + HSR_VERSION};
+  text.facts = {
+      fmt::format("{0} {1} of scenes with one knob each{2}; {3} x {3} samples", result.families.size(),
+                  result.families.size() == 1 ? "family" : "families", a.quick ? ", fewer values (--quick)" : "", a.size),
+      machine_and_date(), std::string("hsr ") + HSR_VERSION};
   directory.write("index.html", stability_page(result, text));
   describe(context.report, result);
   directory.write("report.json", context.report.text());

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+
+#include "hsr/scene/occlusion_pyramid.h"
 
 namespace hsr::internal {
 
@@ -12,6 +15,8 @@ struct CullingTest {
   double value = 0;
   /// Frustum: the side beyond which it is: above, right of, below, left of the picture; 4: before the near plane; -1: none.
   int side = -1;
+  /// Occlusion: the tiles that the triangle touches. It is culled if all triangles of its face are hidden in all of theirs.
+  std::span<const OcclusionPyramid::TouchedTile> tiles = {};
 };
 
 /// Is told each test of a culling, in the order in which they are made.
@@ -22,6 +27,8 @@ class CullingObserver {
   CullingObserver& operator=(const CullingObserver&) = delete;
   virtual ~CullingObserver() = default;
 
+  /// Occlusion: the tiles are covered, and the tests begin.
+  virtual void covered(const ProjectedMesh& /*projected*/, const OcclusionPyramid::Grid& /*tiles*/) {}
   virtual void tested(const CullingTest& test) = 0;
 };
 

@@ -1,4 +1,4 @@
-// The grid of hidden tiles, and what is asked of it; hidden_tiles_cover.cpp covers it.
+// The grid of hidden tiles, and what is asked of it; occlusion_pyramid_cover.cpp covers it.
 #include "hsr/scene/occlusion_pyramid.h"
 
 #include <algorithm>
@@ -236,20 +236,12 @@ bool OcclusionPyramid::is_before(const ImagePoint& p, double nearness) const {
   return i < 0 || j < 0 || !(levels_[0].at(i, j) > nearness);
 }
 
-bool OcclusionPyramid::hides(TriangleId t) const {
-  if (levels_.empty() || projected_.reaches_before_near(t)) return false;
+/// Calls visit(column, row, nearness) for the tiles that a triangle touches, with how near it is there at most. Row by row, what of the
+/// triangle lies in each tile: it is widest along its sides. Stops where a visit returns false. @param around @param range @param n of t
+template <class F>
+bool OcclusionPyramid::visit_tiles(TriangleId t, const Rectangle& around, const std::array<Tiles, 2>& range,
+                                   const AffineDepth& n, const F& visit) const {
   const auto& c = projected_.mesh().triangles[t];
-  const ImagePoint a = on_grid(projected_.image(c[0])), b = on_grid(projected_.image(c[1])),
-                   d = on_grid(projected_.image(c[2]));
-  const auto farthest = [&](VertexId v) { return affine(projected_.box(v).farthest); };
-  if (is_before({(a.x + b.x + d.x) / 3, (a.y + b.y + d.y) / 3}, (farthest(c[0]) + farthest(c[1]) + farthest(c[2])) / 3))
-    return false;
-  const Rectangle around = rectangle(c);
-  std::array<Tiles, 2> range;
-  if (!is_inside(around, range)) return false;
-  const AffineDepth n = plane_nearness(t, around);
-  if (hides(range, float_above(n.nearest))) return true;
-  // Row by row, what of the triangle lies in each tile: it is widest along its sides.
   const double error = 2 * projected_.image_error();
   struct Side {
     ImagePoint p;
@@ -285,10 +277,54 @@ bool OcclusionPyramid::hides(TriangleId t) const {
     const double y = axes_[1].border(n.dy > 0 ? j + 1 : j), at_row = n.value + n.dy * (y - n.p.y) - n.dx * n.p.x;
     for (std::int32_t i = row.first; i <= row.last; ++i) {
       const double x = axes_[0].border(n.dx > 0 ? i + 1 : i);
-      if (!(levels_[0].at(i, j) > float_above(n.at_most(at_row + n.dx * x)))) return false;
+      if (!visit(i, j, float_above(n.at_most(at_row + n.dx * x)))) return false;
     }
   }
   return true;
+}
+
+bool OcclusionPyramid::hides(TriangleId t) const {
+  if (levels_.empty() || projected_.reaches_before_near(t)) return false;
+  const auto& c = projected_.mesh().triangles[t];
+  const ImagePoint a = on_grid(projected_.image(c[0])), b = on_grid(projected_.image(c[1])),
+                   d = on_grid(projected_.image(c[2]));
+  const auto farthest = [&](VertexId v) { return affine(projected_.box(v).farthest); };
+  if (is_before({(a.x + b.x + d.x) / 3, (a.y + b.y + d.y) / 3}, (farthest(c[0]) + farthest(c[1]) + farthest(c[2])) / 3))
+    return false;
+  const Rectangle around = rectangle(c);
+  std::array<Tiles, 2> range;
+  if (!is_inside(around, range)) return false;
+  const AffineDepth n = plane_nearness(t, around);
+  if (hides(range, float_above(n.nearest))) return true;
+  return visit_tiles(t, around, range, n,
+                     [&](std::int32_t i, std::int32_t j, float nearest) { return levels_[0].at(i, j) > nearest; });
+}
+
+OcclusionPyramid::Grid OcclusionPyramid::grid() const {
+  Grid grid;
+  if (levels_.empty()) return grid;
+  grid.corner = {-axes_[0].first, axes_[1].first};
+  grid.column = -axes_[0].width;
+  grid.row = axes_[1].width;
+  grid.columns = levels_[0].columns;
+  grid.rows = levels_[0].rows;
+  grid.nearness = levels_[0].nearness;
+  if (projected_.is_perspective())
+    for (float& x : grid.nearness) x = x > 0 ? float_below(-1 / static_cast<double>(x)) : no_occluder;
+  return grid;
+}
+
+std::vector<OcclusionPyramid::TouchedTile> OcclusionPyramid::touched(TriangleId t) const {
+  std::vector<TouchedTile> tiles;
+  if (levels_.empty() || projected_.reaches_before_near(t)) return tiles;
+  const Rectangle around = rectangle(projected_.mesh().triangles[t]);
+  std::array<Tiles, 2> range;
+  if (!is_inside(around, range)) return tiles;
+  visit_tiles(t, around, range, plane_nearness(t, around), [&](std::int32_t i, std::int32_t j, float nearest) {
+    tiles.push_back({i, j, levels_[0].at(i, j) > nearest});
+    return true;
+  });
+  return tiles;
 }
 
 /// Walks along pq on one level, column by column, or row by row where it is steep: start(shares) of the column, and then

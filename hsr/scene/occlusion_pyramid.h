@@ -62,6 +62,22 @@ class OcclusionPyramid {
   /// has no edge.
   void mark_hidden(std::vector<std::uint8_t>& hidden) const;
 
+  /// The finest tiles, to be shown: tile (i, j) reaches in the image from corner + (i column, j row) to a column and a row on.
+  struct Grid {
+    ImagePoint corner = {};
+    double column = 0, row = 0;
+    std::int32_t columns = 0, rows = 0;
+    std::vector<float> nearness = {};  ///< by rows, as boxes have it: whatever is less near is hidden; no_occluder: nothing is
+  };
+  Grid grid() const;
+  /// A tile that a triangle touches, and whether it hides the triangle there.
+  struct TouchedTile {
+    std::int32_t column, row;
+    bool hides;
+  };
+  /// A triangle is certainly hidden if all these tiles hide it, and there are any: of one that reaches beyond the grid there are none.
+  std::vector<TouchedTile> touched(TriangleId t) const;
+
  private:
   struct Rectangle {
     std::array<double, 2> low, high;
@@ -112,6 +128,9 @@ class OcclusionPyramid {
   void cover(const Region& region, const Rectangle& around, const Tiles& rows, const std::array<AffineDepth, n>& planes);
   void build_levels();
   bool is_inside(const Rectangle& r, std::array<Tiles, 2>& range) const;
+  template <class F>
+  bool visit_tiles(TriangleId t, const Rectangle& around, const std::array<Tiles, 2>& range, const AffineDepth& n,
+                   const F& visit) const;
   Tiles between(std::size_t axis, double low, double high, const Tiles& within) const;
   bool is_before(const ImagePoint& p, double nearness) const;
   template <class S, class F>

@@ -1,5 +1,6 @@
 #include "study/explain/example_scenes.h"
 
+#include <array>
 #include <initializer_list>
 #include <span>
 
@@ -36,13 +37,14 @@ Ring strip(double x0, double y0, double x1, double y1, double a, double b, doubl
   return {at(x0, y0), at(x1, y0), at(x1, y1), at(x0, y1)};
 }
 
-/// Three strips, each over the next and the last over the first; two faces below them, of which one is beside the other.
+/// Three strips, each over the next and the last over the first; two faces below them. Triangles, since of two of these that are apart in
+/// depth the depths tell first.
 ExplainedScene ring_scene() {
-  return scene_of("three strips that overlap in a ring, over two squares, from above",
-                  {strip(0, 1, 10, 3, 0, 0.5, 0),                                 // low on the left, high on the right
-                   {{7, 0, 0}, {9, 0, 0}, {6, 9, 9}, {4, 9, 9}},                  // low below, high above
-                   {{5.5, 9.5, 5}, {3.5, 9.5, 5}, {0.5, 0.5, 4}, {2.5, 0.5, 4}},  // between them on both sides
-                   strip(0.5, 4, 4.5, 8, -2, 0, 0),
+  return scene_of("three strips that overlap in a ring, over a triangle and a square, from above",
+                  {strip(0, 1, 10, 3, 0, 0.5, 0),                 // low on the left, high on the right
+                   {{7, 0, 0}, {9, 0, 0}, {6, 9, 9}, {4, 9, 9}},  // low below, high above
+                   {{5.5, 9.5, 5}, {3.5, 9.5, 5}, {1, 0.5, 4}},   // between them on both sides
+                   {{0.5, 4, -2}, {4.5, 4, -2}, {2.5, 9, -2}},
                    strip(5.5, 4.5, 9.5, 8.5, -1, 0, -0.1)},
                   from_above());
 }
@@ -98,24 +100,29 @@ ExplainedScene walls_scene() {
                   parallel_view({1, -2, 1.5}, {0, 0, 1}, {3, 3, 1}));
 }
 
-/// Plates that lie like stairs: an order of whole faces, and tests of every cheap kind.
-ExplainedScene stairs_scene() {
-  return scene_of(
-      "plates that lean on and beside one another, from above",
-      {strip(0, 0, 4.5, 4.5, 2, 0.6, 0), strip(3, 1, 7.5, 5, 1, 0.4, 0), strip(2, 3.5, 9, 9, -1, 0.2, 0.2),
-       strip(6, 0.5, 9.5, 4.2, 4, 0.1, -0.5), strip(5, 6, 8, 10, 3.5, -0.2, 0.1), strip(0.5, 4, 3.5, 9.5, 4, 0, -0.3)},
-      from_above());
+/// Plates of which an order exists: most tests decide about some two of them.
+ExplainedScene plates_scene() {
+  return scene_of("plates that lie in, lean on and stand over one another, from above",
+                  {strip(0, 0.5, 5, 4.5, 0, 0, 0), strip(4, 1.5, 9.5, 6, 0, 0, 0), strip(0.5, 1, 4.5, 4, 3, -0.2, 0),
+                   strip(3.5, 4, 6.5, 9, -1, -0.4, 0.4), strip(4, 3, 8.5, 5.5, 3, -0.2, 0.4)},
+                  from_above());
 }
 
-/// One long edge behind faces that hide it here and there.
-ExplainedScene fence_scene() {
-  return scene_of("a strip behind four plates, from above",
-                  {strip(0, 4, 10, 5, 0, 0, 0),
-                   strip(1, 3, 3, 7, 2, 0, 0),
-                   {{2.4, 2, 3}, {5.6, 2, 3}, {4, 8, 3}},
-                   strip(7, 3.5, 8, 6, -2, 0, 0),
-                   strip(6.4, 4.5, 9, 8, 1, 0, 0)},
-                  from_above());
+/// So many sheets through one another that cutting them pair by pair would take long.
+ExplainedScene star_scene() {
+  std::vector<Ring> sheets;
+  for (const auto& [x, y] : std::initializer_list<std::array<double, 2>>{
+           {3, 0}, {3, 1}, {3, 2}, {2, 3}, {1, 3}, {0, 3}, {-1, 3}, {-2, 3}, {-3, 2}, {-3, 1}})
+    sheets.push_back({{x, y, 0}, {-x, -y, 0}, {-x, -y, 3}, {x, y, 3}});
+  return scene_of("ten sheets through one axis", sheets, parallel_view({1, -4, 2}, {0, 0, 1}, {0, 0, 1.5}));
+}
+
+/// A strip behind two triangles that overlap: few edges, for lines and fragments of one scene.
+ExplainedScene strip_scene() {
+  return scene_of(
+      "a strip behind two triangles that overlap each other, from above",
+      {strip(0, 3, 10, 6, 0, 0, 0), {{1.5, 1.5, 1}, {6.5, 1, 1}, {4, 8, 1}}, {{4.5, 1.8, 3}, {8.5, 2.2, 3}, {6.5, 7.5, 2}}},
+      from_above());
 }
 
 /// Something for each culling: beside the picture, turned away, behind a plate, and small.
@@ -140,8 +147,9 @@ ExplainedScene example_scene(const std::string& name) {
   if (name == "triangles") return triangles_scene();
   if (name == "middle") return middle_scene();
   if (name == "walls") return walls_scene();
-  if (name == "stairs") return stairs_scene();
-  if (name == "fence") return fence_scene();
+  if (name == "plates") return plates_scene();
+  if (name == "star") return star_scene();
+  if (name == "strip") return strip_scene();
   if (name == "yard") return yard_scene();
   throw InputError("explain: found no example \"" + name + "\"");
 }

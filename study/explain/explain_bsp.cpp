@@ -20,6 +20,7 @@ struct Part {
 
 struct Node {
   std::string text;
+  std::string label;  // in the picture of the tree
   int face = -1;
   int parent = -1;
   bool is_before = false;
@@ -119,7 +120,9 @@ class BuildTeller : public BspObserver {
     TraceStep& step = run_.step(
         "node", "add",
         "Node " + std::to_string(node) + ": the plane " + of(added) + (inside.empty() ? "" : ". In it: " + names) + ".");
-    step.node(node, added.parent, is_before, added.text, added.face);
+    // A part of a face that other nodes have, too, by its own name.
+    added.label = inside.size() == 1 ? name(inside.front()) : added.text;
+    step.node(node, added.parent, is_before, added.label, added.face);
     for (const std::uint32_t k : inside) step.piece(k);
     ask_for_plane(step, added);
     built_.nodes.resize(std::max<std::size_t>(built_.nodes.size(), node + 1U));
@@ -239,7 +242,7 @@ void add_walk(Trace& trace, const std::string& name, const ExplainedScene& scene
   }
   for (std::uint32_t k = 0; k < built.nodes.size(); ++k) {
     const Node& n = built.nodes[k];
-    start.node(k, n.parent, n.is_before, n.text, n.face);
+    start.node(k, n.parent, n.is_before, n.label, n.face);
   }
   start.list("painted", {});
   const SceneView prepared(scene.mesh, scene.view);

@@ -1,5 +1,6 @@
 // What is left out before anything is drawn, told by the code that leaves it out.
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "hsr/raster/culling_observer.h"
@@ -8,6 +9,7 @@
 #include "hsr/raster/importance_culling.h"
 #include "hsr/raster/occlusion_culling.h"
 #include "study/explain/explained_methods.h"
+#include "study/explain/traced_tiles.h"
 #include "study/page_texts.h"
 
 namespace hsr::internal {
@@ -21,6 +23,10 @@ struct Words {
   std::function<std::string(const CullingTest&)> kept, culled;  ///< what follows the name of the triangle
   std::string number;                                           ///< what CullingTest::value is; empty: nothing
 };
+
+std::ptrdiff_t hiding(const CullingTest& test) {
+  return std::count_if(test.tiles.begin(), test.tiles.end(), [](const auto& tile) { return tile.hides; });
+}
 
 class Teller : public CullingObserver {
  public:
@@ -36,6 +42,24 @@ class Teller : public CullingObserver {
     step.list("kept", {}).list("culled", {});
   }
 
+  void covered(const ProjectedMesh& projected, const OcclusionPyramid::Grid& grid) override {
+    const TraceTiles tiles = traced_tiles(picture_, projected, grid);
+    const auto hiding =
+        static_cast<int>(std::count_if(tiles.depths.begin(), tiles.depths.end(), [](double x) { return std::isfinite(x); }));
+    TraceStep& step = run_.step(
+        "tiles", "tiles",
+        "The picture is divided into " + std::to_string(tiles.columns) + " × " + std::to_string(tiles.rows) +
+            " tiles. Where a triangle, or two with a common side, cover all of a tile, the tile keeps how deep they are "
+            "there at "
+            "most: what is deeper is hidden. " +
+            (hiding == 0 ? "Here that is none." : "Here these are the " + std::to_string(hiding) + " shaded ones."));
+    step.tiles(tiles).number("tiles", tiles.columns * tiles.rows).number("of these, covered", hiding);
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const double depth : tiles.depths)
+      if (std::isfinite(depth)) least = std::min(least, depth), most = std::max(most, depth);
+    if (hiding > 0) step.number("they hide what is deeper than", trace_text(least) + " … " + trace_text(most));
+  }
+
   void tested(const CullingTest& test) override {
     std::string names;
     for (std::size_t t = test.first; t < test.end; ++t) names += (names.empty() ? "" : ", ") + name(t);
@@ -46,6 +70,11 @@ class Teller : public CullingObserver {
     if (++asked <= 2)
       step.ask({names + words_.question, {"it is kept", "it is culled"}, test.is_culled ? std::size_t{1} : std::size_t{0}});
     if (!words_.number.empty()) step.number(words_.number, test.value);
+    if (!test.tiles.empty()) {
+      step.number("tiles that it touches", static_cast<double>(test.tiles.size()))
+          .number("of these, hide it", static_cast<double>(hiding(test)));
+      for (const auto& tile : test.tiles) step.tile({tile.column, tile.row, tile.hides});
+    }
     for (std::size_t t = test.first; t < test.end; ++t) {
       const auto id = static_cast<std::uint32_t>(t);
       step.add(test.is_culled ? "culled" : "kept", {name(t), static_cast<int>(face(id))});
@@ -155,10 +184,21 @@ void add_occlusion(Trace& trace, const ScenePicture& picture) {
   TraceRun& run = trace.run("occlusion");
   Teller teller(
       picture, run,
-      {"occlusion", ": is it behind what covers the tiles that it touches?",
-       [](const CullingTest&) { return ": in some tile that it touches nothing is certainly before it. It is kept."; },
-       [](const CullingTest&) {
-         return ": in every tile that it touches it is behind a face that covers the tile. It is culled.";
+      {"occlusion", ": is it hidden in every tile that it touches?",
+       [](const CullingTest& test) -> std::string {
+         const std::ptrdiff_t open = static_cast<std::ptrdiff_t>(test.tiles.size()) - hiding(test);
+         if (test.tiles.empty()) return ": it reaches beyond the tiles. It is kept.";
+         if (open == 0)
+           return ": every tile that it touches hides it, but not all of its face. A face is culled whole or not: it is kept.";
+         const std::string all = std::to_string(test.tiles.size());
+         if (open == static_cast<std::ptrdiff_t>(test.tiles.size()))
+           return ": none of the " + all + " tiles that it touches hides it. It is kept.";
+         return ": " + std::to_string(open) + " of the " + all +
+                " tiles that it touches do not hide it. It is kept, though it may be hidden.";
+       },
+       [](const CullingTest& test) {
+         return ": it is deeper than what covers it in each of the " + std::to_string(test.tiles.size()) +
+                " tiles that it touches. It is culled.";
        },
        ""});
   teller.ended(occlusion_culled(SceneView(scene.mesh, scene.view), &teller));

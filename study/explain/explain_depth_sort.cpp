@@ -46,7 +46,7 @@ class Teller : public SortObserver {
         depth.add(picture_.depth(p));
       }
       step.make_piece(k, face, name, ring);
-      pieces_.push_back({name, face, depth});
+      pieces_.push_back({name, face, depth, ring.size()});
       items.push_back(item(k));
     }
     step.list("faces", items);
@@ -73,11 +73,15 @@ class Teller : public SortObserver {
     TraceStep& step = run_.step("test", tests[decided].line, sentence(p, q, by, how));
     step.piece(p).piece(q).number("depths of " + name(p), depths(p)).number("depths of " + name(q), depths(q));
     std::vector<TraceItem> verdicts;
-    for (std::size_t k = 0; k <= decided; ++k)
-      verdicts.push_back({std::string(tests[k].name) + (k < decided                   ? ": no"
+    for (std::size_t k = 0; k <= decided; ++k) {
+      const bool is_asked =
+          k != static_cast<std::size_t>(SortTest::depths) || (pieces_[p].corners == 3 && pieces_[q].corners == 3);
+      verdicts.push_back({std::string(tests[k].name) + (!is_asked                     ? ": asked of triangles only"
+                                                        : k < decided                 ? ": no"
                                                         : by == SortTest::common_part ? ""
                                                                                       : ": yes"),
                           -1});
+    }
     step.list("tests of this pair", verdicts);
     relate(step, p, q, how);
     if (how != Overlap::none && ++asked_[decided] <= 2) {
@@ -200,9 +204,9 @@ class Teller : public SortObserver {
   void ordered_by_planes(std::span<const std::uint32_t> pieces, const PaintersOrder& block) override {
     std::string text;
     for (const std::uint32_t k : pieces) text += (text.empty() ? "" : ", ") + name(k);
-    TraceStep& step = run_.step(
-        "planes", "planes",
-        "No single line parts these well: " + text + " are ordered by planes, as a BSP tree does it, and painted as one.");
+    TraceStep& step = run_.step("planes", "planes",
+                                "Cut one by one, their parts would pierce or hold one another again: " + text +
+                                    " are ordered by planes at once, as a BSP tree does it, and painted as one.");
     for (const std::uint32_t k : pieces) step.piece(k).drop(k);
     std::vector<std::uint32_t> numbers;
     std::map<std::uint32_t, int> count;
@@ -245,6 +249,7 @@ class Teller : public SortObserver {
     std::string name;
     std::uint32_t face = 0;
     Range depth;
+    std::size_t corners = 0;
   };
 
   const Told& told(std::uint32_t piece) const {

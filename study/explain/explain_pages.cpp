@@ -48,7 +48,8 @@ std::string page(const std::string& title, const std::string& body, const std::s
   replace(text, "{{data}}", "");
   replace(text, "{{made}}", html_escaped(made));
   std::string script(page_text("theme.js"));
-  if (has_players) script += std::string(page_text("player.js")) += page_text("gaps.js");
+  if (has_players)
+    for (const char* const part : {"state.js", "labels.js", "diagrams.js", "player.js", "gaps.js"}) script += page_text(part);
   replace(text, "{{script}}", script);
   replace(text, "{{body}}", body);
   return text;

@@ -1,10 +1,17 @@
 #include "study/explain/explained_methods.h"
 
+#include "study/explain/example_scenes.h"
+
 namespace hsr::internal {
 
 const std::vector<ExplainedMethod>& explained_methods() {
   static const std::vector<ExplainedMethod> methods = {
-      {"depth-sort", "Depth sort", "faces from far to near: Newell's tests, cycles, cuts", explain_depth_sort, "ring"},
+      {"depth-sort",
+       "Depth sort",
+       "faces from far to near: Newell's tests, cycles, cuts",
+       explain_depth_sort,
+       "ring",
+       {{"plates", "few cuts", "plates of which an order exists"}, {"star", "few cuts", "ten sheets through one axis"}}},
       {"bsp", "BSP tree", "planes divide the faces once, and order them for every viewer", explain_bsp, "walls"},
       {"z-buffer", "z-buffer", "the nearest depth at each sample, in formats of few bits", explain_z_buffer, "triangles"},
       {"roberts", "Visible lines by Roberts", "each edge, the shadows of faces on it, and what their union leaves",
@@ -30,6 +37,24 @@ const std::vector<ExplainedMethod>& explained_methods() {
        explain_culling, "yard"},
   };
   return methods;
+}
+
+Trace example_trace(const ExplainedMethod& method, int size) {
+  const ExplainedScene scene = example_scene(method.scene);
+  Trace trace = method.explain(scene, size);
+  trace.view = scene.title;
+  for (const ExplainedMethod::More& more : method.more) {
+    Trace other = method.explain(example_scene(more.scene), size);
+    for (TraceRun& run : other.runs) {
+      if (run.name != more.run) continue;
+      run.name = more.shown_as;
+      if (!run.scene) run.scene = other.scene;
+      trace.runs.push_back(std::move(run));
+    }
+  }
+  trace.method = method.name;
+  trace.title = method.title;
+  return trace;
 }
 
 }  // namespace hsr::internal

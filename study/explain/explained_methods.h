@@ -16,10 +16,18 @@ struct ExplainedMethod {
   std::string about;  ///< what it does, in one sentence
   Trace (*explain)(const ExplainedScene& scene, int size);
   const char* scene;  ///< the example that is shown where no model is given (example_scenes.h)
+  /// After it, runs of this name on other examples.
+  struct More {
+    const char *scene, *run, *shown_as;
+  };
+  std::vector<More> more = {};
 };
 
 /// Those most taught come first.
 const std::vector<ExplainedMethod>& explained_methods();
+
+/// On the examples that are made for it.
+Trace example_trace(const ExplainedMethod& method, int size);
 
 // Each the trace of the method as it runs on the scene. @param size samples each way, of methods that work at samples
 // @throws InputError as check_explainable() and the method do

@@ -1,5 +1,6 @@
 #include "study/explain/lessons.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -66,13 +67,15 @@ std::string buffer_trace(const Lecture& l, double far, const ShownDepth& shown,
   return trace_json(trace);
 }
 
+/// @param runs the names of those that are shown; of none, all
 std::string method_trace(Trace (*explain)(const ExplainedScene&, int), const std::string& method, const std::string& scene_name,
-                         std::size_t runs) {
+                         const std::vector<std::string>& runs) {
   const ExplainedScene scene = example_scene(scene_name);
   Trace trace = explain(scene, 12);
   trace.method = trace.title = method;
   trace.view = scene.title;
-  if (trace.runs.size() > runs) trace.runs.resize(runs);
+  if (!runs.empty())
+    std::erase_if(trace.runs, [&](const TraceRun& run) { return std::find(runs.begin(), runs.end(), run.name) == runs.end(); });
   return trace_json(trace);
 }
 
@@ -119,17 +122,21 @@ Traces image_space_traces() {
                                    {{"8 bits, less", bits},
                                     {"8 bits, lequal", {.format = DepthFormat::fixed8, .function = DepthFunction::lequal}},
                                     {"16 bits, less", {.format = DepthFormat::fixed16}}}));
-  traces.emplace_back("scanline", method_trace(explain_scanline, "scanline", "triangles", 1));
+  traces.emplace_back("scanline", method_trace(explain_scanline, "scanline", "triangles", {}));
+  traces.emplace_back("culling", method_trace(explain_culling, "culling", "yard", {"back faces, in the world", "occlusion"}));
   return traces;
 }
 
 Traces object_space_traces() {
-  return {{"middle", method_trace(explain_painter, "painter", "middle", 1)},
-          {"stairs", method_trace(explain_depth_sort, "depth-sort", "stairs", 1)},
-          {"ring", method_trace(explain_depth_sort, "depth-sort", "ring", 1)},
-          {"pierced", method_trace(explain_depth_sort, "depth-sort", "pierced", 1)},
-          {"walls", method_trace(explain_bsp, "bsp", "walls", 3)},
-          {"fence", method_trace(explain_roberts, "roberts", "fence", 1)}};
+  return {{"middle", method_trace(explain_painter, "painter", "middle", {"by the middle of the corners"})},
+          {"plates", method_trace(explain_depth_sort, "depth-sort", "plates", {"few cuts"})},
+          {"ring", method_trace(explain_depth_sort, "depth-sort", "ring", {"few cuts"})},
+          {"pierced", method_trace(explain_depth_sort, "depth-sort", "pierced", {"few cuts"})},
+          {"walls", method_trace(explain_bsp, "bsp", "walls",
+                                 {"build the tree", "walk it: the view asked for", "walk it: from the other side"})},
+          {"roberts", method_trace(explain_roberts, "roberts", "strip", {})},
+          {"appel", method_trace(explain_appel, "appel", "strip", {})},
+          {"fragments", method_trace(explain_fragments, "fragments", "strip", {})}};
 }
 
 /// The lecture's numbers: c = -n/f, z' = (c - z) / (z + z c), by the library.
@@ -192,11 +199,13 @@ std::string with_gaps(std::string_view page) {
 std::vector<Lesson> all_lessons(const std::string& made) {
   Lesson image{"lesson-image-space",
                "Lesson 1: image space",
-               "depths at samples, from one to a grid; what a format holds; rows and their edges",
+               "depths at samples, from one to a grid; what a format holds; rows and their edges; what need not be drawn",
                {}};
   image.page = lesson_page(image.title, with_gaps("lesson-image-space.html"), image_space_traces(), made);
-  Lesson object{
-      "lesson-object-space", "Lesson 2: object space", "orders of faces, cycles, cuts, trees, and visible lines, exactly", {}};
+  Lesson object{"lesson-object-space",
+                "Lesson 2: object space",
+                "orders of faces, cycles, cuts and trees; visible lines two ways, and visible fragments, exactly",
+                {}};
   object.page = lesson_page(object.title, page_text("lesson-object-space.html"), object_space_traces(), made);
   Lesson compression{"z-compression",
                      "Near and far planes",

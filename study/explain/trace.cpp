@@ -74,6 +74,8 @@ void append_numbers(std::string& out, const char* key, const std::vector<std::ui
 
 std::string trace_text(double x) {
   if (std::isinf(x)) return x > 0 ? "∞" : "−∞";
+  const double size = std::fabs(x);
+  if (size < 1e9 && (size >= 1e4 || x == std::round(x))) return rounded_text(std::round(x) + 0.0, 9);
   return rounded_text(x + 0.0, 4);
 }
 
@@ -109,6 +111,11 @@ TraceStep& TraceStep::mark(const TraceLine& line) {
 
 TraceStep& TraceStep::row(int row) {
   row_ = row;
+  return *this;
+}
+
+TraceStep& TraceStep::tile(const TraceTile& tile) {
+  tiles_.push_back(tile);
   return *this;
 }
 
@@ -196,6 +203,24 @@ TraceStep& TraceStep::cells(const std::vector<TraceCell>& cells) {
     }
     out += ']';
   });
+  end_change();
+  return *this;
+}
+
+TraceStep& TraceStep::tiles(const TraceTiles& tiles) {
+  std::string& out = change("tiles");
+  append_key(out, "corner");
+  append_place(out, tiles.corner);
+  append_key(out, "column");
+  append_place(out, tiles.column);
+  append_key(out, "row");
+  append_place(out, tiles.row);
+  append_key(out, "columns");
+  out += std::to_string(tiles.columns);
+  append_key(out, "rows");
+  out += std::to_string(tiles.rows);
+  append_key(out, "depths");
+  append_list(out, tiles.depths, [&](double x) { out += std::isfinite(x) ? rounded_text(x + 0.0, 4) : "null"; });
   end_change();
   return *this;
 }
@@ -292,6 +317,12 @@ void TraceStep::append_to(std::string& out) const {
   if (row_ >= 0) {
     append_key(out, "row");
     out += std::to_string(row_);
+  }
+  if (!tiles_.empty()) {
+    append_key(out, "tiles");
+    append_list(out, tiles_, [&](const TraceTile& t) {
+      out += '[' + std::to_string(t.column) + ',' + std::to_string(t.row) + (t.hides ? ",true]" : ",false]");
+    });
   }
   if (!changes_.empty()) {
     append_key(out, "changes");

@@ -51,6 +51,20 @@ struct TraceMask {
   std::vector<std::string> rows = {};
 };
 
+/// Tiles that divide the picture: tile (i, j) reaches from corner + i column + j row to a column and a row on.
+struct TraceTiles {
+  TracePlace corner, column, row;
+  int columns = 0, rows = 0;
+  /// By rows: the depth beyond which a tile hides everything; infinite: it hides nothing.
+  std::vector<double> depths;
+};
+
+/// A tile that is looked at, and whether it hides what is asked about.
+struct TraceTile {
+  int column, row;
+  bool hides;
+};
+
 /// What happens next? One of the choices is right.
 struct TraceQuestion {
   std::string question;
@@ -73,6 +87,7 @@ class TraceStep {
   TraceStep& edge(std::uint32_t edge);
   TraceStep& mark(const TraceLine& line);
   TraceStep& row(int row);
+  TraceStep& tile(const TraceTile& tile);
   // The state from now on.
   TraceStep& list(const std::string& name, const std::vector<TraceItem>& items);
   TraceStep& add(const std::string& list, const TraceItem& item);
@@ -81,6 +96,7 @@ class TraceStep {
   TraceStep& paint(std::uint32_t piece);
   TraceStep& unpaint();  ///< all of it
   TraceStep& cells(const std::vector<TraceCell>& cells);
+  TraceStep& tiles(const TraceTiles& tiles);
   TraceStep& masks(const std::string& name, const std::vector<TraceMask>& masks);
   TraceStep& node(std::uint32_t node, int parent, bool is_before, const std::string& text, int face);
   TraceStep& bars(const std::string& name, const std::vector<TraceBar>& bars);
@@ -105,6 +121,7 @@ class TraceStep {
   std::vector<std::pair<std::string, std::variant<double, std::string>>> numbers_;
   std::vector<std::uint32_t> faces_, pieces_, edges_;
   std::vector<TraceLine> marks_;
+  std::vector<TraceTile> tiles_;
   int row_ = -1;
   std::string changes_;  // JSON, objects with commas between
   TraceQuestion question_;
@@ -158,7 +175,7 @@ struct Trace {
 /// "hsr-trace/1" (docs/explain.md).
 std::string trace_json(const Trace& trace);
 
-/// What a step says of a number: "0.25", "-3", "1.3e-05".
+/// What a step says of a number: "0.25", "-3", "65535", "1.3e-05".
 std::string trace_text(double x);
 
 }  // namespace hsr::internal

@@ -103,8 +103,11 @@
       tables();
       theme();
       slider();
-      const wide = document.documentElement.scrollWidth;
-      check(wide <= innerWidth, `the page is ${wide} wide, the window ${innerWidth}`);
+      check_widths(check);
+      for (const text of document.querySelectorAll('.diagram text')) {
+        const {width, height} = text.getBoundingClientRect(), size = text.hasAttribute('transform') ? width : height;  // turned upright
+        check(size >= 9, `in a diagram “${text.textContent}” is ${size.toFixed(1)} high`);
+      }
       for (const table of document.querySelectorAll('table.fits'))
         check(table.offsetWidth <= table.parentElement.clientWidth + 1, `a table is ${table.offsetWidth} wide, its place ${table.parentElement.clientWidth}`);
       check_contrast(check, document.documentElement.dataset.theme);
@@ -115,6 +118,6 @@
     } catch (e) {
       wrong.push('exception: ' + e);
     }
-    parent.postMessage('PAGE ' + (wrong.length ? 'WRONG\n' + wrong.join('\n') : 'RIGHT') + '\nEND', '*');
+    parent.postMessage('PAGE ' + (wrong.length ? 'WRONG\n' + wrong.join('\n') : 'RIGHT') + '\n', '*');
   });
 })();

@@ -65,6 +65,7 @@
     const half = run.steps.length >> 1;
     for (let clicks = 0; !next.disabled && clicks < 3 * run.steps.length + 10; ++clicks) {
       numbers_are_told(player, where());
+      check_labels(check, player, where());
       if (player.at == half) middle = shown(player).all;
       next.click();
       if (!player.asking) continue;
@@ -82,6 +83,8 @@
     check(player.at == run.steps.length - 1, where() + ': the end is not reached');
     check(asked == run.steps.filter(s => s.choices).length, where() + ': not every question was asked');
     compare(player, run, run.name);
+    check_labels(check, player, where());
+    check_cells(check, player, where());
     const slider = player.get('slider');
     slider.value = half;
     slider.dispatchEvent(new Event('input'));
@@ -195,11 +198,12 @@
       }
       const players = typeof Player == 'undefined' ? [] : Player.all;
       check(players.length > 0 || !document.querySelector('script.trace'), 'no player');
+      check((players.length > 0) == document.getElementById('exercises').getClientRects().length > 0, 'a switch for exercises where there are none');
       for (const player of players) {
         // Of many long runs some are walked, and of the others the end is looked at.
         let walked = 0;
         player.trace.runs.forEach((run, k) => {
-          if (walked < 600 || k == player.trace.runs.length - 1) walk(player, k); else to_the_end(player, k);
+          if (walked < 3000 || k == player.trace.runs.length - 1) walk(player, k); else to_the_end(player, k);
           walked += run.steps.length;
         });
         parts(player);
@@ -207,8 +211,7 @@
       }
       if (players.length) keyboard(players[0]);
       gaps();
-      const wide = document.documentElement.scrollWidth;
-      check(wide <= innerWidth, `the page is ${wide} wide, the window ${innerWidth}`);
+      check_widths(check);
       for (const player of players) player.go(player.last >> 1);
       check_contrast(check, document.documentElement.dataset.theme);
       document.getElementById('theme').click();
@@ -218,6 +221,6 @@
     } catch (e) {
       wrong.push('exception: ' + e + ' ' + e.stack);
     }
-    parent.postMessage('PAGE ' + (wrong.length ? 'WRONG\n' + wrong.join('\n') : 'RIGHT') + '\nEND', '*');
+    parent.postMessage('PAGE ' + (wrong.length ? 'WRONG\n' + wrong.join('\n') : 'RIGHT') + '\n', '*');
   });
 })();

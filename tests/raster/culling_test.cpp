@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "geometry/error.h"
@@ -155,6 +156,39 @@ TEST_CASE("occlusion culling changes no picture", "[image][culling][property]") 
       culled += found.culled;
     }
   CHECK(culled > 30);
+}
+
+TEST_CASE("the tiles that a triangle touches tell whether it is culled", "[image][culling][property]") {
+  struct Watch : CullingObserver {
+    std::vector<bool> is_hidden, is_culled;
+    void tested(const CullingTest& test) override {
+      is_hidden.push_back(!test.tiles.empty() &&
+                          std::all_of(test.tiles.begin(), test.tiles.end(), [](const auto& t) { return t.hides; }));
+      is_culled.push_back(test.is_culled);
+    }
+  };
+  int culled = 0, touching = 0;
+  for (const scenes::Family& family : scenes::families())
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+      const scenes::TestScene scene = family.make(seed);
+      const Mesh mesh = scene.mesh();
+      INFO(family.name << " " << seed << "\n" << scenes::to_text(scene));
+      Watch watch;
+      occlusion_culled(SceneView(mesh, scene.view), &watch);
+      for (std::size_t k = 0; k < mesh.faces.size(); ++k) {
+        const FaceId f(k);
+        const std::uint32_t first = mesh.first_triangle[f], end = mesh.first_triangle[FaceId(f.value + 1)];
+        bool all = first < end;
+        for (std::uint32_t t = first; t < end; ++t) all = all && watch.is_hidden[t];
+        for (std::uint32_t t = first; t < end; ++t) {
+          CHECK((!watch.is_culled[t] || all));
+          culled += watch.is_culled[t] ? 1 : 0;
+          touching += all ? 1 : 0;
+        }
+      }
+    }
+  CHECK(culled > 30);
+  CHECK(culled == touching);
 }
 
 TEST_CASE("importance culling says what it lost", "[image][culling]") {

@@ -23,117 +23,12 @@
 #include "hsr/surfaces/visible_fragments.h"
 #include "study/explain/example_scenes.h"
 #include "study/explain/explained_methods.h"
-#include "study/explain/lessons.h"
 #include "study/explain/picture_result.h"
 #include "tests/scenes/random_scenes.h"
+#include "tests/study/traces.h"
 
 namespace hsr::internal {
 namespace {
-
-using Json = nlohmann::json;
-
-/// The state after all steps of a run, as the page makes it.
-struct Ended {
-  std::vector<int> painted;                                          // faces
-  std::map<std::pair<int, int>, std::pair<std::string, int>> cells;  // by column and row: text, face
-  std::map<int, std::vector<std::pair<double, double>>> visible;     // by edge
-  std::set<int> nodes;
-  std::vector<Json> drawn;                             // lines of the picture
-  std::map<std::pair<int, int>, std::string> colours;  // of cells that have their own
-  std::vector<int> kept;                               // faces of the list of this name
-};
-
-Ended ended(const Json& run) {
-  Ended end;
-  std::map<int, int> face_of;
-  for (const Json& step : run["steps"]) {
-    for (const Json& change : step.value("changes", Json::array())) {
-      const std::string what = change["do"];
-      if (what == "piece") face_of[change["piece"]] = change["face"];
-      if (what == "paint") end.painted.push_back(face_of.at(change["piece"]));
-      if (what == "unpaint") end.painted.clear();
-      if (what == "node") end.nodes.insert(change["node"].get<int>());
-      if (what == "add" && change["name"] == "kept") end.kept.push_back(change["item"][1]);
-      if (what == "undraw") end.drawn.clear();
-      if (what == "draw")
-        for (const Json& line : change["lines"]) end.drawn.push_back(line);
-      if (what == "cells")
-        for (const Json& c : change["cells"]) {
-          end.cells[{c[0], c[1]}] = {c[2], c[3]};
-          end.colours[{c[0], c[1]}] = c.size() > 4 ? c[4] : "";
-        }
-      if (what == "bars" && change["name"] == "visible" && step["kind"] == "result")
-        for (const Json& bar : change["bars"]) end.visible[step["edges"][0]].emplace_back(bar[0], bar[1]);
-    }
-  }
-  return end;
-}
-
-/// What holds for every trace.
-void check_form(const Json& trace) {
-  CHECK(trace["format"] == "hsr-trace/1");
-  std::set<std::string> lines;
-  for (const Json& line : trace["pseudocode"]) CHECK(lines.insert(line[0]).second);
-  for (const Json& run : trace["runs"]) {
-    const Json& scene = run.contains("scene") ? run["scene"] : trace["scene"];
-    for (const Json& step : run["steps"]) {
-      CHECK(lines.count(step["line"]) == 1);
-      CHECK(!step["says"].get<std::string>().empty());
-      for (const Json& face : step.value("faces", Json::array())) CHECK(face < scene["faces"].size());
-      for (const Json& edge : step.value("edges", Json::array())) CHECK(edge < scene["edges"].size());
-      if (step.contains("choices")) {
-        CHECK(step["right"] < step["choices"].size());
-        CHECK(step["choices"].size() > 1);
-      }
-    }
-  }
-}
-
-/// The end of each run, and its result.
-void check_end(const Json& trace) {
-  for (const Json& run : trace["runs"]) {
-    const Ended end = ended(run);
-    const Json& result = run["result"];
-    if (result.contains("painted")) CHECK(Json(end.painted) == result["painted"]);
-    if (result.contains("kept")) CHECK(Json(end.kept) == result["kept"]);
-    if (result.contains("nodes")) CHECK(end.nodes.size() == result["nodes"]);
-    if (result.contains("faces"))
-      for (std::size_t j = 0; j < result["faces"].size(); ++j)
-        for (std::size_t i = 0; i < result["faces"][j].size(); ++i) {
-          const auto cell = end.cells.find({static_cast<int>(i), static_cast<int>(j)});
-          CHECK((cell == end.cells.end() ? -1 : cell->second.second) == result["faces"][j][i]);
-          if (cell != end.cells.end() && run["name"] == "float, less, from the plane")
-            CHECK(std::stod(cell->second.first) == Approx(result["depths"][j][i].get<double>()).epsilon(6e-4));
-        }
-    if (result.contains("colours")) {
-      std::size_t fragments = 0, most = 0;
-      for (std::size_t j = 0; j < result["colours"].size(); ++j)
-        for (std::size_t i = 0; i < result["colours"][j].size(); ++i) {
-          const std::pair<int, int> at{static_cast<int>(i), static_cast<int>(j)};
-          CHECK(end.colours.at(at) == result["colours"][j][i]);
-          const std::size_t count = std::stoul(end.cells.at(at).first);
-          fragments += count;
-          most = std::max(most, count);
-        }
-      CHECK(fragments == result["fragments"]);
-      CHECK(most == result["most_fragments"]);
-    }
-    if (result.contains("lines")) {
-      std::map<int, std::vector<std::pair<double, double>>> visible;
-      for (const Json& line : result["lines"])
-        for (const Json& part : line["visible"]) visible[line["edge"]].emplace_back(part[0], part[1]);
-      std::size_t count = 0;
-      for (auto& [edge, parts] : visible) {
-        // Told are also the parts that are of no class that is drawn.
-        const auto& told = end.visible.at(edge);
-        for (const auto& part : parts) CHECK(std::count(told.begin(), told.end(), part) == 1);
-        count += parts.size();
-      }
-      CHECK(std::count_if(end.drawn.begin(), end.drawn.end(), [](const Json& line) { return line.size() == 2; }) ==
-            static_cast<std::ptrdiff_t>(count));
-    }
-  }
-}
 
 ExplainedScene explained(const scenes::TestScene& scene) {
   ExplainedScene made;
@@ -164,15 +59,29 @@ std::vector<ExplainedScene> some_scenes() {
 TEST_CASE("the steps of every method come to what it returns", "[study][explain]") {
   for (const ExplainedMethod& m : explained_methods()) {
     INFO(m.name);
-    Trace trace = m.explain(example_scene(m.scene), 16);
-    trace.method = m.name;
-    const Json json = Json::parse(trace_json(trace));
+    const Json json = Json::parse(trace_json(example_trace(m, 16)));
     check_form(json);
     check_end(json);
     std::size_t questions = 0;
     for (const Json& run : json["runs"])
       for (const Json& step : run["steps"]) questions += step.contains("choices") ? 1U : 0U;
     CHECK(questions > 0);
+  }
+}
+
+TEST_CASE("nodes of a tree with parts of one face are told apart", "[study][explain]") {
+  const Json trace = Json::parse(trace_json(explain_bsp(example_scene("walls"), 0)));
+  for (const Json& run : trace["runs"]) {
+    std::set<std::string> names;
+    std::size_t nodes = 0;
+    for (const Json& step : run["steps"])
+      for (const Json& change : step.value("changes", Json::array()))
+        if (change["do"] == "node") {
+          ++nodes;
+          names.insert(change["text"]);
+        }
+    CHECK(names.size() == nodes);
+    CHECK(names.count("E.1") == 1);
   }
 }
 
@@ -289,39 +198,6 @@ TEST_CASE("a scene that cannot be followed is refused with the reason", "[study]
   scenes::TestScene nothing;
   nothing.view = scenes::from_direction({0, 0, 1});
   CHECK_THROWS_WITH(check_explainable(explained(nothing)), Catch::Contains("no face"));
-}
-
-TEST_CASE("the lessons have the numbers of the lectures", "[study][explain]") {
-  const std::vector<Lesson> lessons = all_lessons("");
-  REQUIRE(lessons.size() == 3);
-  const std::string& image = lessons[0].page;
-  // Each trace of the page.
-  std::vector<Json> traces;
-  const std::string begin = "<script class=\"trace\" type=\"application/json\">";
-  for (std::size_t at = image.find(begin); at != std::string::npos; at = image.find(begin, at + 1)) {
-    const std::size_t from = at + begin.size();
-    traces.push_back(Json::parse(image.substr(from, image.find("</script>", from) - from)));
-  }
-  REQUIRE(traces.size() == 7);
-  for (const Json& trace : traces) {
-    check_form(trace);
-    check_end(trace);
-  }
-  const auto texts = [](const Json& run) {
-    std::vector<std::string> rows;
-    for (const auto& [at, cell] : ended(run).cells) {
-      rows.resize(std::max<std::size_t>(rows.size(), static_cast<std::size_t>(at.second) + 1));
-      rows[static_cast<std::size_t>(at.second)] += (at.first == 0 ? "" : " ") + cell.first;
-    }
-    return rows;
-  };
-  CHECK(texts(traces[0]["runs"][0]) == std::vector<std::string>{"0.25"});
-  CHECK(texts(traces[1]["runs"][0]) == std::vector<std::string>{"-1 -0.5 -0.125 -0.25 -0.375 -0.5 -0.625 -0.75"});
-  CHECK(texts(traces[2]["runs"][0])[7] == "255 64 64 64 64 64 64 127");
-  CHECK(texts(traces[3]["runs"][0]) ==
-        std::vector<std::string>{"64 64 64 64 64 64 64 64", "5 5 5 5 5 5 64 64", "5 5 5 5 5 64 64 64", "5 5 5 5 64 64 64 64",
-                                 "5 5 5 5 64 64 64 64", "4 5 6 7 64 64 64 64", "3 4 5 6 7 64 64 64", "2 3 4 5 6 7 64 64"});
-  CHECK(image.find("<td>-0.5</td><td>-0.8889</td><td>227</td>") != std::string::npos);
 }
 
 }  // namespace
