@@ -220,9 +220,10 @@ void Plan::leave_out_far_sides() {
   requested_->hidden.resize(requested_->edges.size(), 0);
   parallel_for_each(requested_->edges.size(), [&](std::size_t i) {
     const Edge& e = parts_.mesh().edges[requested_->edges[i]];
-    // Of an edge of a body that is cut only what is left is hidden.
-    const bool is_whole = projected_.beyond_near(e.a) != Sign::negative && projected_.beyond_near(e.b) != Sign::negative;
-    if (is_whole && bodies.is_on_far_side(requested_->edges[i])) requested_->hidden[i] = 1;
+    const Sign at_a = projected_.beyond_near(e.a), at_b = projected_.beyond_near(e.b);
+    // Of an edge of a body that is cut only what is left is hidden, and one that lies in the plane may not be.
+    const bool is_beyond = at_a != Sign::negative && at_b != Sign::negative && (at_a != Sign::zero || at_b != Sign::zero);
+    if (is_beyond && bodies.is_on_far_side(requested_->edges[i])) requested_->hidden[i] = 1;
   });
   say("back faces", of(count(bodies.far_sides()), bodies.far_sides().size(), "triangles and ") +
                         of(count(requested_->hidden) - edges_before, requested_->hidden.size(), "edges are far sides of ") +

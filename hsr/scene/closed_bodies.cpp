@@ -9,6 +9,11 @@ namespace hsr::internal {
 
 namespace {
 
+bool reaches_strictly_beyond(const ProjectedMesh& projected, TriangleId t) {
+  return std::ranges::any_of(projected.mesh().triangles[t],
+                             [&](VertexId v) { return projected.beyond_near(v) == Sign::positive; });
+}
+
 /// By body: a section cuts it, and its cut is in a cap.
 std::vector<std::uint8_t> capped_bodies(const ProjectedMesh& projected, const StarShapedBodies& bodies,
                                         const FaceLabels& labels) {
@@ -72,8 +77,11 @@ ClosedBodies::ClosedBodies(const ProjectedMesh& projected, const StarShapedBodie
   if (count_ == 0) return;
   parallel_for_each(far_sides_.size(), [&](std::size_t i) {
     const std::uint32_t body = bodies.body_of(TriangleId(i));
-    // The viewpoint is on the side facing() of the plane: the triangle is on the far side iff the inside is there, too.
-    if (body != StarShapedBodies::none && is_cut[body] == 0 && projected.facing(TriangleId(i)) == bodies.inside(body))
+    // The viewpoint is on the side facing() of the plane: the triangle is on the far side iff the inside is there, too. What lies in a
+    // section stays, and has no cap in front of it where its body has nothing beyond.
+    const TriangleId t(i);
+    if (body != StarShapedBodies::none && is_cut[body] == 0 && projected.facing(t) == bodies.inside(body) &&
+        (is_capped[body] == 0 || reaches_strictly_beyond(projected, t)))
       far_sides_[i] = 1;
   });
 }

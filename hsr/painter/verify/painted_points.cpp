@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/bounded_rational.h"
 #include "geometry/enclosure.h"
 #include "geometry/near_value.h"
 #include "geometry/polynomials.h"
@@ -25,11 +26,6 @@ std::optional<Point3> as_point(const RationalVector& p) {
   const auto x = as_double(p[0]), y = as_double(p[1]), z = as_double(p[2]);
   if (!x || !y || !z) return {};
   return Point3{*x, *y, *z};
-}
-
-ErrorBounded bounded(const Rational& x) {
-  const double d = mpq_get_d(x.get());  // truncated: off by less than one unit in its last place
-  return {d, std::isfinite(d) ? 2 * ErrorBounded::u * std::fabs(d) + 0x1p-1074 : HUGE_VAL};
 }
 
 using Near = polynomials::Vector<ErrorBounded>;
