@@ -48,7 +48,10 @@ std::array<Rational, 3> ConstructedPoint::exact() const {
   const BigArithmetic a;
   if (is_on_edge_) {
     const ValueAndFall cut = value_and_fall(planes_[0], p_, q_);
-    const auto along = [&](int k) { return quotient(cut.fall * Big(p_[k]) + cut.at_p * a.difference(q_, p_, k), cut.fall); };
+    const auto along = [&](int k) -> Rational {
+      if (p_[k] == q_[k]) return p_[k];
+      return quotient(cut.fall * Big(p_[k]) + cut.at_p * a.difference(q_, p_, k), cut.fall);
+    };
     return {along(0), along(1), along(2)};
   }
   const auto d = polynomials::meet_point(a, planes_[0], planes_[1], planes_[2]);

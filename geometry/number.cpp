@@ -24,6 +24,10 @@ Rational Rational::from_string(const std::string& text) {
 
 double Rational::to_double() const {
   if (mpq_sgn(q_) == 0) return 0;
+  // Both are doubles: a division rounds once.
+  constexpr std::size_t most_bits = 53;
+  if (mpz_sizeinbase(mpq_numref(q_), 2) <= most_bits && mpz_sizeinbase(mpq_denref(q_), 2) <= most_bits)
+    return mpz_get_d(mpq_numref(q_)) / mpz_get_d(mpq_denref(q_));
   mpz_t n, d, rest;
   mpz_init(n);
   mpz_init(d);

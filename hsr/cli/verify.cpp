@@ -38,7 +38,7 @@ const char* const examples = R"(Examples:
   hsr verify order.json --limit 100 -o wrong.svg   with a picture: painted earlier blue, later red, a ring where they are wrong
 
 Writes the verdict to standard output, and a picture or a report if asked. Exit status 1: the order is wrong.
-The faces of a model are verified with one --section, an order in a file with all that it was made with.)";
+The faces of a model are verified with the sections given here, an order in a file with all that it was made with.)";
 
 bool is_json(const std::string& path) { return path.size() > 5 && path.ends_with(".json"); }
 

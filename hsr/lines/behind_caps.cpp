@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,13 +27,13 @@ class CapShadows {
   bool add(const Line& line) {
     if (line.intervals() == 0 || (line.intervals() == 1 && line.starts_hidden)) return false;
     line_ = &line;
-    if (!find_touching()) return false;
     TriangleOcclusion& occlusion = intervals_.occlusion();
     const auto cuts = lines_.cuts_of(line);
     const bool is_edge = !line.is_intersection();
     if (is_edge ? !occlusion.start(line.edge, cuts.front(), cuts.back())
                 : !occlusion.start(lines_.intersections[line.intersection]))
       return false;
+    if (!find_touching()) return false;
     find_crossings();
     hidden_.clear();
     bool hides = false;
@@ -63,7 +64,7 @@ class CapShadows {
     return !touching_.empty() || caps_.covers(from).value_or(true);
   }
   /// The first or the last end, in the plane.
-  SectionCaps::Place seen_end(std::size_t which) const {
+  SectionCaps::Place seen_end(std::size_t which) {
     const auto cuts = lines_.cuts_of(*line_);
     const Cut& cut = which == 0 ? cuts.front() : cuts.back();
     const auto bounded = [](const Point3& p, double error) {
@@ -73,6 +74,9 @@ class CapShadows {
       const Edge& e = projected_.mesh().edges[line_->edge];
       if (cut.kind == Cut::Kind::start || cut.kind == Cut::Kind::end)
         return caps_.seen_at(bounded(projected_.mesh().points[cut.kind == Cut::Kind::start ? e.a : e.b], 0));
+      const Breakpoint& at = which == 0 ? intervals_.occlusion().first() : intervals_.occlusion().last();
+      const BoundedPoint3 p = between(projected_.mesh().points[e.a], projected_.mesh().points[e.b], {at.t, at.error});
+      if (p.error < HUGE_VAL) return caps_.seen_at(bounded(p.p, p.error));
     }
     const RationalVector at = exact(cut);
     const Point3 rounded = {at[0].to_double(), at[1].to_double(), at[2].to_double()};

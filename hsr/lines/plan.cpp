@@ -101,7 +101,7 @@ Plan::Plan(const SceneView& scene, const LineOptions& options)
     : options_(options),
       parts_(scene.parts()),
       projected_(parts_.projected(options.stop)),
-      excluded_(options.why ? Excluded::none : Excluded::hidden),
+      excluded_(options.why ? Excluded::none : Excluded::hidden_or_capped),
       outside_(outside_frame(scene, options)) {
   const Mesh& mesh = parts_.mesh();
   find_intersections();
@@ -211,7 +211,7 @@ void Plan::leave_out_far_sides() {
     say("convex body", "the scene is not one convex body");
   }
   if (!wants_back_faces) return;
-  const ClosedBodies& bodies = *parts_.bodies(options_.stop);
+  const ClosedBodies& bodies = *parts_.bodies_with_caps(options_.stop);
   if (bodies.count() == 0) {
     say("back faces", "no component is proven to be a closed body all of which one point inside sees");
     return;
@@ -219,7 +219,11 @@ void Plan::leave_out_far_sides() {
   const std::size_t edges_before = count(requested_->hidden);
   requested_->hidden.resize(requested_->edges.size(), 0);
   parallel_for_each(requested_->edges.size(), [&](std::size_t i) {
-    if (bodies.is_on_far_side(requested_->edges[i])) requested_->hidden[i] = 1;
+    const Edge& e = parts_.mesh().edges[requested_->edges[i]];
+    const Sign at_a = projected_.beyond_near(e.a), at_b = projected_.beyond_near(e.b);
+    // Of an edge of a body that is cut only what is left is hidden, and one that lies in the plane may not be.
+    const bool is_beyond = at_a != Sign::negative && at_b != Sign::negative && (at_a != Sign::zero || at_b != Sign::zero);
+    if (is_beyond && bodies.is_on_far_side(requested_->edges[i])) requested_->hidden[i] = 1;
   });
   say("back faces", of(count(bodies.far_sides()), bodies.far_sides().size(), "triangles and ") +
                         of(count(requested_->hidden) - edges_before, requested_->hidden.size(), "edges are far sides of ") +
@@ -243,9 +247,10 @@ void Plan::leave_out_hidden() {
     Predicates exact = projected_.predicates();
     if (!LineFilter(projected_, e.a, e.b).is_point(exact)) requested_->hidden[i] = 1;
   });
-  say("hidden tiles", of(count(parts_.hidden(options_.stop)), mesh.triangles.size(), "triangles (far sides among them) and ") +
-                          of(count(requested_->hidden) - edges_before, requested_->hidden.size(),
-                             "more edges lie behind others that cover their part of the image"));
+  say("hidden tiles",
+      of(count(parts_.hidden_or_capped(options_.stop)), mesh.triangles.size(), "triangles (far sides among them) and ") +
+          of(count(requested_->hidden) - edges_before, requested_->hidden.size(),
+             "more edges lie behind others that cover their part of the image"));
 }
 
 /// Where few edges are asked for, the triangles that overlap none of them in the image are no candidates. They still count as
@@ -259,7 +264,7 @@ void Plan::leave_out_far_faces() {
   std::vector<ImageBox> asked_for = requested_->boxes;
   asked_for.insert(asked_for.end(), meet_boxes_.begin(), meet_boxes_.end());
   const std::vector<std::uint8_t> hidden =
-      excluded_ == Excluded::hidden ? parts_.hidden(options_.stop) : std::vector<std::uint8_t>();
+      excluded_ == Excluded::hidden_or_capped ? parts_.hidden_or_capped(options_.stop) : std::vector<std::uint8_t>();
   const auto& boxes = parts_.boxes(options_.stop);
   const ImageMask mask(asked_for, boxes.size());
   std::vector<std::uint8_t> far = hidden;

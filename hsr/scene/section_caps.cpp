@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/bounded_rational.h"
 #include "geometry/constructed_point.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/near_value.h"
@@ -43,11 +44,6 @@ template <class N>
 std::array<N, 2> flat(const std::array<N, 3>& p, int dropped, const N& leaning) {
   const N &i = p[static_cast<std::size_t>(dropped + 1) % 3], &j = p[static_cast<std::size_t>(dropped + 2) % 3];
   return {i, j + leaning * i};
-}
-
-ErrorBounded bounded(const Rational& x) {
-  const double d = x.to_double();
-  return {d, ErrorBounded::u * std::fabs(d) + 0x1p-1074};
 }
 
 /// Twice the area of a, b, p: positive, p is to the left of a -> b.

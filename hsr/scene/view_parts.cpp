@@ -67,6 +67,14 @@ const ClosedBodies* ViewParts::bodies(const std::stop_token& stop) const {
   return bodies ? &*bodies : nullptr;
 }
 
+const ClosedBodies* ViewParts::bodies_with_caps(const std::stop_token& stop) const {
+  // What tiles hide of an edge ends where some occluder's shadow does, which may be that of a far side.
+  if (!view_.section || bodies(stop) == nullptr || pyramid(stop) != nullptr) return bodies(stop);
+  const ProjectedMesh& mesh = projected(stop);
+  return &*bodies_with_caps_.get(
+      stop, [&]() -> std::optional<ClosedBodies> { return ClosedBodies::with_caps(mesh, scene_->bodies(), labels()); });
+}
+
 bool ViewParts::is_one_convex_body(const std::stop_token& stop) const {
   if (options_.when(Stage::convex_body) == When::never) return false;
   const ClosedBodies* const all = bodies(stop);
@@ -86,20 +94,27 @@ const OcclusionPyramid* ViewParts::pyramid(const std::stop_token& stop) const {
       .get();
 }
 
+std::vector<std::uint8_t> ViewParts::hidden_by(const ClosedBodies* closed, const std::stop_token& stop) const {
+  const OcclusionPyramid* const tiles = pyramid(stop);
+  std::vector<std::uint8_t> hidden;
+  if (closed != nullptr && closed->count() > 0 && options_.when(Stage::back_faces) != When::never) hidden = closed->far_sides();
+  if (tiles != nullptr) {
+    hidden.resize(mesh().triangles.size(), 0);
+    tiles->mark_hidden(hidden);
+  }
+  if (std::find(hidden.begin(), hidden.end(), std::uint8_t{1}) == hidden.end()) hidden.clear();
+  return hidden;
+}
+
 const std::vector<std::uint8_t>& ViewParts::hidden(const std::stop_token& stop) const {
   const ClosedBodies* const closed = bodies(stop);
-  const OcclusionPyramid* const tiles = pyramid(stop);
-  return hidden_.get(stop, [&] {
-    std::vector<std::uint8_t> hidden;
-    if (closed != nullptr && closed->count() > 0 && options_.when(Stage::back_faces) != When::never)
-      hidden = closed->far_sides();
-    if (tiles != nullptr) {
-      hidden.resize(this->mesh().triangles.size(), 0);
-      tiles->mark_hidden(hidden);
-    }
-    if (std::find(hidden.begin(), hidden.end(), std::uint8_t{1}) == hidden.end()) hidden.clear();
-    return hidden;
-  });
+  return hidden_.get(stop, [&] { return hidden_by(closed, stop); });
+}
+
+const std::vector<std::uint8_t>& ViewParts::hidden_or_capped(const std::stop_token& stop) const {
+  const ClosedBodies* const closed = bodies_with_caps(stop);
+  if (closed == bodies(stop)) return hidden(stop);
+  return hidden_or_capped_.get(stop, [&] { return hidden_by(closed, stop); });
 }
 
 const std::vector<std::uint8_t>& ViewParts::flags(Excluded excluded, const std::stop_token& stop) const {
@@ -127,6 +142,8 @@ const std::vector<std::uint8_t>& ViewParts::flags(Excluded excluded, const std::
         return either;
       });
     }
+    case Excluded::hidden_or_capped:
+      return hidden_or_capped(stop);
     case Excluded::none:
       break;
   }
@@ -141,6 +158,10 @@ bool ViewParts::has_edge_on(const std::stop_token& stop) const { return !flags(E
 
 /// The name under which the same set is kept: a tree is made once for all that come to the same.
 Excluded ViewParts::needed(Excluded excluded, const std::stop_token& stop) const {
+  if (excluded == Excluded::hidden_or_capped) {
+    if (!hidden_or_capped(stop).empty() && hidden_or_capped(stop) != hidden(stop)) return excluded;
+    excluded = Excluded::hidden;
+  }
   const bool hidden = (excluded == Excluded::hidden || excluded == Excluded::hidden_and_edge_on) && !this->hidden(stop).empty();
   const bool edge_on = (excluded == Excluded::edge_on || excluded == Excluded::hidden_and_edge_on) && has_edge_on(stop);
   return hidden && edge_on ? Excluded::hidden_and_edge_on

@@ -27,6 +27,7 @@ enum class Excluded : unsigned char {
   hidden,              ///< far sides of closed bodies, and what tiles hide
   edge_on,             ///< those seen edge-on
   hidden_and_edge_on,  ///< both
+  hidden_or_capped,    ///< what is hidden where caps of a section hide, too
 };
 
 /// What all methods share of one view of a scene, each part made on first use. The stages come in one order: projection, closed
@@ -61,11 +62,15 @@ class ViewParts {
   const SectionCaps* caps(const std::stop_token& stop = {}) const;
   /// The closed bodies; null: not looked for.
   const ClosedBodies* bodies(const std::stop_token& stop = {}) const;
+  /// Those that hide their far sides together with the caps of a section; the same as bodies() where there are tiles.
+  const ClosedBodies* bodies_with_caps(const std::stop_token& stop = {}) const;
   bool is_one_convex_body(const std::stop_token& stop = {}) const;  ///< and its stage is not to be left out
   /// What hides what is behind large faces; null: not looked for, or nothing is known to be hidden.
   const OcclusionPyramid* pyramid(const std::stop_token& stop = {}) const;
   /// By triangle: on the far side of a closed body, or hidden by tiles; whole faces only. Empty: nothing is known to be.
   const std::vector<std::uint8_t>& hidden(const std::stop_token& stop = {}) const;
+  /// The same for methods that know what caps hide.
+  const std::vector<std::uint8_t>& hidden_or_capped(const std::stop_token& stop = {}) const;
   /// By triangle: hidden(), or seen edge-on. Empty: none is.
   const std::vector<std::uint8_t>& hidden_or_edge_on(const std::stop_token& stop = {}) const;
   bool has_edge_on(const std::stop_token& stop = {}) const;
@@ -95,6 +100,7 @@ class ViewParts {
   Intersections find(Excluded excluded, const OcclusionPyramid* tiles, const std::stop_token& stop) const;
   bool is_cut_by_near_plane() const;
   Excluded needed(Excluded excluded, const std::stop_token& stop) const;
+  std::vector<std::uint8_t> hidden_by(const ClosedBodies* closed, const std::stop_token& stop) const;
   const std::vector<std::uint8_t>& flags(Excluded excluded, const std::stop_token& stop) const;
 
   std::shared_ptr<const SceneParts> scene_;
@@ -106,13 +112,13 @@ class ViewParts {
   MadeOnce<std::vector<Cell>> cells_;
   MadeOnce<ProjectedMesh> projected_;
   MadeOnce<std::vector<ImageBox>> boxes_;
-  MadeOnce<std::optional<ClosedBodies>> bodies_;
+  MadeOnce<std::optional<ClosedBodies>> bodies_, bodies_with_caps_;
   MadeOnce<SectionCaps> caps_;
   MadeOnce<std::unique_ptr<const OcclusionPyramid>> pyramid_;
-  MadeOnce<std::vector<std::uint8_t>> hidden_, edge_on_, hidden_or_edge_on_;
-  MadeOnce<Occluders> occluders_[4];
+  MadeOnce<std::vector<std::uint8_t>> hidden_, hidden_or_capped_, edge_on_, hidden_or_edge_on_;
+  MadeOnce<Occluders> occluders_[5];
   MadeOnce<Intersections> intersections_, visible_intersections_;
-  MadeOnce<OccludingEdges> occluding_edges_[4];
+  MadeOnce<OccludingEdges> occluding_edges_[5];
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<const ViewParts>> with_;
 };

@@ -127,14 +127,14 @@ void draw_dimension(Sketch& sketch, const DimensionLine& d, const SheetPens& pen
   const Point2 along = unit(d.line_from, d.line_to);
   for (const auto& [point, end] : {std::pair{d.from, d.line_from}, {d.to, d.line_to}}) {
     const Point2 away = unit(point, end);
-    sketch.line(layer, plus(point, away, gap), plus(end, away, over));
+    sketch.line_beside_texts(layer, plus(point, away, gap), plus(end, away, over));
   }
   const double length = std::hypot(d.line_to.x - d.line_from.x, d.line_to.y - d.line_from.y);
   const bool is_upright = std::fabs(along.y) > std::fabs(along.x);
   const double text_width = StrokeFont(dimension_letters).width(d.text);
   const bool has_room = length >= 2 * arrow + 2;
   const double outside = has_room ? 0 : 2 * arrow;
-  sketch.line(layer, plus(d.line_from, along, -outside), plus(d.line_to, along, outside));
+  sketch.line_beside_texts(layer, plus(d.line_from, along, -outside), plus(d.line_to, along, outside));
   const double side = has_room ? -1 : 1;
   sketch.arrow_head(layer, d.line_from, {side * along.x, side * along.y}, arrow);
   sketch.arrow_head(layer, d.line_to, {-side * along.x, -side * along.y}, arrow);

@@ -12,10 +12,12 @@
 #include "hsr/drawing/section_drawing.h"
 #include "hsr/sheet/annotations.h"
 #include "hsr/sheet/model_circles.h"
+#include "hsr/sheet/paper_box.h"
 #include "hsr/sheet/round_part.h"
 #include "hsr/sheet/sheet_frame.h"
 #include "hsr/sheet/sheet_layout.h"
 #include "hsr/sheet/sheet_views.h"
+#include "hsr/sheet/stroke_font.h"
 #include "hsr/sheet/title_block.h"
 
 namespace hsr {
@@ -308,10 +310,31 @@ class SheetMaker {
       const Point2 middle = ViewOnPaper(v.view, v.origin, v.scale).at(detail->at);
       const double radius = detail->radius * v.scale;
       sketch.circle(layer, middle, radius);
-      return Point2{middle.x + radius * 0.75 + 1, middle.y - radius * 0.75 - 1};
+      return std::pair{middle, radius};
     };
-    sketch.text("details", letter, label_letters, circle(*placed(detail->view)));
+    const PlacedView& in = *placed(detail->view);
+    const auto [middle, radius] = circle(in);
+    draw_letter(sketch, layer, letter, in, middle, radius);
     circle(sheet_.views[k]);
+  }
+
+  /// Of a detail, beside its circle where no line of the view is, or else beside the view, with a line that leads there.
+  void draw_letter(Sketch& sketch, Sketch::LayerIndex layer, const std::string& letter, const PlacedView& in,
+                   const Point2& middle, double radius) {
+    const double wide = StrokeFont(label_letters).width(letter);
+    constexpr double high = label_letters, beside = 1;
+    for (const auto& [x, y] : {std::pair{1, -1}, {1, 1}, {-1, -1}, {-1, 1}}) {
+      const double across = radius * 0.75 + beside;
+      const Point2 corner = {middle.x + x * across, middle.y + y * across};
+      const Point2 at = {x > 0 ? corner.x : corner.x - wide, y > 0 ? corner.y + high : corner.y};
+      if (!is_free(sheet_.drawing, in.name, {at.x - beside, at.y - high - beside, at.x + wide + beside, at.y + beside}))
+        continue;
+      sketch.text("details", letter, label_letters, at);
+      return;
+    }
+    const Point2 at = {in.box.right + 4, middle.y + high / 2};
+    sketch.line(layer, {middle.x + radius, middle.y}, {at.x - beside, middle.y});
+    sketch.text("details", letter, label_letters, at);
   }
 
   void draw_dimensions(Sketch& sketch) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/error.h"
+#include "hsr/sheet/paper_box.h"
 #include "hsr/sheet/stroke_font.h"
 
 namespace hsr::internal {
@@ -27,6 +28,20 @@ Sketch::LayerIndex Sketch::layer(const std::string& name, const Pen& pen) {
 
 void Sketch::polyline(LayerIndex layer, std::span<const Point2> points, bool closed) {
   layers_[layer].strokes.push_back({{points.begin(), points.end()}, closed});
+}
+
+void Sketch::line_beside_texts(LayerIndex layer, const Point2& from, const Point2& to) {
+  std::vector<std::array<double, 2>> gaps;  // in shares of the way
+  for (const PaperFrame& text : texts_)
+    if (const auto gap = part_within(text, from, to)) gaps.push_back(*gap);
+  std::ranges::sort(gaps);
+  gaps.push_back({1, 1});
+  const auto at = [&](double s) { return Point2{from.x + s * (to.x - from.x), from.y + s * (to.y - from.y)}; };
+  double done = 0;
+  for (const auto& [enters, leaves] : gaps) {
+    if (enters > done) line(layer, at(done), at(enters));
+    done = std::max(done, leaves);
+  }
 }
 
 void Sketch::rectangle(LayerIndex layer, const PaperFrame& f) {
@@ -73,10 +88,14 @@ void Sketch::text(const std::string& group, std::string_view text, double height
   const StrokeFont font(height);
   const double width = font.width(text), narrower = width > widest ? widest / width : 1;
   const double begin = anchor == Anchor::left ? 0 : anchor == Anchor::middle ? -width * narrower / 2 : -width * narrower;
+  constexpr double beside = 0.8;  // mm of a text no line runs
+  PaperFrame& around = texts_.emplace_back(PaperFrame{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL});
   for (TextStroke& stroke : font.strokes(text, {0, 0})) {
     for (Point2& p : stroke) {
       const double along = begin + narrower * p.x, down = p.y;
       p = reading == Reading::across ? Point2{at.x + along, at.y + down} : Point2{at.x + down, at.y - along};
+      around = {std::min(around.left, p.x - beside), std::min(around.top, p.y - beside), std::max(around.right, p.x + beside),
+                std::max(around.bottom, p.y + beside)};
     }
     polyline(of_text, stroke, false);
   }

@@ -25,6 +25,8 @@ class Sketch {
   LayerIndex layer(const std::string& name, const Pen& pen);
 
   void line(LayerIndex layer, const Point2& from, const Point2& to) { polyline(layer, std::array{from, to}, false); }
+  /// In parts, where it would run through a text that is there already or nearly touch it.
+  void line_beside_texts(LayerIndex layer, const Point2& from, const Point2& to);
   void polyline(LayerIndex layer, std::span<const Point2> points, bool closed);
   void rectangle(LayerIndex layer, const PaperFrame& frame);
   void circle(LayerIndex layer, const Point2& centre, double radius);
@@ -53,6 +55,7 @@ class Sketch {
   };
 
   std::vector<Layer> layers_;
+  std::vector<PaperFrame> texts_;  // around each
 };
 
 /// A narrow or wide continuous pen, and the chain of centre lines (ISO 128-20, 04.1).

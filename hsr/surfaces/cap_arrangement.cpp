@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/bounded_rational.h"
 #include "geometry/parallel.h"
 #include "hsr/surfaces/place_numbers.h"
 
@@ -22,13 +23,7 @@ void tidy(std::vector<Rational>& cuts) {
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
 }
 
-SectionCaps::Place bounded(const Place& p) {
-  const auto bounded = [](const Rational& x) {
-    const double d = x.to_double();
-    return ErrorBounded{d, ErrorBounded::u * std::fabs(d) + 0x1p-1074};
-  };
-  return {bounded(p[0]), bounded(p[1])};
-}
+SectionCaps::Place bounded(const Place& p) { return {internal::bounded(p[0]), internal::bounded(p[1])}; }
 
 }  // namespace
 

@@ -163,8 +163,7 @@ TEST_CASE("planes that are none, or have no viewer's side, are refused", "[cli][
   check_refused(run("draw " + model + " --view top --depth 1" + svg), {"--depth", "--section"});
   check_refused(run("draw " + model + " --view top --section z=0.5 --depth 0" + svg), {"depth", "above 0"});
   check_refused(run("draw " + model + " --view top --section z=0.5.5.." + svg), {"--section", "x=12.5"});
-  check_refused(run("verify " + model + " --section x=0.5 --section y=0.5"), {"section", "verify", "one plane"});
-  check_refused(run("verify " + model + " --section x=0.5 --depth 1"), {"section", "verify", "one plane"});
+  check_refused(run("verify " + model + " --eye 3,0.5,0.5 --target 0,0.5,0.5 --near 2.5 --section x=0.75"), {"near plane"});
   check_refused(run("draw " + model + " --eye 3,0.5,0.5 --target 0,0.5,0.5 --near 2.5 --section x=0.75" + svg), {"near plane"});
   check_refused(run("draw " + model + " --section x=0.5 --why -o " + (d / "a.json")), {"section", "why"});
   check_refused(run("draw " + model + " --section x=0.5 --outline-only" + svg), {"section", "outline"});
@@ -286,6 +285,33 @@ TEST_CASE("orders of several planes are right beside the caps", "[cli][section][
       CHECK(order["section"]["caps"].size() >= 2);
     }
   }
+}
+
+TEST_CASE("faces of a model are verified with several planes, a half section and a depth",
+          "[cli][section][P13][X9][X10][X11]") {
+  const Directory d;
+  // A square and, painted after it, one that is behind it as seen from iso. Both are beyond x = 1 and beyond y = 1.
+  const std::string model = write(d / "squares.obj",
+                                  "v 2 2 1\nv 3 2 1\nv 3 3 1\nv 2 3 1\nv 1 3 0\nv 2 3 0\nv 2 4 0\nv 1 4 0\n"
+                                  "f 1 2 3 4\nf 5 6 7 8\n");
+  const auto status = [&](const std::string& options) {
+    const Outcome outcome = run("verify " + model + " " + options);
+    INFO(options << "\n" << outcome.text);
+    CHECK((outcome.status == 0) == (outcome.text.find("correct: ") == 0));
+    return outcome.status;
+  };
+  CHECK(status("") == 1);
+  CHECK(status("--section x=1") == 0);
+  CHECK(status("--section x=1 --section y=1") == 1);
+  CHECK(status("--section x=1 --section y=4") == 0);
+  CHECK(status("--section z=2 --depth 1.5") == 0);
+  CHECK(status("--section z=2 --depth 2") == 1);
+  // From the right, half of what the first plane takes away.
+  CHECK(status("--direction 1,-1,1 --section x=1 --section \"1,1,0@0,6,0\"") == 0);
+  CHECK(status("--direction 1,-1,1 --section x=1 --section \"1,1,0@0,5,0\"") == 1);
+  const std::string picture = d / "a.svg";
+  CHECK(run("verify " + model + " --section x=1 --section y=2.5 -o " + picture).status == 1);
+  CHECK(count(contents(picture), "<path") == 2);
 }
 
 TEST_CASE("lines of a section are in the layers of their class, each of which is there once", "[cli][section][X4]") {

@@ -219,6 +219,7 @@ TEST_CASE("what is before the near plane, or edge-on, is passed over", "[painter
   const View view = scenes::from_eye({0, 0, 10}, {0, 0, 0}, 0.5);  // the near plane: z = 5
   CHECK(verify({square(-1, -1, 2, 7), square(-1, -1, 2, 0)}, view).is_correct());
   CHECK_FALSE(verify({square(-1, -1, 2, 4), square(-1, -1, 2, 0)}, view).is_correct());
+  CHECK_FALSE(verify({square(-1, -1, 2, 5), square(-1, -1, 2, 0)}, view).is_correct());  // in it
   const Verdict edge_on = verify({polygon({{0, 0, 0}, {1, 0, 0}, {1, 0, 9}}), square(0, 0, 1, 1)}, from_above);
   CHECK(edge_on.polygons == 1);
   CHECK(edge_on.is_correct());

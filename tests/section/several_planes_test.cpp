@@ -11,6 +11,7 @@
 #include "hsr/lines/visible_lines.h"
 #include "hsr/painter/bsp/bsp.h"
 #include "hsr/painter/sort/depth_sort.h"
+#include "hsr/painter/verify/verify.h"
 #include "hsr/raster/capped_samples.h"
 #include "hsr/raster/caster.h"
 #include "hsr/surfaces/section.h"
@@ -321,6 +322,43 @@ TEST_CASE("the far plane is computed once, and needs a section that faces the vi
   CHECK_THROWS_AS(with_depth(view, 1), InputError);
   CHECK_THROWS_AS(with_depth(with_sections(view, {{{0, 0, 0}, {1, 0, 0}}}), 1), InputError);
   CHECK_THROWS_AS(with_depth(with_section(view, {0, 0, 3}, {0, 0, 7}), 0), InputError);
+}
+
+/// The faces as they come, whole.
+std::vector<PaintedPolygon> faces_as_they_come(const CutBoxes& boxes) {
+  std::vector<PaintedPolygon> all;
+  for (std::size_t f = 0; f < boxes.polygons.size(); ++f) {
+    PaintedPolygon& polygon = all.emplace_back();
+    polygon.face = static_cast<std::uint32_t>(f);
+    for (const std::uint32_t c : boxes.polygons[f]) polygon.corners.push_back(rational(boxes.points[c]));
+  }
+  return all;
+}
+
+/// Of which faces the earlier is painted too early. The witness of each is a point that the planes leave.
+std::set<std::array<std::uint32_t, 2>> wrong_faces(const std::vector<PaintedPolygon>& painted, const View& view,
+                                                   const KeptBoxesOracle& oracle) {
+  std::set<std::array<std::uint32_t, 2>> wrong;
+  for (const Violation& v : verify(painted, view, {.limit = 1'000'000}).first) {
+    CHECK(oracle.is_kept(v.witness.of_earlier));
+    CHECK(oracle.is_kept(v.witness.of_later));
+    wrong.insert({*painted[v.earlier].face, *painted[v.later].face});
+  }
+  return wrong;
+}
+
+TEST_CASE("verify judges of whole faces what several planes leave of them", "[section][verify][P22][X9][X10][X11]") {
+  std::size_t found = 0;
+  on_cut_views(120, [&](const CutBoxes& boxes, const SceneView& scene) {
+    // The pieces of an order, cut off at the sides of cells, in the order of their faces; the planes take nothing away from these.
+    std::vector<PaintedPolygon> pieces = painted_polygons(scene, depth_sort(scene).order);
+    std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return *a.face < *b.face; });
+    const KeptBoxesOracle oracle(boxes, scene.view());
+    const auto expected = wrong_faces(pieces, boxes.uncut_view, oracle);
+    CHECK(wrong_faces(faces_as_they_come(boxes), scene.view(), oracle) == expected);
+    found += expected.size();
+  });
+  CHECK(found > 500);
 }
 
 }  // namespace

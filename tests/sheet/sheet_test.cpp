@@ -7,6 +7,7 @@
 
 #include "geometry/error.h"
 #include "hsr/io/write/write.h"
+#include "hsr/sheet/paper_box.h"
 #include "tests/drawing/round_models.h"
 #include "tests/io/write/other_programs.h"
 
@@ -201,6 +202,34 @@ TEST_CASE("A section has its own view, and a cutting line in the view that sees 
   CHECK(odd.notes[1] == "no view of the sheet sees the section B-B edge-on: without a cutting line");
 }
 
+TEST_CASE("No line of a dimension runs through a letter of a cutting line", "[sheet][section][L6]") {
+  const Mesh mesh = box();
+  std::size_t letters_seen = 0;
+  for (double y = -17; y < 42.9; y += 1.1) {
+    INFO("section y=" << y);
+    SheetOptions options;
+    options.sections = {{{0, y, 0}, {0, 1, 0}}};
+    const Sheet sheet = draw_sheet(Scene::of(mesh), options);
+    const auto each_stroke = [&](const std::string& prefix, const auto& visit) {
+      for (const NamedLayer& layer : sheet.drawing.layers)
+        for (std::uint32_t k = layer.first_polyline; layer.name.starts_with(prefix) && k < layer.end_polyline; ++k)
+          visit(layer, sheet.drawing.points_of(sheet.drawing.polylines[k]));
+    };
+    each_stroke("cutting lines text", [&](const NamedLayer& /*layer*/, const auto& letter) {
+      const auto [left, right] = std::ranges::minmax(letter, {}, &PaperPoint::x);
+      const auto [top, bottom] = std::ranges::minmax(letter, {}, &PaperPoint::y);
+      ++letters_seen;
+      each_stroke("dimensions", [&](const NamedLayer& layer, const auto& line) {
+        if (layer.name.find("text") != std::string::npos || line.size() != 2) return;
+        const auto [x, more_x] = std::minmax(line[0].x, line[1].x);
+        const auto [y_low, y_high] = std::minmax(line[0].y, line[1].y);
+        CHECK_FALSE((x < right.x && more_x > left.x && y_low < bottom.y && y_high > top.y));
+      });
+    });
+  }
+  CHECK(letters_seen > 100);
+}
+
 TEST_CASE("A detail shows what is inside its circle, larger", "[sheet]") {
   const Mesh mesh = plate_with_holes(24);
   SheetOptions options;
@@ -236,6 +265,30 @@ TEST_CASE("A detail shows what is inside its circle, larger", "[sheet]") {
   CHECK(beside.notes[0] == "detail A (2:1): there is no line within its circle");
   CHECK_THROWS_AS(draw_sheet(Scene::of(mesh), {.details = {{"back", {}, 1, 2}}}), InputError);
   CHECK_THROWS_AS(draw_sheet(Scene::of(mesh), {.details = {{"front", {}, 0, 2}}}), InputError);
+}
+
+TEST_CASE("The letter of a detail stands where no line of the view is", "[sheet]") {
+  const Mesh mesh = plate_with_holes(24);
+  std::size_t letters = 0;
+  // Around a hole and a corner, and across an edge.
+  for (const Point3& at : {Point3{20, 0, 60}, {0, 0, 80}, {26, 0, 66}, {23, 0, 64}, {15, 0, 55}}) {
+    SheetOptions options;
+    options.details = {{"front", at, 2, 10}};
+    const Sheet sheet = draw_sheet(Scene::of(mesh), options);
+    for (const NamedLayer& layer : sheet.drawing.layers) {
+      if (!layer.name.starts_with("details text")) continue;
+      for (std::uint32_t k = layer.first_polyline; k < layer.end_polyline; ++k) {
+        const auto letter = sheet.drawing.points_of(sheet.drawing.polylines[k]);
+        const auto [left, right] = std::ranges::minmax(letter, {}, &PaperPoint::x);
+        const auto [top, bottom] = std::ranges::minmax(letter, {}, &PaperPoint::y);
+        const auto mm = [](std::int64_t x) { return static_cast<double>(x) / 1000; };
+        INFO(at.x << ", " << at.z);
+        CHECK(internal::is_free(sheet.drawing, "front", {mm(left.x), mm(top.y), mm(right.x), mm(bottom.y)}));
+        ++letters;
+      }
+    }
+  }
+  CHECK(letters >= 5);
 }
 
 TEST_CASE("Centre lines cross at the middle of holes, and run along their axes", "[sheet][L5]") {

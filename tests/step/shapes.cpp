@@ -14,6 +14,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <IGESControl_Writer.hxx>
@@ -31,6 +32,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -38,6 +40,7 @@
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <array>
 #include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
@@ -173,6 +176,40 @@ void write_pin_in_block(const std::string& file) {
   check(writer.Write(file.c_str()) == IFSelect_RetDone, file);
 }
 
+namespace {
+
+TopoDS_Shape bolt() {
+  return BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(upright(0, 0, -10), 3, 12).Shape(),
+                          BRepPrimAPI_MakeCylinder(upright(0, 0, 0), 6, 4).Shape())
+      .Shape();
+}
+
+/// Where the bolts are.
+std::array<gp_Trsf, 4> places_of_bolts() {
+  std::array<gp_Trsf, 4> places;
+  int k = 0;
+  for (const double x : {12.0, 48.0})
+    for (const double y : {12.0, 28.0}) {
+      gp_Trsf at, turned;
+      at.SetTranslation(gp_Vec(x, y, 8.5));
+      turned.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 0.3 * k);
+      places[static_cast<std::size_t>(k++)] = at * turned;
+    }
+  return places;
+}
+
+}  // namespace
+
+TopoDS_Shape assembly() {
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  builder.Add(all, plate());
+  const TopoDS_Shape of_bolt = bolt();
+  for (const gp_Trsf& place : places_of_bolts()) builder.Add(all, of_bolt.Located(TopLoc_Location(place)));
+  return all;
+}
+
 void write_assembly(const std::string& file) {
   say_nothing();
   const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
@@ -193,20 +230,14 @@ void write_assembly(const std::string& file) {
     shapes->AddSubShape(plate_label, at.Current(), of_face);
     colours->SetColor(of_face, colour(250, 210, 0), XCAFDoc_ColorSurf);
   }
-  const TopoDS_Shape bolt = BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(upright(0, 0, -10), 3, 12).Shape(),
-                                             BRepPrimAPI_MakeCylinder(upright(0, 0, 0), 6, 4).Shape());
-  const TDF_Label bolt_label = named(shapes->AddShape(bolt, false), "Bolt");
+  const TDF_Label bolt_label = named(shapes->AddShape(bolt(), false), "Bolt");
   colours->SetColor(bolt_label, colour(30, 60, 200), XCAFDoc_ColorSurf);
   const TDF_Label assembly = named(shapes->NewShape(), "Assembly"), bolts = named(shapes->NewShape(), "Bolts");
   int k = 0;
-  for (const double x : {12.0, 48.0})
-    for (const double y : {12.0, 28.0}) {
-      gp_Trsf at, turned;
-      at.SetTranslation(gp_Vec(x, y, 8.5));
-      turned.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 0.3 * k);
-      const TDF_Label instance = shapes->AddComponent(bolts, bolt_label, TopLoc_Location(at * turned));
-      if (++k == 2) colours->SetColor(instance, colour(200, 0, 0), XCAFDoc_ColorSurf);
-    }
+  for (const gp_Trsf& place : places_of_bolts()) {
+    const TDF_Label instance = shapes->AddComponent(bolts, bolt_label, TopLoc_Location(place));
+    if (++k == 2) colours->SetColor(instance, colour(200, 0, 0), XCAFDoc_ColorSurf);
+  }
   shapes->AddComponent(assembly, plate_label, TopLoc_Location());
   gp_Trsf nothing;
   shapes->AddComponent(assembly, bolts, TopLoc_Location(nothing));

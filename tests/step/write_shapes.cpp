@@ -15,6 +15,10 @@ int main(int argc, char** argv) {
   write_step(loft(), directory + "loft.step");
   write_step(pipe(), directory + "pipe.step");
   write_step(cylinder(), directory + "cylinder.step");
+  write_step(gear(), directory + "gear.step");
+  write_step(flange(), directory + "flange.step");
+  write_step(spring(), directory + "spring.step");
+  write_step(ridge(0.0002), directory + "ridge.step");
   write_step(plate(), directory + "plate_inch.step", "INCH");
   write_iges(plate(), directory + "plate.igs");
   write_assembly(directory + "assembly.step");

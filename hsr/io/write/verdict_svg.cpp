@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/near_value.h"
 #include "hsr/io/write/json_text.h"
 #include "hsr/io/write/svg_text.h"
+#include "hsr/painter/verify/what_is_left.h"
 
 namespace hsr::internal {
 
@@ -39,28 +39,17 @@ struct Sheet {
   double height() const { return std::max(1.0, (top - bottom) * scale()) + 2 * margin; }
 };
 
-/// The image of a polygon, of what is beyond the near plane.
-std::vector<std::array<double, 2>> seen(const PaintedPolygon& polygon, const View& view) {
-  std::vector<std::array<double, 2>> points;
-  std::vector<std::array<Rational, 3>> ring = polygon.corners;
-  if (view.cuts()) {
-    const auto beyond = [near = view.near_plane()](const RationalVector& p) { return near_value(near, p); };
-    std::vector<std::array<Rational, 3>> out;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const auto &p = ring[k], &q = ring[(k + 1) % ring.size()];
-      const Rational s = beyond(p), t = beyond(q);
-      if (s.sign() != Sign::negative) out.push_back(p);
-      if (s.sign() * t.sign() != Sign::negative) continue;
-      const Rational u = s / (s - t);
-      out.push_back({p[0] + u * (q[0] - p[0]), p[1] + u * (q[1] - p[1]), p[2] + u * (q[2] - p[2])});
+/// The images of what the near plane and sections leave of a polygon.
+std::vector<std::vector<std::array<double, 2>>> seen(const PaintedPolygon& polygon, const View& view) {
+  std::vector<std::vector<std::array<double, 2>>> images;
+  for (const WhatIsLeft::Ring& ring : WhatIsLeft(view).of(polygon.corners)) {
+    std::vector<std::array<double, 2>>& points = images.emplace_back();
+    for (const RationalVector& p : ring) {
+      const auto at = image(view, p);
+      points.push_back({at[0].to_double(), at[1].to_double()});
     }
-    ring = std::move(out);
   }
-  for (const auto& p : ring) {
-    const auto at = image(view, p);
-    points.push_back({at[0].to_double(), at[1].to_double()});
-  }
-  return points;
+  return images;
 }
 
 }  // namespace
@@ -71,8 +60,10 @@ std::string verdict_svg(const Verdict& verdict, const std::vector<PaintedPolygon
   std::vector<std::array<double, 2>> witnesses;
   Sheet page;
   const auto add = [&](std::uint32_t polygon, bool is_later) {
-    shapes.push_back({seen(far_to_near[polygon], view), is_later});
-    for (const auto& p : shapes.back().points) page.add(p);
+    for (auto& points : seen(far_to_near[polygon], view)) {
+      for (const auto& p : points) page.add(p);
+      shapes.push_back({std::move(points), is_later});
+    }
   };
   const auto mark = [&](const Witness& w) { witnesses.push_back({w.place[0].to_double(), w.place[1].to_double()}); };
   for (const Violation& v : verdict.first) {
@@ -85,7 +76,6 @@ std::string verdict_svg(const Verdict& verdict, const std::vector<PaintedPolygon
   std::string out;
   append_svg_start(out, page.width(), page.height(), options);
   for (const Shape& shape : shapes) {
-    if (shape.points.empty()) continue;
     std::vector<PaperPoint> points;
     for (const auto& p : shape.points) points.push_back(page.place(p));
     out += "<path d=\"";

@@ -2,8 +2,7 @@
 
 namespace hsr::internal {
 
-ImageRows::ImageRows(const View& view)
-    : parallel(!view.is_perspective()), eye(rational(view.viewpoint.at)), cuts(view.cuts()), near_plane(view.near_plane()) {
+ImageRows::ImageRows(const View& view) : parallel(!view.is_perspective()), eye(rational(view.viewpoint.at)) {
   away = parallel ? minus(RationalVector{}, eye) : minus(rational(view.target), eye);
   for (std::size_t k = 0; k < 3; ++k) {
     RationalVector unit;

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "geometry/near_value.h"
 #include "geometry/rational_vector.h"
 #include "hsr/view/view.h"
 
@@ -18,15 +17,11 @@ struct ImageRows {
   RationalVector eye;  ///< or the direction toward the viewer
   std::array<RationalVector, 2> across;
   RationalVector away;
-  bool cuts = false;  ///< whether there is a near plane, or a section in its place
-  Plane near_plane;
 
   explicit ImageRows(const View& view);
 
   RationalVector from_eye(const RationalVector& p) const { return parallel ? p : minus(p, eye); }
   Rational depth(const RationalVector& p) const { return dot(from_eye(p), away); }
-  /// Negative before the near plane: what is there is cut off. @pre cuts
-  Rational beyond_near(const RationalVector& p) const { return near_value(near_plane, p); }
   ImagePlace place(const RationalVector& p) const;
   /// The point that is seen at a place, on the plane through `on` square to `normal`. @pre the plane is not seen edge-on
   RationalVector point(const RationalVector& normal, const RationalVector& on, const ImagePlace& at) const;

@@ -85,23 +85,10 @@ std::vector<std::uint32_t> as_ring(std::span<const std::uint32_t> corners) {
   return ring;
 }
 
-/// How much of a ring the near plane cuts away.
-enum class Before { nothing, some, all };
-
-Before before_near(PaintedSides& sides, const ImageRows& rows, std::span<const std::uint32_t> ring) {
-  if (!rows.cuts) return Before::nothing;
-  bool before = false, beyond = false;
-  for (const std::uint32_t c : ring) {
-    const Sign s = sides.near(c);
-    before = before || s == Sign::negative;
-    beyond = beyond || s == Sign::positive;
-  }
-  return !beyond ? Before::all : before ? Before::some : Before::nothing;
-}
-
 }  // namespace
 
-PaintedParts::PaintedParts(const std::vector<PaintedPolygon>& polygons, const View& view) : points_(polygons), rows_(view) {
+PaintedParts::PaintedParts(const std::vector<PaintedPolygon>& polygons, const View& view)
+    : points_(polygons), rows_(view), left_(view) {
   PaintedSides sides(points_, rows_, view);
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     add(sides, i);
@@ -111,48 +98,49 @@ PaintedParts::PaintedParts(const std::vector<PaintedPolygon>& polygons, const Vi
   points_.place(rows_);
 }
 
+bool PaintedParts::is_whole(PaintedSides& sides, std::span<const std::uint32_t> ring) const {
+  return left_.is_whole(ring, [&](const Plane& plane, std::uint32_t c) { return sides.side(plane, c); });
+}
+
+bool PaintedParts::is_nothing(PaintedSides& sides, std::span<const std::uint32_t> ring) const {
+  return left_.is_nothing(ring, [&](const Plane& plane, std::uint32_t c) { return sides.side(plane, c); });
+}
+
 void PaintedParts::add(PaintedSides& sides, std::uint32_t polygon) {
-  if (points_.corners_of(polygon).size() == 2) return add_wire(sides, polygon);
+  if (points_.corners_of(polygon).size() == 2) return add_wire(polygon);
   std::vector<std::uint32_t> ring = as_ring(points_.corners_of(polygon));
-  if (ring.size() < 3) return;
-  const Before before = before_near(sides, rows_, ring);
-  if (before == Before::all) return;
+  if (ring.size() < 3 || is_nothing(sides, ring)) return;
   constexpr std::size_t few = 64;
   bool is_one = ring.size() == 3;
-  if (!is_one && before == Before::nothing && ring.size() <= few) {
+  if (!is_one && ring.size() <= few && is_whole(sides, ring)) {
     const auto plane = spanning(sides, ring);
     if (!plane) return;  // seen edge-on
     is_one = is_planar(sides, ring, *plane) && is_convex(sides, ring, sides.turn((*plane)[0], (*plane)[1], (*plane)[2]));
   } else if (!is_one) {
-    std::vector<RationalVector> exact;
-    exact.reserve(ring.size());
-    for (const std::uint32_t c : ring) exact.push_back(points_.exact(c));
-    is_one = is_planar_and_convex(exact);
+    is_one = is_planar_and_convex(exact(ring));
   }
-  if (!is_one) {
+  if (is_one) {
+    add_cut(sides, polygon, std::move(ring));
+  } else {
     ++triangulated_;
     add_triangles(sides, polygon);
-  } else if (before == Before::some) {
-    add_cut(sides, polygon, ring);
-  } else {
-    add_convex(sides, polygon, std::move(ring));
   }
 }
 
-void PaintedParts::add_wire(PaintedSides& sides, std::uint32_t polygon) {
-  std::vector<std::uint32_t> ends(points_.corners_of(polygon).begin(), points_.corners_of(polygon).end());
-  const Before before = before_near(sides, rows_, ends);
-  if (before == Before::all) return;
-  if (before == Before::some) {
-    const RationalVector p = points_.exact(ends[0]), q = points_.exact(ends[1]);
-    const Rational s = rows_.beyond_near(p), t = rows_.beyond_near(q), u = s / (s - t);
-    ends[s.sign() == Sign::negative ? 0 : 1] =
-        points_.number_of({p[0] + u * (q[0] - p[0]), p[1] + u * (q[1] - p[1]), p[2] + u * (q[2] - p[2])});
+std::vector<RationalVector> PaintedParts::exact(std::span<const std::uint32_t> corners) const {
+  std::vector<RationalVector> points;
+  points.reserve(corners.size());
+  for (const std::uint32_t c : corners) points.push_back(points_.exact(c));
+  return points;
+}
+
+void PaintedParts::add_wire(std::uint32_t polygon) {
+  for (const std::vector<RationalVector>& ends : left_.of(exact(points_.corners_of(polygon)))) {
+    if (rows_.place(ends[0]) == rows_.place(ends[1])) continue;  // seen as a point
+    const auto first = static_cast<std::uint32_t>(corners_.size());
+    for (std::size_t k = 0; k < 2; ++k) corners_.push_back(points_.number_of(ends[k]));
+    parts_.push_back({polygon, first, first + 2, {}});
   }
-  if (rows_.place(points_.exact(ends[0])) == rows_.place(points_.exact(ends[1]))) return;  // seen as a point
-  const auto first = static_cast<std::uint32_t>(corners_.size());
-  corners_.insert(corners_.end(), ends.begin(), ends.end());
-  parts_.push_back({polygon, first, first + 2, {}});
 }
 
 void PaintedParts::add_triangles(PaintedSides& sides, std::uint32_t polygon) {
@@ -171,25 +159,19 @@ void PaintedParts::add_triangles(PaintedSides& sides, std::uint32_t polygon) {
     std::vector<std::uint32_t> ring;
     ring.reserve(t.size());
     for (const VertexId v : t) ring.push_back(points_.number_of(rational(mesh.points[v])));
-    const Before before = before_near(sides, rows_, ring);
-    if (before == Before::some) add_cut(sides, polygon, ring);
-    if (before == Before::nothing) add_convex(sides, polygon, std::move(ring));
+    add_cut(sides, polygon, std::move(ring));
   }
 }
 
-/// What is beyond the near plane.
-void PaintedParts::add_cut(PaintedSides& sides, std::uint32_t polygon, std::span<const std::uint32_t> ring) {
-  std::vector<std::uint32_t> out;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const RationalVector p = points_.exact(ring[k]), q = points_.exact(ring[(k + 1) % ring.size()]);
-    const Rational s = rows_.beyond_near(p), t = rows_.beyond_near(q);
-    if (s.sign() != Sign::negative) out.push_back(ring[k]);
-    if (s.sign() * t.sign() != Sign::negative) continue;
-    const Rational u = s / (s - t);
-    const RationalVector d = minus(q, p);
-    out.push_back(points_.number_of({p[0] + u * d[0], p[1] + u * d[1], p[2] + u * d[2]}));
+/// What is left of a convex ring.
+void PaintedParts::add_cut(PaintedSides& sides, std::uint32_t polygon, std::vector<std::uint32_t> ring) {
+  if (is_whole(sides, ring)) return add_convex(sides, polygon, std::move(ring));
+  for (const std::vector<RationalVector>& part : left_.of(exact(ring))) {
+    std::vector<std::uint32_t> corners;
+    corners.reserve(part.size());
+    for (const RationalVector& p : part) corners.push_back(points_.number_of(p));
+    add_convex(sides, polygon, as_ring(corners));
   }
-  add_convex(sides, polygon, as_ring(out));
 }
 
 void PaintedParts::add_convex(PaintedSides& sides, std::uint32_t polygon, std::vector<std::uint32_t> ring) {

@@ -9,12 +9,13 @@
 #include "hsr/painter/verify/image_rows.h"
 #include "hsr/painter/verify/painted_points.h"
 #include "hsr/painter/verify/verify.h"
+#include "hsr/painter/verify/what_is_left.h"
 #include "hsr/scene/box_tree.h"
 
 namespace hsr::internal {
 
-/// A planar convex part of a painted polygon, beyond the near plane, with an area in the image; or what of a wire is beyond the near
-/// plane, with a length there.
+/// A planar convex part of a painted polygon, of what the near plane and sections leave, with an area in the image; or of a wire, with a
+/// length there.
 struct PaintedPart {
   std::uint32_t polygon = 0;
   std::uint32_t first = 0, end = 0;    ///< of its corners, around it so that `turn` is nowhere negative
@@ -47,14 +48,18 @@ class PaintedParts {
   std::uint64_t wires() const { return wires_; }
 
  private:
+  bool is_whole(PaintedSides& sides, std::span<const std::uint32_t> ring) const;
+  bool is_nothing(PaintedSides& sides, std::span<const std::uint32_t> ring) const;
+  std::vector<RationalVector> exact(std::span<const std::uint32_t> corners) const;
   void add(PaintedSides& sides, std::uint32_t polygon);
-  void add_wire(PaintedSides& sides, std::uint32_t polygon);
+  void add_wire(std::uint32_t polygon);
   void add_triangles(PaintedSides& sides, std::uint32_t polygon);
-  void add_cut(PaintedSides& sides, std::uint32_t polygon, std::span<const std::uint32_t> ring);
+  void add_cut(PaintedSides& sides, std::uint32_t polygon, std::vector<std::uint32_t> ring);
   void add_convex(PaintedSides& sides, std::uint32_t polygon, std::vector<std::uint32_t> ring);
 
   PaintedPoints points_;
   ImageRows rows_;
+  WhatIsLeft left_;
   Ragged<PaintedPart> parts_;  // by polygon
   std::vector<std::uint32_t> corners_;
   std::uint64_t triangulated_ = 0, polygons_with_area_ = 0, wires_ = 0;

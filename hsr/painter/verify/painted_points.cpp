@@ -7,7 +7,9 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/bounded_rational.h"
 #include "geometry/enclosure.h"
+#include "geometry/near_value.h"
 #include "geometry/polynomials.h"
 
 namespace hsr::internal {
@@ -26,11 +28,6 @@ std::optional<Point3> as_point(const RationalVector& p) {
   return Point3{*x, *y, *z};
 }
 
-ErrorBounded bounded(const Rational& x) {
-  const double d = mpq_get_d(x.get());  // truncated: off by less than one unit in its last place
-  return {d, std::isfinite(d) ? 2 * ErrorBounded::u * std::fabs(d) + 0x1p-1074 : HUGE_VAL};
-}
-
 using Near = polynomials::Vector<ErrorBounded>;
 
 Near minus(const std::array<ErrorBounded, 3>& a, const std::array<ErrorBounded, 3>& b) {
@@ -39,8 +36,15 @@ Near minus(const std::array<ErrorBounded, 3>& a, const std::array<ErrorBounded, 
 
 ErrorBounded determinant(const Near& a, const Near& b, const Near& c) { return polynomials::dot(polynomials::cross(a, b), c); }
 
+std::vector<SectionPlane> planes_of(const View& view) {
+  std::vector<SectionPlane> all = view.planes;
+  if (view.section) all.push_back(*view.section);
+  if (view.far) all.push_back(*view.far);
+  return all;
+}
+
 BitRange with_view(BitRange points, const View& view) {
-  if (view.section) points.add(view.section->point);
+  for (const SectionPlane& plane : planes_of(view)) points.add(plane.point);
   if (!view.is_perspective()) return points;
   points.add(view.viewpoint.at);
   points.add(view.target);
@@ -50,7 +54,7 @@ BitRange with_view(BitRange points, const View& view) {
 BitRange of_direction(const View& view) {
   BitRange c;
   if (!view.is_perspective()) c.add(view.viewpoint.at);
-  if (view.section) c.add(view.section->normal);
+  for (const SectionPlane& plane : planes_of(view)) c.add(plane.normal);
   return c;
 }
 
@@ -197,9 +201,9 @@ Sign PaintedSides::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::
   return orientation(points_.whole(a), points_.whole(b), points_.whole(c), points_.whole(p));
 }
 
-Sign PaintedSides::near(std::uint32_t p) {
-  if (points_.is_double(p)) return predicates_.side(view_.near_plane(), points_.point(p));
-  return rows_.beyond_near(points_.exact(p)).sign();
+Sign PaintedSides::side(const Plane& plane, std::uint32_t p) {
+  if (points_.is_double(p)) return predicates_.side(plane, points_.point(p));
+  return near_value(plane, points_.exact(p)).sign();
 }
 
 }  // namespace hsr::internal

@@ -75,8 +75,8 @@ class PaintedSides {
   Sign turn(std::uint32_t a, std::uint32_t b, std::uint32_t p);
   /// Of the plane of a, b and c.
   Sign side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p);
-  /// Of the near plane. @pre the view is a perspective
-  Sign near(std::uint32_t p);
+  /// Of a near plane, a section or a far plane of the view.
+  Sign side(const Plane& plane, std::uint32_t p);
 
  private:
   Sign certain_turn_in_image(std::uint32_t a, std::uint32_t b, std::uint32_t p) const;

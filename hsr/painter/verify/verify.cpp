@@ -10,7 +10,6 @@
 #include "hsr/painter/verify/painted_parts.h"
 #include "hsr/painter/verify/wire_relation.h"
 #include "hsr/scene/box_tree.h"
-#include "hsr/view/one_section.h"
 
 namespace hsr {
 
@@ -341,7 +340,6 @@ std::vector<PaintedPolygon> painted_polygons(const SceneView& scene, const Paint
 }
 
 Verdict verify(const std::vector<PaintedPolygon>& far_to_near, const View& view, const VerifyOptions& options) {
-  expect_one_section(view, "verify knows");
   return Verifier(far_to_near, view, options).verdict();
 }
 

@@ -86,7 +86,7 @@ struct VerifyOptions {
 /// not planar, or not convex, is judged by its triangles (docs/conventions.md, "Faces as used").
 ///
 ///   (1) the last of coplanar polygons that overlap has the face on top; polygons without a face have no order that is wrong
-///   (2) what the near plane cuts off is removed first; a polygon that is seen edge-on is passed over
+///   (2) what the near plane and sections take away is removed first; a polygon that is seen edge-on is passed over
 ///   (3) the same verdict for any number of threads
 ///
 /// @throws InputError for a polygon that has to be cut into triangles and has corners that are no doubles
