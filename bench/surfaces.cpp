@@ -92,8 +92,8 @@ void measure(const ComparedShape& compared, const Request& request) {
     }
     const Lengths found = lengths_by_hsr(model, view);
     fmt::print("| {} | {:g} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:+.2f} | {:.1f} |\n", compared.name, chord,
-               model.polygons.size(), text_of(of_surfaces.processor), text_of(meshes.processor), text_of(lines.processor), expected.edges,
-               found.edges, found.edges - expected.edges, bound_of(compared, chord));
+               model.polygons.size(), text_of(of_surfaces.processor), text_of(meshes.processor), text_of(lines.processor),
+               expected.edges, found.edges, found.edges - expected.edges, bound_of(compared, chord));
     std::fflush(stdout);
   }
 }
