@@ -163,10 +163,12 @@ Result line_art(const Task& task) {
   const Directory directory;
   const std::string in = directory / "scene", out = directory / "strokes";
   write_scene(in, task, LineOptions().crease);
-  // It ends with the process that started it.
+  // It ends with the process that started it. Debian's Blender takes modules from where the first python3 on PATH has its own: another
+  // one may stand before Debian's.
   const std::string command = fmt::format(
-      "exec setpriv --pdeathsig KILL blender --background --factory-startup --threads 1 --python '{}' -- '{}' '{}' > /dev/null "
-      "2>&1",
+      "PATH=/usr/bin:$PATH; exec setpriv --pdeathsig KILL blender --background --factory-startup --threads 1 "
+      "--python-exit-code 1 "
+      "--python '{}' -- '{}' '{}' > /dev/null 2>&1",
       HSR_LINE_ART_SCRIPT, in, out);
   const int status = std::system(command.c_str());
   if (status != 0) throw InputError(fmt::format("Blender ended with status {}", status));
