@@ -94,9 +94,10 @@ Bytes read_file(const std::string& path) {
 }
 
 std::optional<BlockFile> BlockFile::open(const std::string& path) {
-  if (path.find('\0') != std::string::npos) return {};
-  BlockFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK), 0);  // without blocking: it may be a pipe
+  // A pipe must not be opened to see what it is: whoever writes to it would find it closed again.
   struct stat info {};
+  if (path.find('\0') != std::string::npos || ::stat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode)) return {};
+  BlockFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK), 0);  // without blocking: it may be a pipe by now
   if (file.fd_ < 0 || ::fstat(file.fd_, &info) != 0 || !S_ISREG(info.st_mode)) return {};
   file.size_ = static_cast<std::size_t>(info.st_size);
   return file;

@@ -59,16 +59,6 @@ void check_same(const Model& a, const Model& b) {
   CHECK(a.notes == b.notes);
 }
 
-/// The refusal of a file on disk.
-std::string refusal_of(const std::string& path) {
-  try {
-    (void)read_model(path);
-    return {};
-  } catch (const InputError& e) {
-    return e.what();
-  }
-}
-
 }  // namespace
 
 TEST_CASE("A long binary file is read in blocks, and says what it says in one piece", "[read][blocks]") {
@@ -80,8 +70,8 @@ TEST_CASE("A long binary file is read in blocks, and says what it says in one pi
     check_same(read_model(path), read_model(path, bytes));
     for (const std::size_t size : {std::size_t{70000}, std::size_t{1} << 20, (std::size_t{1} << 20) + 1, bytes.size() - 1}) {
       directory.write(name, bytes.substr(0, size));
-      CHECK(refusal_of(path) == refusal(path, bytes.substr(0, size)));
-      CHECK_FALSE(refusal_of(path).empty());
+      CHECK(file_refusal(path) == refusal(path, bytes.substr(0, size)));
+      CHECK_FALSE(file_refusal(path).empty());
     }
     directory.write(name, bytes + "more");
     check_same(read_model(path), read_model(path, bytes + "more"));
@@ -95,10 +85,10 @@ TEST_CASE("A bad number far behind in a long file is told as in a short one", "[
   const TemporaryDirectory directory;
   std::string stl = triangles_stl(70000);
   stl.replace(84 + 50 * 60000 + 12, 4, little(0x7fc00000U, 4));
-  CHECK_THAT(refusal_of(directory.write("a.stl", stl)), Catch::Contains("face 60000: found NaN"));
+  CHECK_THAT(file_refusal(directory.write("a.stl", stl)), Catch::Contains("face 60000: found NaN"));
   std::string ply = strip_ply(60000, "binary_little_endian", little, little_float);
   ply.replace(ply.size() - 6, 4, little(0xffffff0U, 4));
-  CHECK_THAT(refusal_of(directory.write("a.ply", ply)), Catch::Contains("face 119999: found index 268435440"));
+  CHECK_THAT(file_refusal(directory.write("a.ply", ply)), Catch::Contains("face 119999: found index 268435440"));
 }
 
 TEST_CASE("A file that becomes shorter while it is read is refused", "[read][blocks]") {

@@ -1,8 +1,13 @@
+#include <sys/inotify.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <thread>
 
 #include "geometry/error.h"
 #include "hsr/io/read/gzip.h"
@@ -17,15 +22,6 @@ using namespace hsr::test;
 namespace {
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
-
-std::string file_refusal(const std::string& path) {
-  try {
-    (void)read_model(path);
-    return {};
-  } catch (const InputError& e) {
-    return e.what();
-  }
-}
 
 }  // namespace
 
@@ -48,6 +44,28 @@ TEST_CASE("A byte order mark before a text is passed over", "[read][file]") {
     CHECK(same.points == model.points);
     CHECK(same.polygons.corners == model.polygons.corners);
     CHECK(same.notes == model.notes);
+  }
+}
+
+TEST_CASE("A named pipe is opened once: who writes to it would not find a reader that has closed it again", "[read][file]") {
+  const TemporaryDirectory directory;
+  for (const SmallFile& file : small_files()) {
+    INFO(file.name);
+    const std::string pipe = directory.file(std::to_string(file.bytes.size()) + file.name);
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    const int watch = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+    REQUIRE(::inotify_add_watch(watch, pipe.c_str(), IN_OPEN | IN_CLOSE_NOWRITE) >= 0);
+    std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << file.bytes; });
+    const std::string refused = file_refusal(pipe);
+    writer.join();
+    CHECK(refused.empty());
+    std::size_t closed = 0;  // by a reader; the kernel says what happens twice in a row once, but it is opened in between
+    std::array<inotify_event, 64> events;  // no names follow: it is no directory
+    for (ssize_t n = 0; (n = ::read(watch, events.data(), sizeof events)) > 0;)
+      for (std::size_t k = 0; k < static_cast<std::size_t>(n) / sizeof(inotify_event); ++k)
+        closed += (events[k].mask & IN_CLOSE_NOWRITE) != 0 ? 1U : 0U;
+    ::close(watch);
+    CHECK(closed == 1);
   }
 }
 

@@ -18,6 +18,16 @@ inline std::string refusal(const std::string& name, const std::string& bytes) {
   }
 }
 
+/// The same of a file on disk.
+inline std::string file_refusal(const std::string& path) {
+  try {
+    (void)read_model(path);
+    return {};
+  } catch (const InputError& e) {
+    return e.what();
+  }
+}
+
 inline std::vector<std::uint32_t> corners(const Model& m, std::size_t face) {
   const auto c = m.polygons[face];
   return {c.begin(), c.end()};
