@@ -89,7 +89,7 @@ void Sketch::text(const std::string& group, std::string_view text, double height
   const double width = font.width(text), narrower = width > widest ? widest / width : 1;
   const double begin = anchor == Anchor::left ? 0 : anchor == Anchor::middle ? -width * narrower / 2 : -width * narrower;
   constexpr double beside = 0.8;  // mm of a text no line runs
-  PaperFrame& around = texts_.emplace_back(PaperFrame{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL});
+  PaperFrame around = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (TextStroke& stroke : font.strokes(text, {0, 0})) {
     for (Point2& p : stroke) {
       const double along = begin + narrower * p.x, down = p.y;
@@ -99,6 +99,7 @@ void Sketch::text(const std::string& group, std::string_view text, double height
     }
     polyline(of_text, stroke, false);
   }
+  if (around.left < around.right) texts_.push_back(around);  // a text of blanks has no strokes
 }
 
 void Sketch::append_to(Drawing& drawing) const {
