@@ -1,12 +1,4 @@
 # What makes shapes and draws them, beside what reading STEP takes: for tests and benches. HSR_OCCT_SHAPES_FOUND if all of it is there.
 include(${PROJECT_SOURCE_DIR}/cmake/occt.cmake)
 set(HSR_OCCT_SHAPES_FOUND ${HSR_OCCT_FOUND})
-foreach(name IN ITEMS TKFillet TKOffset TKBool TKBO TKPrim TKHLR)
-  find_library(HSR_OCCT_${name} ${name})
-  mark_as_advanced(HSR_OCCT_${name})
-  if(HSR_OCCT_${name})
-    list(APPEND HSR_OCCT_LIBRARIES ${HSR_OCCT_${name}})
-  else()
-    set(HSR_OCCT_SHAPES_FOUND OFF)
-  endif()
-endforeach()
+hsr_add_occt_libraries(HSR_OCCT_SHAPES_FOUND TKFillet TKOffset TKBool TKBO TKPrim TKHLR)
