@@ -174,6 +174,7 @@ void DrawCommand::read() {
   if (!request_.wants(Format::json)) request_.lines.frame = frame_size(scene_.view(), request_.drawing);
   request_.lines.progress = [this](double done) { context_.progress.show(done); };
   prepared_ = scene_.prepared(request_.scene);
+  request_.drawing.labels = &prepared_->labels();
   exact_ = request_.scene.arithmetic == Arithmetic::staged ? prepared_ : scene_.prepared({.coplanar = request_.scene.coplanar});
   note_idle_options();
   context_.say_notes_of(scene_);
