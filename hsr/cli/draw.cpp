@@ -167,6 +167,9 @@ class DrawCommand {
 void DrawCommand::read() {
   scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance, a_.page.unit, request_.drawing);
   objects_ = objects_of(scene_.model, scene_.mesh);
+  // What is asked from here on is in the mesh.
+  scene_.model.points = {};
+  scene_.model.polygons = {};
   request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = scene_.chosen.field_of_view;
   const std::string unit_note = a_.page.adopt_unit(scene_.model, request_.drawing);
