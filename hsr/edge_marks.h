@@ -18,7 +18,7 @@ struct MarkedEdge {
   std::array<std::uint32_t, 2> points = {};  ///< their numbers, in any order
   EdgeMark mark = EdgeMark::inner;
   std::uint32_t object = 0;            ///< as in FaceLabels::object; passed over where that is empty
-  std::uint32_t circle = 0xffffffffU;  ///< on which it lies, an index into Model::circles; 0xffffffff: none is known
+  std::uint32_t circle = 0xffffffffU;  ///< on which it lies, an index into FaceLabels::circles; 0xffffffff: none is known
 
   friend bool operator==(const MarkedEdge&, const MarkedEdge&) = default;
 };

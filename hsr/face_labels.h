@@ -7,6 +7,7 @@
 
 #include "geometry/index.h"
 #include "hsr/edge_marks.h"
+#include "hsr/known_shapes.h"
 
 namespace hsr {
 
@@ -25,7 +26,8 @@ struct FaceLabels {
   /// The shape in space that the surface is a part of, such as the cylinder of a shaft and of the hole that it fills; as `surface`.
   /// Where faces of one shape pierce each other, only how they were cut into faces differs, and no line is drawn.
   std::vector<std::uint32_t> shape = {};
-  std::vector<MarkedEdge> marks = {};  ///< of edges; what is no edge of the mesh is passed over
+  std::vector<MarkedEdge> marks = {};     ///< of edges; what is no edge of the mesh is passed over
+  std::vector<KnownCircle> circles = {};  ///< those that marks name; a number without one here is passed over
 };
 
 /// Which object each face and each wire of a scene is of, where two or more are told apart; for what is written.

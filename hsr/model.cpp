@@ -32,7 +32,8 @@ std::vector<SceneObjects::Wire> wires_of(const Model& model, const Mesh& mesh) {
 
 FaceLabels labels_of(const Model& model) {
   constexpr std::size_t most_colours = 16;
-  FaceLabels labels{model.face_object, model.face_material, model.face_surface, internal::shapes_of(model), model.marks};
+  FaceLabels labels{model.face_object,          model.face_material, model.face_surface,
+                    internal::shapes_of(model), model.marks,         model.circles};
   if (labels.material.empty() && model.palette.size() <= most_colours) labels.material = model.face_colour;
   return labels;
 }

@@ -167,6 +167,9 @@ class DrawCommand {
 void DrawCommand::read() {
   scene_ = context_.read(a_.models, a_.view, request_.lines.tolerance, a_.page.unit, request_.drawing);
   objects_ = objects_of(scene_.model, scene_.mesh);
+  // What is asked from here on is in the mesh.
+  scene_.model.points = {};
+  scene_.model.polygons = {};
   request_.drawing.objects = &objects_;
   request_.drawing.field_of_view = scene_.chosen.field_of_view;
   const std::string unit_note = a_.page.adopt_unit(scene_.model, request_.drawing);
@@ -174,6 +177,7 @@ void DrawCommand::read() {
   if (!request_.wants(Format::json)) request_.lines.frame = frame_size(scene_.view(), request_.drawing);
   request_.lines.progress = [this](double done) { context_.progress.show(done); };
   prepared_ = scene_.prepared(request_.scene);
+  request_.drawing.labels = &prepared_->labels();
   exact_ = request_.scene.arithmetic == Arithmetic::staged ? prepared_ : scene_.prepared({.coplanar = request_.scene.coplanar});
   note_idle_options();
   context_.say_notes_of(scene_);

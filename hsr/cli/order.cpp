@@ -132,6 +132,7 @@ class OrderCommand {
     scene_ = context_.read(a_.models, a_.view, 0, a_.page.unit, a_.page.options());
     context_.report.set("view", cli::json_of(scene_.view()));
     prepared_ = scene_.prepared({.coplanar = a_.scene.which_coplanar()});
+    request_.drawing.labels = &prepared_->labels();
     request_.drawing.field_of_view = scene_.chosen.field_of_view;
     objects_ = objects_of(scene_.model, scene_.mesh);
     request_.drawing.objects = &objects_;

@@ -37,8 +37,8 @@ void PageArguments::add_fit_arcs_to(Options& options) {
   options.add(
       "--fit-arcs", fit_arcs, "MM",
       "Draw lines whose edges lie on one circle in space, within this on paper, as arcs of circles and ellipses: of 4 edges "
-      "or more that turn by at most 35 degrees each. DXF: as CIRCLE and ARC, and in release 2000 ELLIPSE. Fills keep their "
-      "corners");
+      "or more that turn by at most 35 degrees each, of any number where a B-rep or marks say so. DXF: as CIRCLE and ARC, and "
+      "in release 2000 ELLIPSE. Fills keep their corners");
 }
 
 void PageArguments::add_sort_to(Options& options) {

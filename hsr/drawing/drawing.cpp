@@ -357,7 +357,9 @@ void finish(Drawing& drawing, const DrawingOptions& options, const Projection& p
       for (const std::uint32_t line : line_before) rows.push_back(edges.row_of_line[line]);
     edges.row_of_line = std::move(rows);
   }
-  if (fits) fit_arcs(drawing, projection, edges, options.fit_arcs * unit, options.sort_for_pen);
+  if (!fits) return;
+  const MarkedCircles known = options.labels == nullptr ? MarkedCircles() : MarkedCircles(projection.mesh(), *options.labels);
+  fit_arcs(drawing, projection, known, edges, options.fit_arcs * unit, options.sort_for_pen);
 }
 
 }  // namespace

@@ -56,6 +56,9 @@ struct DrawingOptions {
   /// Millimetres, in_frame_units: of the frame; 0: none. Runs of lines that lie on one circle in space, within this, become arcs: see
   /// fit_arcs.h. Fills keep the lines of their faces.
   double fit_arcs = 0;
+  /// With fit_arcs: edges that its marks say lie on one circle become arcs of that very circle, be they ever so few. nullptr: nothing
+  /// is known.
+  const FaceLabels* labels = nullptr;
   /// The caps of the view's section: their borders and hatching lie over all lines, and with regions their faces over all fills.
   /// nullptr: none.
   const Section* section = nullptr;

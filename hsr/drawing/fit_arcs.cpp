@@ -16,7 +16,7 @@ namespace hsr::internal {
 
 namespace {
 
-constexpr std::size_t least_lines = 4;
+constexpr std::size_t least_lines = 4;                     // on a circle that is not known
 constexpr double most_turn = 35 * std::numbers::pi / 180;  // as of corners of dashed lines
 constexpr double share_by_design = 1.0 / 100;              // of the tolerance, of vertices of circles that are no chance
 
@@ -25,6 +25,9 @@ struct Run {
   std::size_t begin = 0, end = 0;
   SpaceCircle circle = {};
   bool is_ring = false;  ///< the whole of a closed polyline
+  bool is_known = false;
+
+  std::size_t fewest_lines() const { return is_known ? 1 : least_lines; }
 };
 
 Point2 in_millimetres(const PaperPoint& p) { return {static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000}; }
@@ -32,7 +35,8 @@ Point2 in_millimetres(const PaperPoint& p) { return {static_cast<double>(p.x) / 
 /// The runs of one polyline.
 class RunFinder {
  public:
-  RunFinder(const Mesh& mesh, const PaperMap& map, double tolerance) : mesh_(mesh), map_(map), tolerance_(tolerance) {}
+  RunFinder(const Mesh& mesh, const PaperMap& map, const MarkedCircles& known, double tolerance)
+      : mesh_(mesh), map_(map), known_(known), tolerance_(tolerance) {}
 
   /// @param points on paper @param edges of the lines from each to the next
   std::vector<Run> runs(const std::vector<Point2>& points, bool closed,
@@ -40,10 +44,11 @@ class RunFinder {
     count_ = edges.size();
     spans_.clear();
     for (std::size_t k = 0; k < count_; ++k) spans_.push_row(spans_of(edges[k], points[k], points[(k + 1) % points.size()]));
-    std::vector<Run> all;
+    std::vector<Run> all = known_runs(closed);
+    if (!all.empty() && all[0].is_ring) return all;
     for (const double share : {share_by_design, 1.0}) {
       share_ = share;
-      if (closed)
+      if (closed && all.empty())
         if (const auto ring = whole_ring()) return {*ring};
       std::vector<Run> found = all;
       std::size_t begin = 0;
@@ -106,25 +111,75 @@ class RunFinder {
   std::optional<Fit> circle_of(const std::vector<VertexId>& chain, std::size_t lines, bool is_ring) {
     places_.clear();
     for (std::size_t k = 0; k <= lines; ++k) places_.push_back(place(chain[k]));
-    auto circle = circle_through({places_.data(), places_.size() - (is_ring ? 1 : 0)});
-    if (!circle) return {};
+    const auto circle = circle_through({places_.data(), places_.size() - (is_ring ? 1 : 0)});
+    return circle ? fit_of(*circle, is_ring) : std::nullopt;
+  }
+
+  /// A circle, if places_ and the edges between them are on it.
+  std::optional<Fit> fit_of(const SpaceCircle& circle, bool is_ring) const {
     double turned = 0, most = 0;
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const SpaceVector& p = places_[k];
       const double scale = map_.magnification(p);
       most = std::max(most, scale);
-      if (!(circle->distance(p) * scale <= share_ * tolerance_)) return {};
-      if (k == lines) break;
+      if (!(circle.distance(p) * scale <= share_ * tolerance_)) return {};
+      if (k + 1 == places_.size()) break;
       const SpaceVector& q = places_[k + 1];
-      if (!(circle->distance({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2}) * scale <= tolerance_)) return {};
-      const double turn = std::remainder(circle->angle(q) - circle->angle(p), 2 * std::numbers::pi);
+      if (!(circle.distance({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2}) * scale <= tolerance_)) return {};
+      const double turn = std::remainder(circle.angle(q) - circle.angle(p), 2 * std::numbers::pi);
       if (!(turn > 0 && turn <= most_turn)) return {};
       turned += turn;
     }
     constexpr double all_around = 2 * std::numbers::pi;
     if (is_ring ? !(std::fabs(turned - all_around) < 0.1) : !(turned < all_around)) return {};
-    const double rise = circle->radius * (1 - std::cos(std::min(turned / 2, std::numbers::pi)));
-    return Fit{*circle, rise * most > tolerance_};
+    const double rise = circle.radius * (1 - std::cos(std::min(turned / 2, std::numbers::pi)));
+    return Fit{circle, rise * most > tolerance_};
+  }
+
+  std::optional<SpaceCircle> known_circle(const Span& s) const {
+    const KnownCircle* const c = known_.of(s[0], s[1]);
+    if (c == nullptr) return {};
+    return circle_around(map_.relative(c->centre), {c->axis.x, c->axis.y, c->axis.z}, c->radius, place(s[0]), place(s[1]));
+  }
+
+  /// The longest run from `begin` on whose edges are known to be on one circle, or an empty one.
+  Run longest_known(std::size_t begin) {
+    Run best;
+    for (const Span& first : spans_[begin]) {
+      const auto circle = known_circle(first);
+      if (!circle) continue;
+      places_ = {place(first[0]), place(first[1])};
+      VertexId last = first[1];
+      std::size_t end = begin + 1;
+      const auto goes_on = [&](const Span& s) {
+        if (s[0] != last) return false;
+        const auto next = known_circle(s);
+        return next && are_one(*circle, *next);
+      };
+      for (; end < count_ && last != first[0]; ++end) {
+        const auto row = spans_[end];
+        const auto next = std::ranges::find_if(row, goes_on);
+        if (next == row.end()) break;
+        last = (*next)[1];
+        places_.push_back(place(last));
+      }
+      const bool is_around = last == first[0];
+      if (end - begin > best.end - best.begin && fit_of(*circle, is_around))
+        best = {begin, end, *circle, is_around && end - begin == count_, true};
+    }
+    return best;
+  }
+
+  std::vector<Run> known_runs(bool closed) {
+    std::vector<Run> all;
+    share_ = share_by_design;
+    for (std::size_t begin = 0; !known_.is_empty() && begin < count_;) {
+      Run run = longest_known(begin);
+      run.is_ring = run.is_ring && closed;
+      if (run.end > run.begin) all.push_back(run);
+      begin = std::max(run.end, begin + 1);
+    }
+    return all;
   }
 
   std::optional<Run> whole_ring() {
@@ -168,6 +223,7 @@ class RunFinder {
 
   const Mesh& mesh_;
   const PaperMap& map_;
+  const MarkedCircles& known_;
   double tolerance_, share_ = 1;
   std::size_t count_ = 0;
   Ragged<Span> spans_;
@@ -206,20 +262,22 @@ std::optional<DrawnArc> arc_of(const EllipseArc& ellipse, std::span<const Point2
 }
 
 /// The arc of a run. Where its ends are cut in mid-edge they are off the circle: then the lines there stay straight, and the arc is of
-/// the circle; where too few are left, or all vertices are off it a little, it is moved to the ends.
+/// the circle; where too few are left, or all vertices are off it a little, it is moved to the ends, unless the circle is known.
 std::optional<DrawnArc> arc_of(const EllipseArc& ellipse, const Run& run, const std::vector<Point2>& points, double tolerance) {
   std::vector<Point2> all;
   for (std::size_t k = run.begin; k <= run.end; ++k) all.push_back(points[k % points.size()]);
-  for (const Ends ends : {Ends::must_be_on_it, Ends::move_it})
+  for (const Ends ends : {Ends::must_be_on_it, Ends::move_it}) {
+    if (run.is_known && ends == Ends::move_it) break;
     for (const auto& [before, behind] : {std::pair{0U, 0U}, {1U, 0U}, {0U, 1U}, {1U, 1U}}) {
       const std::size_t left_out = before + behind;
-      if (left_out > 0 && (run.is_ring || all.size() < least_lines + left_out + 1)) break;
+      if (left_out > 0 && (run.is_ring || all.size() < run.fewest_lines() + left_out + 1)) break;
       auto arc = arc_of(ellipse, std::span(all).subspan(before, all.size() - left_out), run.is_ring, ends, tolerance);
       if (!arc) continue;
       arc->first_line = static_cast<std::uint32_t>(run.begin) + before;
       arc->end_line = static_cast<std::uint32_t>(run.end) - behind;
       return arc;
     }
+  }
   return {};
 }
 
@@ -240,10 +298,11 @@ class CurvedPolyline {
  public:
   CurvedPolyline(Drawing& drawing, EdgesOfLines& edges, const Polyline& p) : drawing_(drawing), edges_(edges), p_(p) {}
 
-  std::vector<DrawnArc> arcs(const Mesh& mesh, const PaperMap& map, double tolerance, bool keeps_start) {
+  std::vector<DrawnArc> arcs(const Mesh& mesh, const PaperMap& map, const MarkedCircles& known, double tolerance,
+                             bool keeps_start) {
     const std::size_t lines = p_.end_point - p_.first_point - (p_.closed ? 0 : 1);
-    if (lines < least_lines) return {};
-    RunFinder finder(mesh, map, tolerance);
+    if (lines < least_lines && known.is_empty()) return {};
+    RunFinder finder(mesh, map, known, tolerance);
     std::vector<Point2> points = points_on_paper();
     std::vector<Run> runs = finder.runs(points, p_.closed, edges_of_lines(lines));
     if (const std::size_t begin = better_start(runs, lines); p_.closed && !keeps_start && begin > 0) {
@@ -287,13 +346,15 @@ class CurvedPolyline {
 
 }  // namespace
 
-void fit_arcs(Drawing& drawing, const Projection& projection, EdgesOfLines& edges, double tolerance, bool keeps_starts) {
+void fit_arcs(Drawing& drawing, const Projection& projection, const MarkedCircles& known, EdgesOfLines& edges, double tolerance,
+              bool keeps_starts) {
   drawing.arc_tolerance = tolerance;
   const PaperMap map(projection);
   std::vector<std::vector<DrawnArc>> found(drawing.polylines.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), 16), [&](const auto& range) {
     for (std::size_t k = range.begin(); k != range.end(); ++k)
-      found[k] = CurvedPolyline(drawing, edges, drawing.polylines[k]).arcs(projection.mesh(), map, tolerance, keeps_starts);
+      found[k] =
+          CurvedPolyline(drawing, edges, drawing.polylines[k]).arcs(projection.mesh(), map, known, tolerance, keeps_starts);
   });
   for (std::size_t k = 0; k < found.size(); ++k) {
     Polyline& p = drawing.polylines[k];

@@ -1,6 +1,7 @@
 #include "hsr/drawing/near_lines.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
@@ -10,6 +11,9 @@
 #include <span>
 #include <tuple>
 #include <utility>
+
+#include "geometry/index.h"
+#include "geometry/ragged.h"
 
 namespace hsr::internal {
 
@@ -28,7 +32,15 @@ Wide dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
 Wide cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
 Wide magnitude(Wide a) { return a < 0 ? -a : a; }
 /// @pre b > 0
-Wide floor_of(Wide a, Wide b) { return a / b - (a % b < 0 ? 1 : 0); }
+template <class T>
+T floor_of(T a, T b) {
+  return a / b - (a % b < 0 ? 1 : 0);
+}
+/// The same; nearly all numbers are short, and division by long ones takes many times as long.
+Wide floor_of(Wide a, Wide b) {
+  const auto short_a = static_cast<std::int64_t>(a), short_b = static_cast<std::int64_t>(b);
+  return short_a == a && short_b == b ? Wide{floor_of<std::int64_t>(short_a, short_b)} : floor_of<Wide>(a, b);
+}
 Wide ceiling_of(Wide a, Wide b) { return -floor_of(-a, b); }
 
 bool is_near(const PaperPoint& p, const PaperPoint& q) { return dot(p - q, p - q) <= least_on_paper * least_on_paper; }
@@ -223,71 +235,104 @@ struct LineInDoubles {
   }
 };
 
-/// Which lines come within least_on_paper of a square of the paper.
+/// Which lines come within least_on_paper of each square of the paper, of those that were put there: what is left of the lines so far,
+/// and behind it the lines of one block.
 class Squares {
  public:
-  struct Entry {
-    std::int64_t column, row;
-    std::uint32_t line;
-    friend bool operator<(const Entry& a, const Entry& b) {
-      return std::tie(a.column, a.row, a.line) < std::tie(b.column, b.row, b.line);
+  /// Has room for all lines, but too short ones, and holds none.
+  explicit Squares(const std::vector<PaperLine>& lines);
+
+  std::span<const std::uint32_t> squares_of(std::uint32_t line) const { return squares_of_line_[line]; }
+  std::span<const std::uint32_t> lines_in(std::uint32_t square) const {
+    return {lines_.data() + first_[square], lines_.data() + end_[square]};
+  }
+  void add(std::uint32_t line) {
+    for (const std::uint32_t s : squares_of(line)) lines_[end_[s]++] = line;
+  }
+  /// Of a block that was added only some lines are left. @param remaining some of the block
+  void settle(std::span<const std::uint32_t> block, std::span<const std::uint32_t> remaining) {
+    for (const std::uint32_t line : block)
+      for (const std::uint32_t s : squares_of(line)) end_[s] = settled_[s];
+    for (const std::uint32_t line : remaining) {
+      add(line);
+      for (const std::uint32_t s : squares_of(line)) settled_[s] = end_[s];
     }
-  };
-
-  /// A size that suits some lines.
-  static std::int64_t size_for(const std::vector<PaperLine>& lines) {
-    Wide length = 0;
-    for (const PaperLine& line : lines) length += Steps(line).count();
-    return std::max<std::int64_t>(100, static_cast<std::int64_t>(length / std::max<std::size_t>(1, lines.size())));
-  }
-  explicit Squares(std::int64_t size) : size_(size) {}
-
-  void add(const std::vector<PaperLine>& lines, std::span<const std::uint32_t> some) {
-    const auto before = static_cast<std::ptrdiff_t>(entries_.size());
-    for (const std::uint32_t k : some)
-      if (!is_too_short(lines[k]))
-        each(lines[k], [&](std::int64_t column, std::int64_t row) { entries_.push_back({column, row, k}); });
-    tbb::parallel_sort(entries_.begin() + before, entries_.end());
-    std::inplace_merge(entries_.begin(), entries_.begin() + before, entries_.end());
-  }
-
-  /// Appends lines near which the line may be, and that are asked for; some more than once.
-  template <class IsAskedFor>
-  void candidates(const PaperLine& line, const IsAskedFor& is_asked_for, std::vector<std::uint32_t>& found) const {
-    each(line, [&](std::int64_t column, std::int64_t row) {
-      auto e = std::lower_bound(entries_.begin(), entries_.end(), Entry{column, row, 0});
-      for (; e != entries_.end() && e->column == column && e->row == row; ++e)
-        if (is_asked_for(e->line)) found.push_back(e->line);
-    });
   }
 
  private:
-  std::int64_t square(std::int64_t x) const { return static_cast<std::int64_t>(floor_of(x, size_)); }
-
-  template <class F>
-  void each(const PaperLine& line, F&& f) const {
-    PaperPoint a = line.from, b = line.to;
-    if (b < a) std::swap(a, b);
-    const Vector d = b - a;
-    const std::int64_t low = std::min(a.y, b.y), high = std::max(a.y, b.y), reach = least_on_paper + 1;
-    for (std::int64_t column = square(a.x - reach); column <= square(b.x + reach); ++column) {
-      // The line over the column, and a little more.
-      std::int64_t from = low, to = high;
-      if (d.x > 0) {
-        const auto y_at = [&](std::int64_t x) {
-          return a.y + static_cast<std::int64_t>(floor_of((std::clamp(x, a.x, b.x) - a.x) * d.y, d.x));
-        };
-        const std::int64_t y = y_at(column * size_ - reach), z = y_at((column + 1) * size_ + reach);
-        from = std::min(y, z);
-        to = std::max(y, z) + 1;
-      }
-      for (std::int64_t row = square(from - reach); row <= square(to + reach); ++row) f(column, row);
+  struct Entry {
+    std::int32_t column, row;
+    std::uint32_t line;
+    friend auto operator<=>(const Entry&, const Entry&) = default;
+  };
+  /// A size that suits some lines, with few enough squares each way.
+  static std::int64_t size_for(const std::vector<PaperLine>& lines) {
+    constexpr std::int64_t most = 1 << 20;
+    Wide length = 0;
+    std::int64_t farthest = 0;
+    for (const PaperLine& line : lines) {
+      length += Steps(line).count();
+      for (const std::int64_t x : {line.from.x, line.from.y, line.to.x, line.to.y}) farthest = std::max(farthest, std::abs(x));
     }
+    return std::max(
+        {std::int64_t{100}, farthest / most + 1, static_cast<std::int64_t>(length / std::max<std::size_t>(1, lines.size()))});
   }
+  std::int64_t square(std::int64_t x) const { return floor_of(x, size_); }
+  template <class F>
+  void each(const PaperLine& line, F&& f) const;
 
   std::int64_t size_;
-  std::vector<Entry> entries_;
+  Ragged<std::uint32_t> squares_of_line_;
+  std::vector<std::uint32_t> lines_;                  // by square, in rows that hold all that may come there
+  std::vector<std::uint32_t> first_, settled_, end_;  // by square
 };
+
+Squares::Squares(const std::vector<PaperLine>& lines) : size_(size_for(lines)) {
+  std::vector<Entry> entries;
+  for (std::uint32_t k = 0; k < lines.size(); ++k)
+    if (!is_too_short(lines[k]))
+      each(lines[k], [&](std::int64_t column, std::int64_t row) {
+        entries.push_back({static_cast<std::int32_t>(column), static_cast<std::int32_t>(row), k});
+      });
+  check_countable(entries.size(), "squares of lines");
+  tbb::parallel_sort(entries.begin(), entries.end());
+  lines_.resize(entries.size());
+  const auto begins_square = [&](std::size_t i) {
+    return i == 0 || entries[i].column != entries[i - 1].column || entries[i].row != entries[i - 1].row;
+  };
+  for (std::uint32_t i = 0; i < entries.size(); ++i)
+    if (begins_square(i)) first_.push_back(i);
+  settled_ = end_ = first_;
+  squares_of_line_.assign(lines.size(), [&](const auto& add) {
+    std::uint32_t square = 0;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (i > 0 && begins_square(i)) ++square;
+      add(entries[i].line, square);
+    }
+  });
+}
+
+/// Calls f(column, row) for the squares that the line comes near.
+template <class F>
+void Squares::each(const PaperLine& line, F&& f) const {
+  PaperPoint a = line.from, b = line.to;
+  if (b < a) std::swap(a, b);
+  const Vector d = b - a;
+  const std::int64_t low = std::min(a.y, b.y), high = std::max(a.y, b.y), reach = least_on_paper + 1;
+  for (std::int64_t column = square(a.x - reach); column <= square(b.x + reach); ++column) {
+    // The line over the column, and a little more.
+    std::int64_t from = low, to = high;
+    if (d.x > 0) {
+      const auto y_at = [&](std::int64_t x) {
+        return a.y + static_cast<std::int64_t>(floor_of((std::clamp(x, a.x, b.x) - a.x) * d.y, d.x));
+      };
+      const std::int64_t y = y_at(column * size_ - reach), z = y_at((column + 1) * size_ + reach);
+      from = std::min(y, z);
+      to = std::max(y, z) + 1;
+    }
+    for (std::int64_t row = square(from - reach); row <= square(to + reach); ++row) f(column, row);
+  }
+}
 
 /// The lines' numbers, the strongest first.
 std::vector<std::uint32_t> by_strength(const std::vector<PaperLine>& lines, const Chains& chains) {
@@ -317,16 +362,13 @@ class BesideStronger {
         order_(std::move(order)),
         rank_(lines.size()),
         in_doubles_(lines.begin(), lines.end()),
-        size_(Squares::size_for(lines)),
-        left_squares_(size_),
-        stronger_(lines.size()),
+        squares_(lines),
+        seen_by_(std::vector<std::uint32_t>(lines.size(), none)),
         left_(lines.size()) {
     for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
-    constexpr std::size_t least = 4096;  // in a block
-    for (std::size_t begin = 0, end = 0; begin < order_.size(); begin = end) {
-      end = std::min(order_.size(), begin + std::max(least, begin / 4));
-      take({order_.data() + begin, order_.data() + end});
-    }
+    constexpr std::size_t width = 1024;  // enough for many threads, and few pairs of lines that are both left out
+    for (std::size_t begin = 0; begin < order_.size(); begin += width)
+      take(static_cast<std::uint32_t>(begin), std::span(order_).subspan(begin, std::min(width, order_.size() - begin)));
   }
 
   // By line.
@@ -334,51 +376,55 @@ class BesideStronger {
   std::vector<std::vector<Range>> out;
 
  private:
-  void take(std::span<const std::uint32_t> block) {
-    Squares among(size_);
-    among.add(lines_, block);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, block.size(), 64), [&](const auto& range) {
-      std::vector<std::uint32_t> candidates;
-      for (std::size_t i = range.begin(); i != range.end(); ++i) find_stronger(block[i], among, candidates);
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+  /// @param first the rank of the first of a block
+  void take(std::uint32_t first, std::span<const std::uint32_t> block) {
+    for (const std::uint32_t k : block) squares_.add(k);
+    std::vector<std::vector<std::uint32_t>> stronger(block.size());  // of the same block
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, block.size(), 32), [&](const auto& range) {
+      std::vector<std::uint32_t>& seen_by = seen_by_.local();
+      for (std::size_t i = range.begin(); i != range.end(); ++i) find_stronger(block[i], first, seen_by, stronger[i]);
     });
     // Only what is left of the stronger ones leaves something out: so of many lines side by side not all vanish.
     std::vector<std::uint32_t> remaining;
-    for (const std::uint32_t k : block) {
-      for (const std::uint32_t other : stronger_[k])
-        for (const PaperLine& part : left_[other]) {
-          const Range range = part_near(lines_[k], part);
-          if (range.first <= range.last) beside[k].push_back({range, other});
-        }
-      std::vector<std::uint32_t>().swap(stronger_[k]);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const std::uint32_t k = block[i];
+      for (const std::uint32_t other : stronger[i]) add_beside(k, other);
       out[k] = united(beside[k]);
       left_[k] = rest(lines_[k], out[k]);
       if (!left_[k].empty()) remaining.push_back(k);
     }
-    left_squares_.add(lines_, remaining);
+    squares_.settle(block, remaining);
   }
-  /// @param among those of the same block
-  void find_stronger(std::uint32_t k, const Squares& among, std::vector<std::uint32_t>& candidates) {
-    const auto may_stand_for_it = [&](std::uint32_t other) {
-      return rank_[other] < rank_[k] && !in_doubles_[k].is_certainly_apart(in_doubles_[other]);
-    };
-    if (is_too_short(lines_[k])) return;
-    candidates.clear();
-    left_squares_.candidates(lines_[k], may_stand_for_it, candidates);
-    among.candidates(lines_[k], may_stand_for_it, candidates);
-    std::sort(candidates.begin(), candidates.end());
-    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-    for (const std::uint32_t other : candidates) {
-      const Range part = part_near(lines_[k], lines_[other]);
-      if (part.first <= part.last) stronger_[k].push_back(other);
+  /// Looks at each line near which line k may be once: what stands for it of those of earlier blocks is known.
+  void find_stronger(std::uint32_t k, std::uint32_t first, std::vector<std::uint32_t>& seen_by,
+                     std::vector<std::uint32_t>& in_block) {
+    for (const std::uint32_t square : squares_.squares_of(k))
+      for (const std::uint32_t other : squares_.lines_in(square)) {
+        if (rank_[other] >= rank_[k] || seen_by[other] == k) continue;
+        seen_by[other] = k;
+        if (in_doubles_[k].is_certainly_apart(in_doubles_[other])) continue;
+        const Range part = part_near(lines_[k], lines_[other]);
+        if (part.first > part.last) continue;
+        if (rank_[other] < first)
+          add_beside(k, other);
+        else
+          in_block.push_back(other);
+      }
+  }
+  void add_beside(std::uint32_t k, std::uint32_t other) {
+    for (const PaperLine& part : left_[other]) {
+      const Range range = part_near(lines_[k], part);
+      if (range.first <= range.last) beside[k].push_back({range, other});
     }
   }
 
   const std::vector<PaperLine>& lines_;
   std::vector<std::uint32_t> order_, rank_;
   std::vector<LineInDoubles> in_doubles_;
-  std::int64_t size_;
-  Squares left_squares_;                              // of what has something left
-  std::vector<std::vector<std::uint32_t>> stronger_;  // that it runs beside
+  Squares squares_;                                                      // of what has something left, and of a block
+  tbb::enumerable_thread_specific<std::vector<std::uint32_t>> seen_by_;  // by line: the last one that looked at it
   std::vector<std::vector<PaperLine>> left_;
 };
 

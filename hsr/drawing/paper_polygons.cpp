@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/parallel.h"
 #include "hsr/scene/box_tree.h"
 
 namespace hsr::internal {
@@ -34,19 +35,24 @@ double distance_to(const PaperPoint& p, const PaperSide& s) {
   return std::hypot(to.x - t * along.x, to.y - t * along.y);
 }
 
-ImageBox box_of(const PaperSide& s, double around) {
+ImageBox box_around(const PaperPoint& p, double distance) {
   ImageBox box = ImageBox::nothing();
-  for (const PaperPoint& p : {s.from, s.to})
-    box.add({static_cast<double>(p.x), static_cast<double>(p.y), 0}, {around, around, 0});
+  box.add({static_cast<double>(p.x), static_cast<double>(p.y), 0}, {distance, distance, 0});
+  return box;
+}
+
+ImageBox box_around(const PaperSide& s, double distance) {
+  ImageBox box = box_around(s.from, distance);
+  box.add(box_around(s.to, distance));
   return box;
 }
 
 }  // namespace
 
-/// The sides of all polygons that have many.
+/// A tree over the sides of each polygon that has many, by owner: what lies near may be of many others.
 struct PaperPolygons::Trees {
-  std::vector<std::uint32_t> sides;
-  BoxTree tree;
+  std::vector<std::uint32_t> number;  // by owner, where it has many
+  std::vector<BoxTree> trees;
 };
 
 PaperPolygons::PaperPolygons(std::vector<PaperSide> sides)
@@ -76,27 +82,31 @@ PaperPolygons::PaperPolygons(std::vector<PaperSide> sides)
     const std::size_t count = first_side_[s.owner + 1] - first_side_[s.owner];
     if (!turns || count > few_sides || s.ring != sides_[first_side_[s.owner]].ring) is_plain_[s.owner] = 0;
   }
-  std::vector<ImageBox> boxes;
-  for (std::size_t o = 0; o < owners; ++o)
-    for (std::size_t k = first_side_[o]; first_side_[o + 1] - first_side_[o] > many_sides && k < first_side_[o + 1]; ++k) {
-      trees_->sides.push_back(static_cast<std::uint32_t>(k));
-      boxes.push_back(box_of(sides_[k], 0));
-    }
-  trees_->tree = BoxTree(boxes);
+  std::vector<std::uint32_t> with_many;
+  trees_->number.resize(owners);
+  for (std::uint32_t o = 0; o < owners; ++o) {
+    trees_->number[o] = static_cast<std::uint32_t>(with_many.size());
+    if (sides_of(o).size() > many_sides) with_many.push_back(o);
+  }
+  trees_->trees.resize(with_many.size());
+  parallel_for_each(with_many.size(), [&](std::size_t i) {
+    std::vector<ImageBox> boxes;
+    for (const PaperSide& s : sides_of(with_many[i])) boxes.push_back(box_around(s, 0));
+    trees_->trees[i] = BoxTree(boxes);
+  });
 }
 
 PaperPolygons::~PaperPolygons() = default;
 
 template <class F>
-void PaperPolygons::visit_sides_near(std::uint32_t side, double distance, const F& visit) const {
-  const std::uint32_t owner = sides_[side].owner;
-  const std::size_t begin = first_side_[owner], end = first_side_[owner + 1];
+void PaperPolygons::visit_sides(std::uint32_t owner, const ImageBox& near, const F& visit) const {
+  const auto begin = static_cast<std::uint32_t>(first_side_[owner]), end = static_cast<std::uint32_t>(first_side_[owner + 1]);
   if (end - begin <= many_sides) {
-    for (std::size_t k = begin; k < end; ++k) visit(static_cast<std::uint32_t>(k));
+    for (std::uint32_t k = begin; k < end; ++k) visit(k);
     return;
   }
-  trees_->tree.visit_touching(box_of(sides_[side], distance), [&](std::uint32_t i) {
-    if (sides_[trees_->sides[i]].owner == owner) visit(trees_->sides[i]);
+  trees_->trees[trees_->number[owner]].visit_touching(near, [&](std::uint32_t i) {
+    visit(begin + i);
     return true;
   });
 }
@@ -148,7 +158,8 @@ std::vector<PaperPoint> PaperPolygons::below_others(std::uint32_t side) const {
   constexpr std::array<double, 7> steps = {0, 0.1, 0.3, 0.5, 0.7, 0.9, 1};
   std::array<double, steps.size()> height = {};
   for (std::size_t k = 0; k < steps.size(); ++k) height[k] = std::min({highest, steps[k] * whole, (1 - steps[k]) * whole});
-  visit_sides_near(side, 2 * highest, [&](std::uint32_t k) {
+  // What is farther than twice the greatest height lowers none.
+  visit_sides(s.owner, box_around(s, std::min(2 * highest, whole)), [&](std::uint32_t k) {
     if (k == side) return;
     Vector a = minus(sides_[k].from, s.from), b = minus(sides_[k].to, s.from);
     a = {a.x * along.x + a.y * along.y, a.x * inside.x + a.y * inside.y};
@@ -178,7 +189,7 @@ double PaperPolygons::room(std::uint32_t side) const {
   const PaperSide& s = sides_[side];
   const std::uint32_t in = before_[side];
   double room = std::min({highest, length(minus(s.to, s.from)) / 2, length(minus(s.from, sides_[in].from)) / 2});
-  visit_sides_near(side, 2 * highest, [&](std::uint32_t k) {
+  visit_sides(s.owner, box_around(s.from, 2 * room), [&](std::uint32_t k) {
     if (k != side && k != in && sides_[k].from != s.from && sides_[k].to != s.from)
       room = std::min(room, distance_to(s.from, sides_[k]) / 2);
   });

@@ -9,6 +9,8 @@
 
 namespace hsr::internal {
 
+struct ImageBox;
+
 /// Polygons on the paper by their conforming sides, with what lies beside each side inside its polygon.
 class PaperPolygons {
  public:
@@ -42,8 +44,9 @@ class PaperPolygons {
 
  private:
   struct Trees;
+  /// Those of a polygon that may be near; all, if they are few.
   template <class F>
-  void visit_sides_near(std::uint32_t side, double distance, const F& visit) const;
+  void visit_sides(std::uint32_t owner, const ImageBox& near, const F& visit) const;
   std::vector<PaperPoint> squeezed(std::uint32_t side) const;
   std::vector<PaperPoint> below_others(std::uint32_t side) const;
   double angle_at_start(std::uint32_t side) const;  // between the side and the one before, inside the polygon
@@ -53,7 +56,7 @@ class PaperPolygons {
   std::vector<std::size_t> first_side_;  // by owner
   std::vector<double> turn_;             // by owner: 1 if it lies where x turns to y, -1 on the other side
   std::vector<std::uint8_t> is_plain_;   // by owner: convex, with few sides
-  std::unique_ptr<Trees> trees_;         // of polygons with many sides
+  std::unique_ptr<Trees> trees_;
 };
 
 }  // namespace hsr::internal

@@ -32,6 +32,24 @@ double SpaceCircle::angle(const SpaceVector& p) const {
   return std::atan2(dot(d, v), dot(d, u));
 }
 
+bool are_one(const SpaceCircle& c, const SpaceCircle& d) {
+  constexpr double share = 1e-6;
+  const SpaceVector apart = minus(c.centre, d.centre), turned = minus(cross(c.u, c.v), cross(d.u, d.v));
+  return std::fabs(c.radius - d.radius) <= share * c.radius && std::sqrt(dot(apart, apart)) <= share * c.radius &&
+         std::sqrt(dot(turned, turned)) <= share;
+}
+
+std::optional<SpaceCircle> circle_around(const SpaceVector& centre, const SpaceVector& axis, double radius,
+                                         const SpaceVector& from, const SpaceVector& to) {
+  const SpaceVector out = minus(from, centre);
+  const auto u = unit(minus(out, scaled(axis, dot(out, axis))));
+  if (!u) return {};
+  const SpaceVector ahead = cross(axis, *u);
+  const double turn = dot(minus(to, centre), ahead);
+  if (turn == 0) return {};
+  return SpaceCircle{centre, *u, scaled(ahead, turn > 0 ? 1 : -1), radius};
+}
+
 std::optional<SpaceCircle> circle_through(std::span<const SpaceVector> points) {
   SpaceVector sum = {}, middle = {};
   for (std::size_t k = 0; k < points.size(); ++k) {

@@ -18,6 +18,15 @@ struct SpaceCircle {
   double angle(const SpaceVector& p) const;     ///< t of the nearest point
 };
 
+/// Whether two circles are one and go the same way around, to a millionth of their radius.
+bool are_one(const SpaceCircle& c, const SpaceCircle& d);
+
+/// A circle by its centre, axis and radius; t is 0 at `from` and grows on the shorter way to `to`. Nothing where `from` is on the axis,
+/// or `to` is straight above it.
+/// @param axis of length 1
+std::optional<SpaceCircle> circle_around(const SpaceVector& centre, const SpaceVector& axis, double radius,
+                                         const SpaceVector& from, const SpaceVector& to);
+
 /// The circle that points in a row lie on: in the plane by Newell's normal through their centroid the one of least squares; t grows
 /// along them. A choice of what is drawn, in doubles; nothing where they are in a line.
 ///

@@ -265,15 +265,15 @@ void Plan::leave_out_far_faces() {
   asked_for.insert(asked_for.end(), meet_boxes_.begin(), meet_boxes_.end());
   const std::vector<std::uint8_t> hidden =
       excluded_ == Excluded::hidden_or_capped ? parts_.hidden_or_capped(options_.stop) : std::vector<std::uint8_t>();
-  const auto& boxes = parts_.boxes(options_.stop);
-  const ImageMask mask(asked_for, boxes.size());
+  const std::size_t triangles = parts_.mesh().triangles.size();
+  const ImageMask mask(asked_for, triangles);
   std::vector<std::uint8_t> far = hidden;
-  far.resize(boxes.size(), 0);
-  parallel_for_each(boxes.size(), [&](std::size_t i) {
-    if (!mask.touches(boxes[i])) far[i] = 1;
+  far.resize(triangles, 0);
+  parallel_for_each(triangles, [&](std::size_t i) {
+    if (!mask.touches(projected_.box(TriangleId(i)))) far[i] = 1;
   });
   const std::size_t more = count(far) - count(hidden);
-  if (more > 0) near_request_.emplace(projected_, boxes, far);
+  if (more > 0) near_request_.emplace(projected_, far);
   say("far faces", of(more, far.size(), "triangles overlap no edge that is asked for, as seen"));
 }
 

@@ -199,13 +199,13 @@ class WireCutter {
 };
 
 std::vector<ImageBox> boxes_of(const ViewParts& parts, const PaintersOrder& order) {
-  const std::vector<ImageBox>& of_triangles = parts.boxes();
+  const ProjectedMesh& projected = parts.projected();
   std::vector<ImageBox> boxes;
   boxes.reserve(order.pieces.size());
   for (const OrderedPiece& piece : order.pieces) {
     ImageBox box = ImageBox::nothing();
     for (std::uint32_t t = first_triangle(piece.facet).value; t < facet_end(parts.mesh(), piece.facet).value; ++t)
-      box.add(of_triangles[t]);
+      box.add(projected.box(TriangleId(t)));
     boxes.push_back(box);
   }
   return boxes;

@@ -142,6 +142,12 @@ BoxTree::BoxTree(std::span<const ImageBox> boxes) : order_(hilbert_order(boxes))
     node.nearest[k] = b.nearest;
   };
   std::size_t below = order_.size();  // boxes on the level below
+  std::size_t node_count = 0, on_level = below;
+  do {
+    on_level = (on_level + width - 1) / width;
+    node_count += on_level;
+  } while (on_level > 1);
+  nodes_.reserve(node_count);
   std::vector<ImageBox> level_boxes;
   for (bool leaves = true; leaves || below > 1; leaves = false) {
     const std::size_t count = (below + width - 1) / width, begin = nodes_.size();

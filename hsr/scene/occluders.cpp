@@ -7,21 +7,15 @@
 
 namespace hsr::internal {
 
-Occluders::Occluders(const ProjectedMesh& projected, const std::vector<ImageBox>& boxes,
-                     const std::vector<std::uint8_t>& left_out)
-    : projected_(&projected) {
-  triangles =
-      parallel_collect<TriangleId>(boxes.size(), [&](std::size_t begin, std::size_t end, std::vector<TriangleId>& part) {
-        for (std::size_t i = begin; i < end; ++i)
-          if (projected.reaches_beyond_near(TriangleId(i)) && (left_out.empty() || left_out[i] == 0)) part.emplace_back(i);
-      });
-  if (triangles.size() == boxes.size()) {
-    tree = BoxTree(boxes);
-    return;
-  }
-  std::vector<ImageBox> kept(triangles.size());
-  parallel_for_each(kept.size(), [&](std::size_t i) { kept[i] = boxes[triangles[i].value]; });
-  tree = BoxTree(kept);
+Occluders::Occluders(const ProjectedMesh& projected, const std::vector<std::uint8_t>& left_out) : projected_(&projected) {
+  const std::size_t count = projected.mesh().triangles.size();
+  triangles = parallel_collect<TriangleId>(count, [&](std::size_t begin, std::size_t end, std::vector<TriangleId>& part) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (projected.reaches_beyond_near(TriangleId(i)) && (left_out.empty() || left_out[i] == 0)) part.emplace_back(i);
+  });
+  std::vector<ImageBox> boxes(triangles.size());
+  parallel_for_each(boxes.size(), [&](std::size_t i) { boxes[i] = projected.box(triangles[i]); });
+  tree = BoxTree(boxes);
 }
 
 void Occluders::prepare() const {

@@ -23,8 +23,8 @@ class Occluders {
   std::vector<TriangleId> triangles;
   BoxTree tree;  ///< over `triangles`
 
-  /// @param boxes of all triangles @param left_out by triangle; empty: none
-  Occluders(const ProjectedMesh& projected, const std::vector<ImageBox>& boxes, const std::vector<std::uint8_t>& left_out);
+  /// @param left_out by triangle; empty: none
+  Occluders(const ProjectedMesh& projected, const std::vector<std::uint8_t>& left_out);
 
   /// Makes a filter of each of them, for who asks many questions about each. Once, whatever thread asks.
   /// Cost: O(n), parallel; then 200 bytes a triangle.

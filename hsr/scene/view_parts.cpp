@@ -40,16 +40,6 @@ const std::vector<ViewParts::Cell>& ViewParts::cells() const {
   });
 }
 
-const std::vector<ImageBox>& ViewParts::boxes(const std::stop_token& stop) const {
-  if (&shared() != this) return shared().boxes(stop);
-  const ProjectedMesh& mesh = projected(stop);
-  return boxes_.get(stop, [&] {
-    std::vector<ImageBox> boxes(this->mesh().triangles.size());
-    parallel_for_each(boxes.size(), [&](std::size_t i) { boxes[i] = mesh.box(TriangleId(i)); });
-    return boxes;
-  });
-}
-
 const SectionCaps* ViewParts::caps(const std::stop_token& stop) const {
   if (!view_.section) return nullptr;
   if (&shared() != this) return shared().caps(stop);
@@ -175,8 +165,7 @@ const Occluders& ViewParts::occluders(Excluded excluded, const std::stop_token& 
   excluded = needed(excluded, stop);
   const ProjectedMesh& mesh = projected(stop);
   const auto& left_out = flags(excluded, stop);
-  const auto& boxes = this->boxes(stop);
-  return occluders_[static_cast<std::size_t>(excluded)].get(stop, [&] { return Occluders(mesh, boxes, left_out); });
+  return occluders_[static_cast<std::size_t>(excluded)].get(stop, [&] { return Occluders(mesh, left_out); });
 }
 
 bool ViewParts::is_cut_by_near_plane() const {

@@ -56,8 +56,6 @@ class ViewParts {
   const std::vector<Cell>& cells() const;
 
   const ProjectedMesh& projected(const std::stop_token& stop = {}) const;
-  /// Conservative boxes in the image, by triangle.
-  const std::vector<ImageBox>& boxes(const std::stop_token& stop = {}) const;
   /// What a section makes of closed bodies; null: the view has none.
   const SectionCaps* caps(const std::stop_token& stop = {}) const;
   /// The closed bodies; null: not looked for.
@@ -90,12 +88,12 @@ class ViewParts {
   const OccludingEdges& occluding_edges(Excluded excluded, const std::stop_token& stop = {}) const;
 
   /// The same scene for predicates that meet other points, too, such as the samples of a picture. Where the points keep their
-  /// scale the boxes and the trees are these, and only the projection is made anew.
+  /// scale the trees are these, and only the projection is made anew.
   const ViewParts& with(const BitRange& others) const;
 
  private:
   ViewParts(const ViewParts& base, const BitRange& others);
-  /// Whose boxes and trees these are: another one's, or its own.
+  /// Whose trees these are: another one's, or its own.
   const ViewParts& shared() const;
   Intersections find(Excluded excluded, const OcclusionPyramid* tiles, const std::stop_token& stop) const;
   bool is_cut_by_near_plane() const;
@@ -111,7 +109,6 @@ class ViewParts {
 
   MadeOnce<std::vector<Cell>> cells_;
   MadeOnce<ProjectedMesh> projected_;
-  MadeOnce<std::vector<ImageBox>> boxes_;
   MadeOnce<std::optional<ClosedBodies>> bodies_, bodies_with_caps_;
   MadeOnce<SectionCaps> caps_;
   MadeOnce<std::unique_ptr<const OcclusionPyramid>> pyramid_;

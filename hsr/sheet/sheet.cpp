@@ -174,6 +174,7 @@ class SheetMaker {
     o.hidden = v.has_hidden_lines ? options_.hidden : HiddenLines::none;
     o.pens = options_.pens;
     o.fit_arcs = v.detail == nullptr ? options_.fit_arcs : 0;
+    o.labels = &scene_.labels();
     o.objects = options_.objects;
     o.leave_out_near = true;
     const SceneView scene = scenes_[k] ? *std::move(scenes_[k]) : prepared(k);

@@ -126,6 +126,7 @@ void Drawer::choose_view() {
     if (!note.empty()) page_.notes.push_back(note);
   objects_ = objects_of(model, scene_.mesh());
   request_.drawing.objects = &objects_;
+  request_.drawing.labels = &scene_.labels();
   request_.drawing.field_of_view = chosen_.field_of_view;
   if (const std::string note = request_.page.adopt_unit(model, request_.drawing); !note.empty()) page_.notes.push_back(note);
   if (!request_.outputs.wants(Format::json)) request_.lines.frame = frame_size(chosen_.view, request_.drawing);

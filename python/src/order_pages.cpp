@@ -54,6 +54,7 @@ DrawnPage painted(const OrderData& data, PaintRequest& request) {
   request.drawing.field_of_view = data.chosen.field_of_view;
   const SceneObjects objects = objects_of(model, scene.mesh());
   request.drawing.objects = &objects;
+  request.drawing.labels = &scene.labels();
   request.painting.paints_lines_with_pieces = data.may_be_wrong;
   for (const std::string& note : {data.chosen.note, data.chosen.up_axis_note, request.page.adopt_unit(model, request.drawing)})
     if (!note.empty()) page.notes.push_back(without_dashes(note));

@@ -79,9 +79,10 @@ void add_marks(Model& all, const Model& m, std::size_t faces_before, std::uint32
   for (MarkedEdge mark : m.marks) {
     for (std::uint32_t& p : mark.points) p += static_cast<std::uint32_t>(all.points.size());
     mark.object = object;
-    mark.circle = FaceLabels::none;
+    if (mark.circle != FaceLabels::none) mark.circle += static_cast<std::uint32_t>(all.circles.size());
     all.marks.push_back(mark);
   }
+  append(all.circles, m.circles);
 }
 
 /// Several models as one: each is an object of it, named by its number.

@@ -82,6 +82,23 @@ Drawing wires(int lines, const Curve& curve, double tolerance) {
   return draw(mesh, named_view("front"), h.lines(mesh), arcs_within(tolerance));
 }
 
+/// As wires(), with marks: line k lies on circle number circle_of_line(k) of `circles`.
+template <class Curve, class CircleOfLine>
+Drawing marked_wires(int lines, const Curve& curve, const std::vector<KnownCircle>& circles, const CircleOfLine& circle_of_line,
+                     double tolerance) {
+  HandMadeLines h;
+  FaceLabels labels;
+  labels.circles = circles;
+  for (int k = 0; k < lines; ++k) {
+    const std::uint32_t first = h.add(curve(k), curve(k + 1));
+    labels.marks.push_back({{first + 1, first}, EdgeMark::sharp, 0, circle_of_line(k)});
+  }
+  const Mesh mesh = h.mesh();
+  DrawingOptions options = arcs_within(tolerance);
+  options.labels = &labels;
+  return draw(mesh, named_view("front"), h.lines(mesh), options);
+}
+
 auto circle_of(int sides, double radius, double rise = 0) {
   return [=](int k) {
     const double t = 2 * pi * (k % sides) / sides;
@@ -255,6 +272,61 @@ TEST_CASE("A fine polygon is an arc at every tolerance that it bows by, however 
     CHECK(lines_in_arcs(d) == 100);
     check_arcs(d, tolerance);
   }
+}
+
+TEST_CASE("On a circle that is known few lines are an arc, of its very radius", "[drawing][arcs][D22]") {
+  const std::vector<KnownCircle> circle = {{{0, 0, 0}, {0, 1, 0}, 20}};
+  const auto first = [](int) { return 0U; };
+  for (const int lines : {1, 2, 3, 5}) {
+    INFO(lines);
+    const Drawing d = marked_wires(lines, circle_of(48, 20), circle, first, 0.05);
+    REQUIRE(d.arcs.size() == 1);
+    CHECK(lines_in_arcs(d) == static_cast<std::size_t>(lines));
+    CHECK(d.arcs[0].ellipse.long_radius() == Approx(20).margin(1e-12));
+    CHECK(std::fabs(d.arcs[0].ellipse.sweep()) == Approx(lines * pi / 24).margin(1e-3));
+  }
+  CHECK(wires(3, circle_of(48, 20), 0.05).arcs.empty());  // a circle by chance
+  const Drawing around = marked_wires(48, circle_of(48, 20), circle, first, 0.05);
+  REQUIRE(around.arcs.size() == 1);
+  CHECK(around.arcs[0].ellipse.is_whole());
+  CHECK(around.arcs[0].ellipse.long_radius() == Approx(20).margin(1e-12));
+}
+
+TEST_CASE("What a mark says of a circle counts only where the edges are on it", "[drawing][arcs][D22]") {
+  const auto first = [](int) { return 0U; };
+  for (const KnownCircle& wrong : {KnownCircle{{0, 0, 0}, {0, 1, 0}, 21}, KnownCircle{{1, 0, 0}, {0, 1, 0}, 20},
+                                   KnownCircle{{0, 0, 0}, {1, 0, 0}, 20}, KnownCircle{{0, 0, 0}, {0, 0, 1}, 20}}) {
+    CHECK(marked_wires(3, circle_of(48, 20), {wrong}, first, 0.05).arcs.empty());
+    const Drawing d = marked_wires(12, circle_of(48, 20), {wrong}, first, 0.05);
+    REQUIRE(d.arcs.size() == 1);  // found without it
+    CHECK(d.arcs[0].ellipse.long_radius() == Approx(20).margin(1e-6));
+  }
+  // Too coarse: chords of 60 degrees are far from their circle.
+  CHECK(marked_wires(6, circle_of(6, 20), {{{0, 0, 0}, {0, 1, 0}, 20}}, first, 0.05).arcs.empty());
+  // A number that names no circle.
+  CHECK(marked_wires(3, circle_of(48, 20), {}, first, 0.05).arcs.empty());
+}
+
+TEST_CASE("Known circles that meet smoothly are an arc each, and parts of one circle are one", "[drawing][arcs][D22]") {
+  // A quarter of radius 20, then one of radius 5 on the same line of centres: two lines of each.
+  const auto curve = [](int k) {
+    const double radius = k <= 2 ? 20 : 5, from = k <= 2 ? 0 : 15, t = k * pi / 48;
+    return Point3{from * std::cos(pi / 24) + radius * std::cos(t), 0, from * std::sin(pi / 24) + radius * std::sin(t)};
+  };
+  const std::vector<KnownCircle> two = {{{0, 0, 0}, {0, 1, 0}, 20},
+                                        {{15 * std::cos(pi / 24), 0, 15 * std::sin(pi / 24)}, {0, -1, 0}, 5}};
+  const Drawing smooth = marked_wires(
+      4, curve, two, [](int k) { return k < 2 ? 0U : 1U; }, 0.05);
+  REQUIRE(smooth.arcs.size() == 2);
+  std::set<double> radii;
+  for (const DrawnArc& arc : smooth.arcs) radii.insert(std::round(arc.ellipse.long_radius() * 1e9) / 1e9);
+  CHECK(radii == std::set<double>{5, 20});
+  // As B-reps have them, in halves that say the same of the circle, here with the axis turned around.
+  const std::vector<KnownCircle> halves = {{{0, 0, 0}, {0, 1, 0}, 20}, {{0, 0, 0}, {0, -1, 0}, 20}};
+  const Drawing one = marked_wires(
+      48, circle_of(48, 20), halves, [](int k) { return k < 24 ? 0U : 1U; }, 0.05);
+  REQUIRE(one.arcs.size() == 1);
+  CHECK(one.arcs[0].ellipse.is_whole());
 }
 
 TEST_CASE("A plate with round corners has an arc at each, wherever its outline begins", "[drawing][arcs][D22]") {

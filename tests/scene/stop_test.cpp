@@ -37,7 +37,6 @@ TEST_CASE("a part of a scene that is not made yet is not begun by one that is to
   CHECK_THROWS_AS(parts.projected(stop), CancelledError);
   parts.projected();
   CHECK_NOTHROW(parts.projected(stop));  // it is there
-  CHECK_THROWS_AS(parts.boxes(stop), CancelledError);
   CHECK_THROWS_AS(parts.bodies(stop), CancelledError);
   CHECK_THROWS_AS(parts.pyramid(stop), CancelledError);
   CHECK_THROWS_AS(parts.hidden(stop), CancelledError);
