@@ -7,6 +7,8 @@
 
 #include "geometry/arithmetics.h"
 #include "geometry/constructed_point.h"
+#include "geometry/exact_meet.h"
+#include "geometry/exact_meet.h"
 #include "geometry/plane_filter.h"
 #include "geometry/polynomials.h"
 
@@ -382,6 +384,14 @@ TEST_CASE("the widest numbers of each fixed width still fit", "[geometry][predic
       const Sign meet = sign_of(polynomials::meet_value(RationalArithmetic{}, a, b, c));
       if (meet != Sign::zero)
         CHECK(predicates.side(x, a, b, c) == meet * sign_of(polynomials::meet_side_value(RationalArithmetic{}, x, a, b, c)));
+      const Plane d = Plane::of_face(p[4], p[5], p[6]);
+      if (const Sign at = sign_of(polynomials::meet_value(RationalArithmetic{}, a, c, d)); at != Sign::zero) {
+        const ExactMeet point(bit_range(p), a, c, d);
+        CHECK(point.side(x) == at * sign_of(polynomials::meet_side_value(RationalArithmetic{}, x, a, c, d)));
+        CHECK(point.side(c) == Sign::zero);
+      } else {
+        CHECK_THROWS_AS(ExactMeet(bit_range(p), a, c, d), PreconditionError);
+      }
       exact += predicates.counts().exact();
     }
   }

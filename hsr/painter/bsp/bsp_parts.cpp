@@ -80,7 +80,28 @@ Sign BspParts::side_beyond_filter(const Divider& d, const Corner& corner, FacetI
       const BspBounds::Side& side = sides_[BspBounds::place(id)];
       if (is_of_divider(side.u) && is_of_divider(side.v)) return Sign::zero;
     }
-  return exact_.side(cut_plane(projected_, d.cut), projected_.face_plane(facet), plane(c.a), plane(c.b));
+  const Plane divider = cut_plane(projected_, d.cut);
+  if (exact_.arithmetic() != Arithmetic::staged)
+    return exact_.side(divider, projected_.face_plane(facet), plane(c.a), plane(c.b));
+  const Sign s = exact_meet(facet, c).side(divider);
+  ++exact_.counts().fixed;
+  if (s == Sign::zero) ++exact_.counts().zero;
+  return s;
+}
+
+const ExactMeet& BspParts::exact_meet(FacetId facet, const BspBounds::Corner& corner) {
+  constexpr std::size_t places = 1024;
+  if (meets_.empty()) {
+    meets_.resize(places);
+    bit_range_.emplace();
+    for (const auto& corners : projected_.mesh().triangles)
+      for (const VertexId v : corners) bit_range_->add(projected_.point(v));
+  }
+  const std::uint64_t name = (facet.value * 0x9e3779b97f4a7c15ULL ^ corner.a) * 0x9e3779b97f4a7c15ULL ^ corner.b;
+  KnownMeet& known = meets_[name * 0x9e3779b97f4a7c15ULL >> 54U];
+  if (!known.meet || known.facet != facet || known.a != corner.a || known.b != corner.b)
+    known = {facet, corner.a, corner.b, ExactMeet(*bit_range_, projected_.face_plane(facet), plane(corner.a), plane(corner.b))};
+  return *known.meet;
 }
 
 BspParts::Sides BspParts::sides(const Divider& d, const Part& part) {

@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "geometry/bit_range.h"
+#include "geometry/exact_meet.h"
 #include "geometry/plane_filter.h"
 #include "hsr/painter/bsp/bsp_bounds.h"
 #include "hsr/scene/projected_mesh.h"
@@ -69,6 +72,7 @@ class BspParts {
  private:
   ErrorBounded value(const Divider& d, const Corner& corner) const;
   Sign side_beyond_filter(const Divider& d, const Corner& corner, FacetId facet);
+  const ExactMeet& exact_meet(FacetId facet, const BspBounds::Corner& corner);
   Corner crossing(const Divider& d, const Part& part, std::size_t k);
   Plane plane(BspBounds::Id id) const;
 
@@ -78,7 +82,15 @@ class BspParts {
   Predicates exact_;
   std::vector<Part> parts_;
   std::vector<Corner> corners_;
-  std::vector<Sign> signs_;  // of the corners of a part, and the values
+  /// Where a corner is, exactly; it is asked about many planes in a row, in all parts that have it.
+  struct KnownMeet {
+    FacetId facet;
+    BspBounds::Id a = BspBounds::none, b = BspBounds::none;
+    std::optional<ExactMeet> meet;
+  };
+  std::vector<KnownMeet> meets_;       // each in a place by its name, where it stays until another comes there
+  std::optional<BitRange> bit_range_;  // of all corners of triangles, once it is needed
+  std::vector<Sign> signs_;            // of the corners of a part, and the values
   std::vector<ErrorBounded> values_;
   std::vector<Corner> crossings_;
 };
