@@ -29,6 +29,12 @@ Rational parameter_of_cut(const Plane& x, const Point3& p, const Point3& q) {
   return quotient(cut.at_p, cut.fall);
 }
 
+ErrorBounded bounded_parameter_of_cut(const Plane& x, const Point3& p, const Point3& q) {
+  const FilterArithmetic a;
+  const ErrorBounded at_p = polynomials::value(a, x, p);
+  return quotient(at_p, at_p - polynomials::value(a, x, q));
+}
+
 ConstructedPoint ConstructedPoint::on_edge(const Point3& p, const Point3& q, const Plane& x) {
   ConstructedPoint c;
   c.p_ = p;

@@ -12,6 +12,9 @@ namespace hsr::internal {
 /// The parameter t at which `x` cuts pq: 0 at p, 1 at q. @throws PreconditionError if x is parallel to pq. Exact.
 Rational parameter_of_cut(const Plane& x, const Point3& p, const Point3& q);
 
+/// The same in doubles with a proven bound; an error that is not finite where they tell nothing.
+ErrorBounded bounded_parameter_of_cut(const Plane& x, const Point3& p, const Point3& q);
+
 /// A point that an algorithm makes, kept as what it is made of: an edge cut by a plane, or three planes meeting.
 class ConstructedPoint {
  public:

@@ -148,7 +148,8 @@ class Placer {
     const SupportingLine support = supporting_line_of(p);
     if (cut.kind == Cut::Kind::start) return at_[support.a];
     if (cut.kind == Cut::Kind::end) return at_[support.b];
-    return projection_.at(support, cut);
+    return support.is_edge() ? projection_.bounded_at(support, cut, at_[support.a], at_[support.b])
+                             : projection_.at(support, cut);
   }
   PaperPoint rounded(const PlaceOnEdge& p, const HomogeneousPoint& at) const {
     return projection_.rounded(supporting_line_of(p), lines_.cuts[p.cut], at);

@@ -3,9 +3,11 @@
 #include <optional>
 #include <string>
 
+#include "geometry/constructed_point.h"
 #include "geometry/error.h"
 #include "geometry/rational_vector.h"
 #include "hsr/drawing/cut_parameter.h"
+#include "hsr/symbols/constructions.h"
 
 namespace hsr::internal {
 
@@ -115,6 +117,14 @@ HomogeneousPoint Projection::at(const SupportingLine& support, const Cut& cut) c
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
 }
 
+HomogeneousPoint Projection::bounded_at(const SupportingLine& edge, const Cut& cut, const HomogeneousPoint& a,
+                                        const HomogeneousPoint& b) const {
+  const ErrorBounded bounded =
+      bounded_parameter_of_cut(plane_of(mesh_, view_, cut), mesh_.points[edge.a], mesh_.points[edge.b]);
+  const Enclosure t(bounded.value, bounded.error);
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
+}
+
 std::array<Rational, 3> Projection::homogeneous(const std::array<Rational, 3>& p) const {
   const RationalVector d = minus(p, rational(anchor_));
   RationalVector h;
@@ -130,6 +140,7 @@ std::array<Rational, 2> Projection::exact(const SupportingLine& support, const C
 
 PaperPoint Projection::rounded(const SupportingLine& support, const Cut& cut, const HomogeneousPoint& at) const {
   if (const auto known = rounded(at)) return *known;
+  if (const auto known = rounded(this->at(support, cut))) return *known;
   return rounded(exact(support, cut));
 }
 

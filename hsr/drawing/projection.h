@@ -31,6 +31,10 @@ class Projection {
   HomogeneousPoint at(VertexId v) const;
   HomogeneousPoint at(const SupportingLine& support, const Cut& cut) const;
 
+  /// The same of a cut between the ends of an edge, which are seen at a and b: by doubles, with a wider bound, in a fraction of the time.
+  HomogeneousPoint bounded_at(const SupportingLine& edge, const Cut& cut, const HomogeneousPoint& a,
+                              const HomogeneousPoint& b) const;
+
   /// Where three planes meet. @pre s is a span
   HomogeneousPoint at(const Plane& s, const Plane& t, const Plane& u) const;
 
@@ -38,7 +42,8 @@ class Projection {
   std::array<Rational, 2> exact(const SupportingLine& support, const Cut& cut) const;
   std::array<Rational, 3> exact(VertexId v) const;  ///< x, y, w
 
-  /// The cut in thousandths of a unit, correctly rounded, halves away from zero. `at` is its enclosure.
+  /// The cut in thousandths of a unit, correctly rounded, halves away from zero. `at` is an enclosure of it; where that leaves two
+  /// answers, a narrower one is made, then the exact place.
   PaperPoint rounded(const SupportingLine& support, const Cut& cut, const HomogeneousPoint& at) const;
 
   /// Any point in thousandths of a unit, correctly rounded; nothing where its enclosure leaves two answers.
