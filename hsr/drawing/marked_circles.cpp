@@ -13,8 +13,8 @@ MarkedCircles::MarkedCircles(const Mesh& mesh, const FaceLabels& labels) {
   }
   const auto ends = [](const Row& r) { return std::tuple(r.a, r.b); };
   std::ranges::stable_sort(rows_, {}, ends);
-  const auto repeated = std::ranges::unique(rows_, {}, ends);
-  rows_.erase(repeated.begin(), repeated.end());
+  rows_.erase(std::unique(rows_.begin(), rows_.end(), [&](const Row& x, const Row& y) { return ends(x) == ends(y); }),
+              rows_.end());
 }
 
 const KnownCircle* MarkedCircles::of(VertexId a, VertexId b) const {
