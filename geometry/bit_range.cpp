@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "geometry/error.h"
+#include "geometry/parallel_fold.h"
 
 namespace hsr {
 
@@ -38,9 +39,9 @@ void BitRange::add(const BitRange& c) {
 }
 
 BitRange bit_range(std::span<const Point3> points) {
-  BitRange c;
-  for (const Point3& p : points) c.add(p);
-  return c;
+  return internal::parallel_fold(
+      points.size(), BitRange{}, [&](BitRange& all, std::size_t i) { all.add(points[i]); },
+      [](BitRange& all, const BitRange& more) { all.add(more); });
 }
 
 }  // namespace hsr

@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "geometry/parallel_fold.h"
+
 namespace hsr::internal {
 
 namespace {
@@ -17,15 +19,19 @@ struct Box {
 /// Of the corners of all faces.
 Box box_of(const Model& model) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  Box box{{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}};
-  for (const std::uint32_t corner : model.polygons.corners) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      box.low[a] = std::min(box.low[a], model.points[corner][axis]);
-      box.high[a] = std::max(box.high[a], model.points[corner][axis]);
-    }
-  }
-  return box;
+  const auto add = [](Box& all, std::size_t axis, double low, double high) {
+    all.low[axis] = std::min(all.low[axis], low);
+    all.high[axis] = std::max(all.high[axis], high);
+  };
+  return parallel_fold(
+      model.polygons.corners.size(), Box{{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}},
+      [&](Box& all, std::size_t i) {
+        const Point3& p = model.points[model.polygons.corners[i]];
+        for (std::size_t axis = 0; axis < 3; ++axis) add(all, axis, p[static_cast<int>(axis)], p[static_cast<int>(axis)]);
+      },
+      [&](Box& all, const Box& more) {
+        for (std::size_t axis = 0; axis < 3; ++axis) add(all, axis, more.low[axis], more.high[axis]);
+      });
 }
 
 /// The area of a face as it is seen along an axis.

@@ -12,6 +12,7 @@
 
 #include "geometry/bit_range.h"
 #include "geometry/error.h"
+#include "hsr/drawing/end_images.h"
 #include "hsr/drawing/filled_drawing.h"
 #include "hsr/drawing/fills.h"
 #include "hsr/drawing/fit_arcs.h"
@@ -43,24 +44,6 @@ Predicates predicates_for(const Mesh& mesh, const View& view, Arithmetic arithme
 
 /// In widths of a line: what is shorter has no room for the dashes of ISO 128 (D16).
 constexpr double dashed_from = 9;
-
-/// The images of the ends of the edges, for those that are used.
-IndexedVector<VertexId, HomogeneousPoint> images(const Projection& projection, const VisibleLines& lines,
-                                                 std::span<const std::uint32_t> drawn) {
-  const Mesh& mesh = projection.mesh();
-  IndexedVector<VertexId, HomogeneousPoint> at(mesh.points.size());
-  std::vector<char> used(mesh.points.size(), 0);
-  for (const std::uint32_t i : drawn) {
-    if (lines.lines[i].is_intersection()) continue;
-    const Edge& e = mesh.edges[lines.lines[i].edge];
-    used[e.a.value] = used[e.b.value] = 1;
-  }
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, used.size(), 1024), [&](const auto& range) {
-    for (std::size_t v = range.begin(); v != range.end(); ++v)
-      if (used[v] != 0) at[VertexId(v)] = projection.at(VertexId(v));
-  });
-  return at;
-}
 
 /// By line; empty: they are not told apart.
 std::vector<std::uint32_t> objects_of_lines(const Mesh& mesh, const VisibleLines& lines, const SceneObjects* objects) {
@@ -122,7 +105,7 @@ Overlay lay_over(const ImageLines& groups, const Projection& projection, const V
 /// The stroke on the paper; nothing if it is outside the frame.
 class Placer {
  public:
-  Placer(const Placement& placement, const IndexedVector<VertexId, HomogeneousPoint>& at, const VisibleLines& lines)
+  Placer(const Placement& placement, const EndImages& at, const VisibleLines& lines)
       : projection_(placement.projection), frame_(placement.frame), at_(at), lines_(lines) {}
 
   std::optional<PaperLine> operator()(const Stroke& stroke) const {
@@ -190,7 +173,7 @@ class Placer {
 
   const Projection& projection_;
   std::optional<PaperFrame> frame_;
-  const IndexedVector<VertexId, HomogeneousPoint>& at_;
+  const EndImages& at_;
   const VisibleLines& lines_;
 };
 
@@ -419,7 +402,7 @@ Drawing draw_with_fills(const Mesh& mesh, const View& view, const VisibleLines& 
     std::erase_if(seen, [&](std::uint32_t i) { return lines.lines[i].starts_hidden && lines.lines[i].intervals() == 1; });
 
   const Projection& projection = place.projection;
-  auto at = images(projection, lines, seen);
+  EndImages at(projection, lines, seen);
   tbb::enumerable_thread_specific<Predicates> predicates(predicates_for(mesh, view, options.arithmetic));
   const Overlay overlay = lay_over(image_lines(projection, at, lines, seen, predicates.local()), projection, lines,
                                    object_of_line, with_hidden, predicates);

@@ -86,8 +86,8 @@ bool on_one_image_line(const Mesh& mesh, const View& view, const Edge& e, const 
 
 }  // namespace
 
-ImageLines image_lines(const Projection& projection, const IndexedVector<VertexId, HomogeneousPoint>& at,
-                       const VisibleLines& lines, std::span<const std::uint32_t> drawn, Predicates& predicates) {
+ImageLines image_lines(const Projection& projection, const EndImages& at, const VisibleLines& lines,
+                       std::span<const std::uint32_t> drawn, Predicates& predicates) {
   const Mesh& mesh = projection.mesh();
   const auto line_at = [&](std::uint32_t position) -> const Line& { return lines.lines[drawn[position]]; };
   const auto exact_ends = [&](std::uint32_t position) {

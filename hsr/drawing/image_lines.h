@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/ragged.h"
+#include "hsr/drawing/end_images.h"
 #include "hsr/drawing/projection.h"
 
 namespace hsr::internal {
@@ -20,7 +21,7 @@ struct ImageLines {
 /// `at` has the images of the vertices of the edges on the page.
 /// Exact: yes. Candidates are found by slope and intercept (enclosures; rationals where a line is too short on the paper for
 /// them), predicates decide, and for where faces pierce each other rationals. Cost: O(n log n).
-ImageLines image_lines(const Projection& projection, const IndexedVector<VertexId, HomogeneousPoint>& at,
-                       const VisibleLines& lines, std::span<const std::uint32_t> drawn, Predicates& predicates);
+ImageLines image_lines(const Projection& projection, const EndImages& at, const VisibleLines& lines,
+                       std::span<const std::uint32_t> drawn, Predicates& predicates);
 
 }  // namespace hsr::internal

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/error.h"
+#include "geometry/parallel_fold.h"
 #include "geometry/vector3.h"
 
 namespace hsr {
@@ -70,8 +71,7 @@ PaperRectangle paper_rectangle(const Mesh& mesh, const View& view) {
   const Point3 n = {f.right.y * f.up.z - f.right.z * f.up.y, f.right.z * f.up.x - f.right.x * f.up.z,
                     f.right.x * f.up.y - f.right.y * f.up.x};
   const Point3 &e = view.viewpoint.at, to_paper = sum(f.origin, -1, e), to_target = sum(view.target, -1, e);
-  PaperRectangle all = {HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
-  const auto add = [&](const Point3& p) {
+  const auto add = [&](PaperRectangle& all, const Point3& p) {
     const Point3 from_origin = sum(p, -1, f.origin);
     Point3 at = from_origin;
     if (view.is_perspective()) {
@@ -93,13 +93,21 @@ PaperRectangle paper_rectangle(const Mesh& mesh, const View& view) {
     };
     return product(sum(p, -1, e)) - view.near * product(to_target);
   };
-  for (const Edge& edge : mesh.edges) {
-    const Point3 &a = mesh.points[edge.a], &b = mesh.points[edge.b];
-    const long double at_a = view.cuts() ? beyond_near(a) : 1, at_b = view.cuts() ? beyond_near(b) : 1;
-    if (at_a > 0) add(a);
-    if (at_b > 0) add(b);
-    if ((at_a > 0) != (at_b > 0)) add(sum(a, static_cast<double>(at_a / (at_a - at_b)), sum(b, -1, a)));
-  }
+  const PaperRectangle nothing = {HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
+  const PaperRectangle all = parallel_fold(
+      mesh.edges.size(), nothing,
+      [&](PaperRectangle& so_far, std::size_t i) {
+        const Edge& edge = mesh.edges[EdgeId(i)];
+        const Point3 &a = mesh.points[edge.a], &b = mesh.points[edge.b];
+        const long double at_a = view.cuts() ? beyond_near(a) : 1, at_b = view.cuts() ? beyond_near(b) : 1;
+        if (at_a > 0) add(so_far, a);
+        if (at_b > 0) add(so_far, b);
+        if ((at_a > 0) != (at_b > 0)) add(so_far, sum(a, static_cast<double>(at_a / (at_a - at_b)), sum(b, -1, a)));
+      },
+      [](PaperRectangle& so_far, const PaperRectangle& more) {
+        so_far = {std::min(so_far.left, more.left), std::max(so_far.right, more.right), std::min(so_far.bottom, more.bottom),
+                  std::max(so_far.top, more.top)};
+      });
   return all.left <= all.right ? all : PaperRectangle{};
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <unordered_set>
@@ -27,10 +28,10 @@ namespace hsr::internal {
 
 namespace {
 
-/// The triangles at their places along the tree, eight to a leaf.
-std::vector<FloatTriangle> along_tree(const ProjectedMesh& projected, const Occluders& occluders) {
+/// The triangles at their places along the tree, eight to a leaf. What a leaf has no triangle for is not set: its boxes touch nothing.
+std::unique_ptr<FloatTriangle[]> along_tree(const ProjectedMesh& projected, const Occluders& occluders) {
   const BoxTree& tree = occluders.tree;
-  std::vector<FloatTriangle> placed(tree.leaf_count() * BoxTree::width);
+  auto placed = std::make_unique_for_overwrite<FloatTriangle[]>(tree.leaf_count() * BoxTree::width);
   // Looked up at each triangle only where some face has several.
   const Mesh& mesh = projected.mesh();
   bool all_single = true;
@@ -49,7 +50,7 @@ std::vector<FloatTriangle> along_tree(const ProjectedMesh& projected, const Occl
 
 class Finder {
  public:
-  Finder(const ProjectedMesh& projected, const Occluders* occluders, const std::vector<FloatTriangle>* placed,
+  Finder(const ProjectedMesh& projected, const Occluders* occluders, const FloatTriangle* placed,
          const OcclusionPyramid* pyramid, const RepeatedTriangles* repeated, std::vector<std::uint8_t>& has_contact)
       : projected_(projected),
         mesh_(projected.mesh()),
@@ -92,8 +93,8 @@ class Finder {
 
   const ProjectedMesh& projected_;
   const Mesh& mesh_;
-  const Occluders* occluders_;                // null: only segment() is asked for
-  const std::vector<FloatTriangle>* placed_;  // the same triangles along their tree
+  const Occluders* occluders_;   // null: only segment() is asked for
+  const FloatTriangle* placed_;  // the same triangles along their tree
   const OcclusionPyramid* pyramid_;
   const RepeatedTriangles* repeated_;              // null: as placed_
   std::unordered_set<std::uint64_t> do_not_meet_;  // of repeated triangles
@@ -132,13 +133,13 @@ bool straddles(const std::array<Sign, 3>& at) {
 
 void Finder::look_around(std::uint32_t leaf, std::vector<TriangleIntersection>& found) {
   const BoxTree& tree = occluders_->tree;
-  const FloatTriangle* const here = placed_->data() + std::size_t{leaf} * BoxTree::width;
+  const FloatTriangle* const here = placed_ + std::size_t{leaf} * BoxTree::width;
   std::array<std::optional<TriangleSeparation>, BoxTree::width> separation;
   std::size_t turned_to = BoxTree::width;
   PlaneFilter of_s;
   LeafPlane leaf_plane;
   tree.visit_pairs_by_leaf(leaf, search_, [&](std::size_t k, std::uint32_t other, unsigned touching) {
-    const FloatTriangle* const there = placed_->data() + std::size_t{other} * BoxTree::width;
+    const FloatTriangle* const there = placed_ + std::size_t{other} * BoxTree::width;
     if (!separation[k]) separation[k].emplace(here[k]);
     const auto turn_to = [&] {
       if (k == turned_to) return;
@@ -396,7 +397,7 @@ Intersections find_intersections(const ProjectedMesh& projected, const Occluders
   tbb::parallel_for(Range(0, parts.size(), 1), [&](const Range& range) {
     for (std::size_t part = range.begin(); part < range.end(); ++part) {
       throw_if_stopped(stop);
-      Finder finder(projected, &occluders, &placed, pyramid, &repeated, all.has_contact);
+      Finder finder(projected, &occluders, placed.get(), pyramid, &repeated, all.has_contact);
       const std::size_t end = std::min((part + 1) * block, n);
       for (std::size_t leaf = part * block; leaf < end; ++leaf)
         finder.look_around(static_cast<std::uint32_t>(leaf), parts[part]);

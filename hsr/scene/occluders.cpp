@@ -13,9 +13,9 @@ Occluders::Occluders(const ProjectedMesh& projected, const std::vector<std::uint
     for (std::size_t i = begin; i < end; ++i)
       if (projected.reaches_beyond_near(TriangleId(i)) && (left_out.empty() || left_out[i] == 0)) part.emplace_back(i);
   });
-  std::vector<ImageBox> boxes(triangles.size());
-  parallel_for_each(boxes.size(), [&](std::size_t i) { boxes[i] = projected.box(triangles[i]); });
-  tree = BoxTree(boxes);
+  const auto boxes = std::make_unique_for_overwrite<ImageBox[]>(triangles.size());
+  parallel_for_each(triangles.size(), [&](std::size_t i) { boxes[i] = projected.box(triangles[i]); });
+  tree = BoxTree({boxes.get(), triangles.size()});
 }
 
 void Occluders::prepare() const {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/error.h"
+#include "geometry/parallel_fold.h"
 #include "geometry/rational_vector.h"
 
 namespace hsr {
@@ -214,17 +215,22 @@ View named_view(const std::string& name, const Point3& target, bool y_up) {
 }
 
 Point3 centre(const Mesh& mesh) {
-  bool any = false;
-  Point3 low, high;
-  for (const Edge& e : mesh.edges) {
-    for (const VertexId v : {e.a, e.b}) {
-      const Point3& p = mesh.points[v];
-      if (!any) low = high = p;
-      any = true;
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-  }
+  if (mesh.edges.empty()) return {};
+  struct Box {
+    Point3 low, high;
+  };
+  const auto add = [](Box& all, const Point3& low, const Point3& high) {
+    all.low = {std::min(all.low.x, low.x), std::min(all.low.y, low.y), std::min(all.low.z, low.z)};
+    all.high = {std::max(all.high.x, high.x), std::max(all.high.y, high.y), std::max(all.high.z, high.z)};
+  };
+  const Point3& first = mesh.points[mesh.edges[EdgeId(0)].a];
+  const auto [low, high] = parallel_fold(
+      mesh.edges.size(), Box{first, first},
+      [&](Box& all, std::size_t i) {
+        const Edge& e = mesh.edges[EdgeId(i)];
+        for (const VertexId v : {e.a, e.b}) add(all, mesh.points[v], mesh.points[v]);
+      },
+      [&](Box& all, const Box& more) { add(all, more.low, more.high); });
   const auto middle = [](double a, double b) { return std::isfinite(a + b) ? (a + b) / 2 : a / 2 + b / 2; };
   return {middle(low.x, high.x), middle(low.y, high.y), middle(low.z, high.z)};
 }
