@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <unordered_map>
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/rational_vector.h"
@@ -63,13 +64,28 @@ bool enclosed_equation(Equation& e, const HomogeneousPoint& a, const Homogeneous
   return (!e.steep || fill(e, true, l)) && (!e.shallow || fill(e, false, l));
 }
 
-void exact_equation(Equation& e, const std::array<Rational, 3>& a, const std::array<Rational, 3>& b) {
-  const auto l = line_through<Rational>(a, b);
+/// The equation of a line in its one form, so that equal ones are one line.
+struct ExactEquation {
+  bool steep;
+  Rational m, c;
+
+  friend bool operator==(const ExactEquation& e, const ExactEquation& f) {
+    return e.steep == f.steep && e.m == f.m && e.c == f.c;
+  }
+};
+
+ExactEquation exact_equation(const std::array<std::array<Rational, 3>, 2>& ends) {
+  const auto l = line_through<Rational>(ends[0], ends[1]);
   const auto absolute = [](const Rational& x) { return x.sign() == Sign::negative ? -x : x; };
-  e.steep = absolute(l[0]) >= absolute(l[1]);
+  const bool steep = absolute(l[0]) >= absolute(l[1]);
+  const Rational& divisor = steep ? l[0] : l[1];
+  return {steep, -(steep ? l[1] : l[0]) / divisor, -l[2] / divisor};
+}
+
+void set(Equation& e, const ExactEquation& exact) {
+  e.steep = exact.steep;
   e.shallow = !e.steep;
-  const Rational divisor = e.steep ? l[0] : l[1];
-  const double m = (-(e.steep ? l[1] : l[0]) / divisor).to_double(), c = (-l[2] / divisor).to_double();
+  const double m = exact.m.to_double(), c = exact.c.to_double();
   e.m_low[e.steep] = cell_of(below(m));
   e.m_high[e.steep] = cell_of(above(m));
   e.c_low[e.steep] = below(c);
@@ -99,13 +115,16 @@ ImageLines image_lines(const Projection& projection, const EndImages& at, const 
     };
     return std::array{end(c.meet.from), end(c.meet.to)};
   };
+  std::unordered_map<std::uint32_t, ExactEquation> exact;  // by position, of those that were asked for
+  const auto exact_of = [&](std::uint32_t position) -> const ExactEquation& {
+    const auto known = exact.find(position);
+    return known != exact.end() ? known->second : exact.emplace(position, exact_equation(exact_ends(position))).first->second;
+  };
   const auto on_one_line = [&](std::uint32_t i, std::uint32_t k) {
     const Line &x = line_at(i), &y = line_at(k);
     if (!x.is_intersection() && !y.is_intersection())
       return on_one_image_line(mesh, projection.view(), mesh.edges[x.edge], mesh.edges[y.edge], predicates);
-    const auto p = exact_ends(i), q = exact_ends(k);
-    const auto l = line_through<Rational>(p[0], p[1]);
-    return std::all_of(q.begin(), q.end(), [&](const auto& e) { return dot(l, e).sign() == Sign::zero; });
+    return exact_of(i) == exact_of(k);
   };
   std::vector<Equation> equations(drawn.size());
   tbb::parallel_for(
@@ -116,8 +135,7 @@ ImageLines image_lines(const Projection& projection, const EndImages& at, const 
                           : enclosed_equation(equations[i], projection.at(c, c.meet.from), projection.at(c, c.meet.to)))
             continue;
           equations[i] = {};
-          const auto ends = exact_ends(i);
-          exact_equation(equations[i], ends[0], ends[1]);
+          set(equations[i], exact_equation(exact_ends(i)));
         }
       });
 
