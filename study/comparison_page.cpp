@@ -107,7 +107,8 @@ std::string explained_by(const std::string& method) {
   for (const auto& [begins, page] : pages) {
     if (method.rfind(begins, 0) != 0) continue;
     const std::vector<ExplainedMethod>& all = explained_methods();
-    const bool is_there = std::any_of(all.begin(), all.end(), [&](const ExplainedMethod& m) { return m.name == page; });
+    const bool is_there =
+        std::any_of(all.begin(), all.end(), [&, &page = page](const ExplainedMethod& m) { return m.name == page; });
     return is_there ? "explain/" + std::string(page) + ".html" : std::string();
   }
   return {};
