@@ -104,12 +104,6 @@ Model model_of(const scenes::TestScene& scene) {
   return model;
 }
 
-std::vector<Point3> corners_of(const Model& model, std::span<const std::uint32_t> corners) {
-  std::vector<Point3> points;
-  for (const std::uint32_t c : corners) points.push_back(model.points[c]);
-  return points;
-}
-
 /// What each tile takes.
 std::vector<ModelPart> parts_of(const Model& model, const View& view, const ImageTiles& tiles) {
   const auto merged = merge_points({model.points.begin(), model.points.end()});

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "hsr/tiles/united_lines.h"
+#include "tests/scenes/random_scenes.h"
 #include "tests/tiles/checked_tiles.h"
 
 namespace hsr {
