@@ -93,9 +93,8 @@ struct ByteCase {
   bool with_json;
 };
 
-void check_same_bytes(const std::string& model, const ByteCase& c) {
+void check_same_bytes(const Directory& d, const std::string& model, const ByteCase& c) {
   INFO(c.of_scene << " | " << c.of_page << ", " << c.tiles << " tiles");
-  const Directory d;
   const bool has_unit = c.of_scene.find("--unit") != std::string::npos;
   const Outcome drawn = run("draw " + model + " -q" + outputs(d / "one", c.with_json) + " " +
                             (has_unit ? c.of_scene.substr(0, c.of_scene.find("--unit")) : c.of_scene) + " " + c.of_page);
@@ -122,7 +121,7 @@ TEST_CASE("a scene that was split is drawn byte for byte as in one piece, in eve
         ByteCase{6, "--eye 20,20,9 --fov 80 --hidden solid", "--margin 5", true},
         ByteCase{3, "--view front --coplanar last --ghost ground", "--min-length 2", false},
         ByteCase{8, "--direction 1,2,3 --method roberts --only houses --unit m", "--scale 1:500 --unit m", true}})
-    check_same_bytes(model, c);
+    check_same_bytes(d, model, c);
 }
 
 TEST_CASE("a scene that was split is filled byte for byte as in one piece, in every format", "[cli][tiles][fills]") {
@@ -137,7 +136,7 @@ TEST_CASE("a scene that was split is filled byte for byte as in one piece, in ev
         ByteCase{6, "--fill --eye 20,20,9 --fov 70", "--merge colour", false},
         ByteCase{3, "--fill --view front --coplanar last --ghost ground", "--min-length 2", false},
         ByteCase{8, "--fill --direction 1,2,3 --method roberts --only houses", "--merge coplanar", true}})
-    check_same_bytes(model, c);
+    check_same_bytes(d, model, c);
 }
 
 TEST_CASE("GNU parallel does the tiles by the line in docs/tiles.md", "[cli][tiles]") {

@@ -61,6 +61,31 @@ TEST_CASE("ghosts and objects are filled in tiles as they are in one piece", "[t
   }
 }
 
+TEST_CASE("united regions come in one order, however exact the boxes are that tell which faces touch", "[tiles][fills]") {
+  // Boxes are floats from the first point on. In one piece that is of a hidden face far away, and those of the first and the third
+  // square, in one plane and almost touching, have a part in common; in tiles the hidden face is missing.
+  scenes::TestScene scene;
+  const auto add_square = [&](double x, double z) {
+    scene.add_face({Point3{x, 0, z}, Point3{x + 1, 0, z}, Point3{x + 1, 1, z}, Point3{x, 1, z}});
+  };
+  add_square(1000.25, -1);
+  add_square(0, 0);
+  add_square(4, 1);
+  add_square(1 + 0x1p-17, 0);
+  scene.add_face({Point3{1000, -1, 0}, Point3{1002, -1, 0}, Point3{1002, 2, 0}, Point3{1000, 2, 0}});
+  const View view = parallel_view({0, 0, 1}, {0, 1, 0});
+  TileRequest request;
+  request.lines.classes.fill(false);  // of a line of the hidden face tiles would have sent that, too
+  request.fragments = request.only_visible = true;
+  const Model model = model_of(scene);
+  CHECK(wrong_with(
+            model, view,
+            [&] {
+              return grid(view, {0.5, 500}, {}, 0);
+            },
+            request, Merge::coplanar) == "");
+}
+
 /// A plate with a box on it, in four tiles.
 struct Plate {
   Plate() {
