@@ -197,8 +197,7 @@ void DrawCommand::note_idle_options() {
   if (a_.formats.dxf_release != "r12" && !request_.wants(Format::dxf)) note("--dxf", "dxf");
   if (a_.fill && a_.outline_only) context_.note("--fill has no effect with --outline-only");
   if (a_.fill)
-    for (const auto& [format, name] : {std::pair{Format::dxf, "dxf"}, std::pair{Format::hpgl, "hpgl"}})
-      if (request_.wants(format)) context_.note(fmt::format("{} has the lines only, no filled areas", name));
+    for (const std::string& text : notes_on_formats_without_fills(request_.outputs)) context_.note(text);
   if (request_.size && !request_.wants(Format::png) && !request_.wants(Format::csv) && !a_.check) note("--size", "png");
 }
 

@@ -1,5 +1,8 @@
 #include "hsr/cli/fill_arguments.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace hsr::cli {
 
 using namespace internal;
@@ -22,6 +25,14 @@ Regions FillArguments::regions(const SceneView& scene, const Model& model, const
   const Shading shading = shade == "none" ? Shading::none : Shading::slope;
   const Merge which = merge == "none" ? Merge::none : merge == "coplanar" ? Merge::coplanar : Merge::colour;
   return regions_of(scene, fragments, face_colours(model, scene.mesh(), scene.view(), shading), which);
+}
+
+std::vector<std::string> notes_on_formats_without_fills(const std::vector<Output>& outputs) {
+  std::vector<std::string> notes;
+  for (const auto& [format, name] : {std::pair{Format::dxf, "dxf"}, std::pair{Format::hpgl, "hpgl"}})
+    if (std::any_of(outputs.begin(), outputs.end(), [&](const Output& o) { return o.format == format; }))
+      notes.push_back(std::string(name) + " has the lines only, no filled areas");
+  return notes;
 }
 
 }  // namespace hsr::cli

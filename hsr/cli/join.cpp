@@ -41,8 +41,8 @@ const char* const examples = R"(Examples:
   hsr join job -o city.svg -o city.pdf --page A1
   hsr join job -o lines.json --exact                       of a job that was split with --json
 
-Writes what hsr draw would, once hsr tile has done all tiles; with fills where hsr split was given --fill. Exit status 1: a part is missing, not whole, or of another job
-or tile; the line says which, and hsr tile does it again once it is removed.)";
+Writes what hsr draw would, once hsr tile has done all tiles; with fills where hsr split was given --fill. Exit status 1: a part is
+missing, not whole, or of another job or tile; the line says which, and hsr tile does it again once it is removed.)";
 
 constexpr std::array formats = {Format::svg, Format::pdf,  Format::eps, Format::dxf,
                                 Format::tex, Format::hpgl, Format::png, Format::json};
@@ -62,6 +62,8 @@ class JoinCommand {
       throw InputError(a_.job + ": has only what is visible, expected a job that was split with --json for a file of JSON");
     if (!a_.fills.are_default() && !job_.has_fills)
       throw InputError(a_.job + ": has no fills, expected a job that was split with --fill for --shade and --merge");
+    if (job_.has_fills)
+      for (const std::string& text : notes_on_formats_without_fills(outputs_)) context_.note(text);
     unite();
     draw_page();
     write();

@@ -42,9 +42,9 @@ const char* const examples = R"(Examples:
   parallel hsr tile job ::: $(seq 16); hsr join job -o city.svg
 
 Parts the picture of a scene into tiles and writes what each takes into the directory JOB: hsr tile finds the lines and fills of one, on any
-machine that sees the directory, and hsr join makes the drawing of all, byte for byte the one that hsr draw makes. What JSON has besides, every
-line with its hidden parts, is only found with --json. Sections, a tolerance and surfaces (STEP) take the whole scene at once: for these
-there is hsr draw. See docs/tiles.md.)";
+machine that sees the directory, and hsr join makes the drawing of all, byte for byte the one that hsr draw makes. What JSON has besides,
+every line with its hidden parts, is only found with --json. Sections, a tolerance and surfaces (STEP) take the whole scene at once: for
+these there is hsr draw. See docs/tiles.md.)";
 
 /// What a triangle takes while its lines are found, without hidden ones and with them, and what its fragments take more; measured on
 /// cities of boxes (docs/performance.md).
