@@ -51,7 +51,7 @@ struct TilePart {
   ModelPart model;
   std::vector<LinePiece> pieces;
   std::vector<NamedCut> cuts;
-  std::string fragments;    ///< of the faces that are seen there, by name: see FragmentWriter
+  std::string fragments;    ///< of the faces that are seen there, by name: see tile_fragments.h
   std::uint64_t pairs = 0;  ///< edge-triangle pairs that were tested
 };
 
