@@ -1,4 +1,5 @@
 // One scene in tiles of the image, and on one machine: the same lines, item by item, and the same drawings.
+#include <array>
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -66,6 +67,24 @@ TEST_CASE("ghosts, objects, materials and wires are in tiles what they are in on
     CHECK(wrong_with(
               model, scene.view, [&] { return tiles_for(model, scene.view, 2 + seed % 5); }, request) == "");
   }
+}
+
+TEST_CASE("a drawing in tiles is placed by what is seen", "[tiles]") {
+  // The first edge is hidden. Of what class, and so whether it is listed, is told by a closed box, of which a tile has some faces; the
+  // centre of the page is rounded from a vertex.
+  scenes::TestScene scene;
+  scene.add_box({1, 0, 3}, {2, 3, 4});
+  const std::array<Point3, 8> p = {Point3{1, 0, 0}, {4, 0, 0}, {1, 2, 0}, {4, 2, 0},
+                                   {1, 0, 3},       {4, 0, 3}, {1, 2, 3}, {4, 2, 3}};
+  for (const auto& [a, b, c] : {std::array{0, 2, 3}, {4, 5, 7}, {0, 5, 4}, {2, 6, 7}, {0, 4, 6}})
+    scene.add_face({p[static_cast<std::size_t>(a)], p[static_cast<std::size_t>(b)], p[static_cast<std::size_t>(c)]});
+  const View view = perspective_view({-3, 1, 8}, {2.25, 2.25, 2.25}, {0, 0, 1}, 0.01);
+  const Model model = model_of(scene);
+  TileRequest request;
+  request.only_visible = true;
+  for (std::uint32_t tiles = 2; tiles < 8; ++tiles)
+    CHECK(wrong_with(
+              model, view, [&] { return tiles_for(model, view, tiles); }, request) == "");
 }
 
 TEST_CASE("most scenes of the tests are not refused", "[tiles]") { CHECK(compared_scenes() > 3000); }
