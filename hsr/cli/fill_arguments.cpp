@@ -1,7 +1,6 @@
 #include "hsr/cli/fill_arguments.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace hsr::cli {
 
@@ -29,9 +28,9 @@ Regions FillArguments::regions(const SceneView& scene, const Model& model, const
 
 std::vector<std::string> notes_on_formats_without_fills(const std::vector<Output>& outputs) {
   std::vector<std::string> notes;
-  for (const auto& [format, name] : {std::pair{Format::dxf, "dxf"}, std::pair{Format::hpgl, "hpgl"}})
+  for (const Format format : {Format::dxf, Format::hpgl})
     if (std::any_of(outputs.begin(), outputs.end(), [&](const Output& o) { return o.format == format; }))
-      notes.push_back(std::string(name) + " has the lines only, no filled areas");
+      notes.push_back(std::string(name_of(format)) + " has the lines only, no filled areas");
   return notes;
 }
 
