@@ -23,7 +23,6 @@
 #include "hsr/cli/scale_text.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/drawing/pen_order.h"
-#include "hsr/drawing/shading.h"
 #include "hsr/io/write/format.h"
 #include "hsr/io/write/json.h"
 #include "hsr/lines/overhead.h"
@@ -63,7 +62,6 @@ struct DrawRequest {
   SceneOptions scene;
   LineOptions lines;
   DrawingOptions drawing;
-  Merge merge = Merge::none;
   std::optional<PixelSize> size;
 
   bool wants(Format format) const {
@@ -98,7 +96,6 @@ DrawRequest parse(const DrawArguments& a) {
     throw InputError("--section: the z-buffers of a csv know no caps, expected a view without a section");
   if (a.outline_only) ask_for_outline_only(request.lines, request.drawing);
   request.scene.hidden_lines = a.why || request.drawing.hidden != HiddenLines::none || request.wants(Format::json);
-  request.merge = a.merge == "none" ? Merge::none : a.merge == "coplanar" ? Merge::coplanar : Merge::colour;
   if (!a.page.size.empty()) request.size = parse_size(a.page.size);
   check_id_prefix(a.formats.id_prefix);
   return request;
@@ -204,8 +201,7 @@ void DrawCommand::note_idle_options() {
   if (a_.formats.dxf_release != "r12" && !request_.wants(Format::dxf)) note("--dxf", "dxf");
   if (a_.fill && a_.outline_only) context_.note("--fill has no effect with --outline-only");
   if (a_.fill)
-    for (const auto& [format, name] : {std::pair{Format::dxf, "dxf"}, std::pair{Format::hpgl, "hpgl"}})
-      if (request_.wants(format)) context_.note(fmt::format("{} has the lines only, no filled areas", name));
+    for (const std::string& text : notes_on_formats_without_fills(request_.outputs)) context_.note(text);
   if (request_.size && !request_.wants(Format::png) && !request_.wants(Format::csv) && !a_.check) note("--size", "png");
 }
 
@@ -323,9 +319,7 @@ Drawing DrawCommand::drawn(const DrawingOptions& options) const {
     return draw(scene_.mesh, scene_.view(), lines_, options, &all);
   }
   if (!a_.fill || options.in_frame_units) return draw(scene_.mesh, scene_.view(), lines_, options);
-  const Shading shading = a_.shade == "none" ? Shading::none : Shading::slope;
-  const Regions regions =
-      regions_of(*exact_, *fragments_, face_colours(scene_.model, scene_.mesh, scene_.view(), shading), request_.merge);
+  const Regions regions = a_.fills.regions(*exact_, scene_.model, *fragments_);
   return draw(scene_.mesh, scene_.view(), lines_, options, &regions);
 }
 

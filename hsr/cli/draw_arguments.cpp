@@ -47,17 +47,11 @@ void add_line_options(DrawArguments& a, Options& options) {
 void add_surface_options(DrawArguments& a, Options& options) {
   options.begin_group("Surfaces");
   options.add_flag("--fill", a.fill, "Fill the visible parts of faces, in the file's colours or grey; JSON: with fragments");
-  options.add("--shade", a.shade, "HOW", "Fills are darker by the slope of their faces, or not: slope or none")
-      .with_default_shown()
-      .one_of({"slope", "none"});
+  a.fills.add_shade_to(options);
   options.add_flag(
       "--outline-only", a.outline_only,
       "Instead of lines and fills: the outline of everything, with holes, as closed rings, such as for laser cutting");
-  options
-      .add("--merge", a.merge, "WHICH",
-           "With --fill: unite neighbours of one colour: none, coplanar (only in one plane) or colour")
-      .with_default_shown()
-      .one_of({"none", "coplanar", "colour"});
+  a.fills.add_merge_to(options);
   options.add_flag(
       "--check", a.check,
       "Compare the visible fragments with the nearest face at each sample of --size [1024x1024], exit status 1 if they "

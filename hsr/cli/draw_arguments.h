@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hsr/cli/command_context.h"
+#include "hsr/cli/fill_arguments.h"
 #include "hsr/cli/format_arguments.h"
 #include "hsr/cli/line_arguments.h"
 #include "hsr/cli/page_arguments.h"
@@ -19,7 +20,7 @@ struct DrawArguments {
   SceneArguments scene;
   LineArguments lines;
   bool fill = false, outline_only = false;
-  std::string merge = "none", shade = "slope";
+  FillArguments fills;
   bool check = false;
   std::string hidden = "none", overhead = "off";
   bool section_each = false;

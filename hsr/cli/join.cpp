@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "hsr/cli/command_context.h"
 #include "hsr/cli/commands.h"
+#include "hsr/cli/fill_arguments.h"
 #include "hsr/cli/format_arguments.h"
 #include "hsr/cli/messages.h"
 #include "hsr/cli/model_defaults.h"
@@ -30,6 +31,7 @@ namespace {
 struct JoinArguments {
   std::string job;
   std::vector<std::string> outputs;
+  FillArguments fills;
   PageArguments page;
   FormatArguments formats;
   CommonArguments common;
@@ -39,8 +41,8 @@ const char* const examples = R"(Examples:
   hsr join job -o city.svg -o city.pdf --page A1
   hsr join job -o lines.json --exact                       of a job that was split with --json
 
-Writes what hsr draw would, once hsr tile has found the lines of all tiles. Exit status 1: a part is missing, not whole, or of another job
-or tile; the line says which, and hsr tile does it again once it is removed.)";
+Writes what hsr draw would, once hsr tile has done all tiles; with fills where hsr split was given --fill. Exit status 1: a part is
+missing, not whole, or of another job or tile; the line says which, and hsr tile does it again once it is removed.)";
 
 constexpr std::array formats = {Format::svg, Format::pdf,  Format::eps, Format::dxf,
                                 Format::tex, Format::hpgl, Format::png, Format::json};
@@ -58,6 +60,10 @@ class JoinCommand {
     job_ = read_job(a_.job);
     if (wants(Format::json) && !job_.is_complete)
       throw InputError(a_.job + ": has only what is visible, expected a job that was split with --json for a file of JSON");
+    if (!a_.fills.are_default() && !job_.has_fills)
+      throw InputError(a_.job + ": has no fills, expected a job that was split with --fill for --shade and --merge");
+    if (job_.has_fills)
+      for (const std::string& text : notes_on_formats_without_fills(outputs_)) context_.note(text);
     unite();
     draw_page();
     write();
@@ -71,7 +77,11 @@ class JoinCommand {
   void draw_page();
   void write();
   Drawing drawn(const DrawingOptions& options) const {
-    Drawing drawing = draw(scene_.mesh, job_.chosen.view, scene_.lines, options);
+    const View& view = job_.chosen.view;
+    std::optional<Regions> fills;
+    if (job_.has_fills && !options.in_frame_units)
+      fills = a_.fills.regions(SceneView(scene_.mesh, view), scene_.part.model, scene_.fragments);
+    Drawing drawing = draw(scene_.mesh, view, scene_.lines, options, fills ? &*fills : nullptr);
     give_numbers(drawing, scene_.part);
     return drawing;
   }
@@ -122,9 +132,9 @@ void JoinCommand::unite() {
   } catch (const TileMismatch& e) {
     context_.progress.clear();
     fail(
-        fmt::format("{}: found a line that goes on beyond a side of tile {}, where no other tile has it: a part is old, or of "
+        fmt::format("{}: found a {} that goes on beyond a side of tile {}, where no other tile has it: a part is old, or of "
                     "another scene",
-                    job_.part_path(e.tile), e.tile + 1));
+                    job_.part_path(e.tile), e.thing, e.tile + 1));
   }
   objects_ = objects_of(scene_.part.model, scene_.mesh);
   std::uint64_t visible = 0;
@@ -152,6 +162,7 @@ std::string JoinCommand::bytes_of(Format format) const {
   if (format == Format::json) {
     JsonOptions options;
     options.numbers = a_.formats.exact ? Numbers::exact : Numbers::rounded;
+    options.fragments = job_.has_fills ? &scene_.fragments : nullptr;
     options.objects = &objects_;
     options.point_numbers = scene_.part.points;
     options.face_numbers = scene_.part.faces;
@@ -168,12 +179,17 @@ std::string JoinCommand::bytes_of(Format format) const {
 }
 
 std::string JoinCommand::summary_of(Format format, const std::string& bytes) const {
-  if (format == Format::json) return counted(scene_.lines.lines.size(), "line");
+  if (format == Format::json) {
+    const std::string lines = counted(scene_.lines.lines.size(), "line");
+    return job_.has_fills ? lines + ", " + counted(scene_.fragments.fragments.size(), "fragment") : lines;
+  }
   if (format == Format::png) return pixel_size(bytes);
   const bool is_perspective = job_.chosen.view.is_perspective();
-  return fmt::format("{}, {}, {}", paper_size(drawing_->width, drawing_->height),
-                     scale_text(drawing_->scale, drawing_options_.unit, a_.page, is_perspective),
-                     counted(drawing_->polylines.size(), "polyline"));
+  const std::string page = fmt::format("{}, {}, {}", paper_size(drawing_->width, drawing_->height),
+                                       scale_text(drawing_->scale, drawing_options_.unit, a_.page, is_perspective),
+                                       counted(drawing_->polylines.size(), "polyline"));
+  const bool shows_fills = job_.has_fills && format != Format::dxf && format != Format::hpgl;
+  return shows_fills ? page + ", " + counted(drawing_->fills.fills.size(), "filled area") : page;
 }
 
 void JoinCommand::write() {
@@ -198,6 +214,9 @@ void add_join(CommandLine& command, UnfinishedFiles& unfinished) {
                     "The drawing; its ending chooses svg, pdf, eps, dxf, tex, hpgl, png or json; svg:- and the like write to "
                     "standard output; may be repeated")
       .required();
+  options.begin_group("Surfaces");
+  a->fills.add_shade_to(options);
+  a->fills.add_merge_to(options);
   a->page.add_to(options, "PNG: pixels [150 to the inch]");
   a->page.add_pens_to(options);
   a->page.add_sort_to(options);

@@ -28,6 +28,7 @@ class Report {
         report.add_seconds(stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
       }
     };
+    add_seconds(stage, 0);  // takes the memory for it, as nothing may be thrown at the end
     const Stopwatch stopwatch{*this, stage};
     return work();
   }

@@ -38,15 +38,17 @@ struct SplitArguments {
 const char* const examples = R"(Examples:
   hsr split city.ply -o job --memory 2G                    so many tiles that each takes 2 GB at most
   hsr split city.ply -o job --tiles 16 --hidden dashed --view top
+  hsr split city.ply -o job --fill                         with what is seen of each face, to be filled
   parallel hsr tile job ::: $(seq 16); hsr join job -o city.svg
 
-Parts the picture of a scene into tiles and writes what each takes into the directory JOB: hsr tile finds the lines of one, on any machine
-that sees the directory, and hsr join makes the drawing of all, byte for byte the one that hsr draw makes. What JSON has besides, every
-line with its hidden parts, is only found with --json. Sections, fills, a tolerance and surfaces (STEP) take the whole scene at once: for
+Parts the picture of a scene into tiles and writes what each takes into the directory JOB: hsr tile finds the lines and fills of one, on any
+machine that sees the directory, and hsr join makes the drawing of all, byte for byte the one that hsr draw makes. What JSON has besides,
+every line with its hidden parts, is only found with --json. Sections, a tolerance and surfaces (STEP) take the whole scene at once: for
 these there is hsr draw. See docs/tiles.md.)";
 
-/// What a triangle takes while its lines are found, without hidden ones and with them, measured on cities of boxes (docs/performance.md).
-constexpr double bytes_of_triangle = 800, with_hidden = 1400;
+/// What a triangle takes while its lines are found, without hidden ones and with them, and what its fragments take more; measured on
+/// cities of boxes (docs/performance.md).
+constexpr double bytes_of_triangle = 800, with_hidden = 1400, more_with_fills = 800;
 
 /// "2G"
 double parse_memory(const std::string& text) {
@@ -65,8 +67,8 @@ std::uint32_t count_of_tiles(const SplitArguments& a, std::size_t triangles) {
     if (*a.tiles < 1 || *a.tiles > most) throw InputError(fmt::format("--tiles: found {}, expected 1 to {}", *a.tiles, most));
     return static_cast<std::uint32_t>(*a.tiles);
   }
-  const double tiles = std::ceil(static_cast<double>(triangles) *
-                                 (a.json || a.hidden != "none" ? with_hidden : bytes_of_triangle) / parse_memory(a.memory));
+  const double each = (a.json || a.hidden != "none" ? with_hidden : bytes_of_triangle) + (a.fill ? more_with_fills : 0);
+  const double tiles = std::ceil(static_cast<double>(triangles) * each / parse_memory(a.memory));
   return static_cast<std::uint32_t>(std::clamp(tiles, 1.0, most));
 }
 
@@ -77,14 +79,13 @@ std::size_t count_of_triangles(const Polygons& polygons) {
 
 void check(const SplitArguments& a) {
   a.models.check();
-  if (a.fill)
-    throw InputError("--fill: found with split, expected it with hsr draw: fills are not split, tiles have lines only");
   if (!a.view.sections.empty())
     throw InputError("--section: found with split, expected it with hsr draw: its caps are of whole bodies");
   parse_memory(a.memory);
   TileJob wanted;
   wanted.lines = a.lines;
   wanted.is_complete = a.json || a.hidden != "none";
+  wanted.has_fills = a.fill;
   check_tile_request(View(), wanted.request());
   std::error_code error;
   if (fs::exists(a.job, error) && !fs::is_directory(a.job, error))
@@ -124,6 +125,7 @@ void run(const SplitArguments& a, UnfinishedFiles& unfinished) {
   job.coplanar = a.scene.coplanar;
   job.hidden = a.hidden;
   job.is_complete = a.json || a.hidden != "none";
+  job.has_fills = a.fill;
   context.progress.stage("points");
   context.report.timed("points", [&] { name_merged_points(model); });
   job.chosen = context.report.timed("view", [&] { return choose_view(a.view, bounding_mesh(model), model); });
@@ -192,8 +194,8 @@ void add_split(CommandLine& command, UnfinishedFiles& unfinished) {
   options.add("--hidden", a->hidden, "STYLE", "Hidden lines: none, dashed or solid")
       .with_default_shown()
       .one_of({"none", "dashed", "solid"});
-  options.begin_hidden_group();
-  options.add_flag("--fill", a->fill, "Refused");
+  options.begin_group("Surfaces");
+  options.add_flag("--fill", a->fill, "Find also the visible parts of faces, which hsr join fills; JSON: with fragments");
   options.begin_group("Report");
   a->common.add_threads_to(options);
   a->common.add_report_to(options, "Times and counts");

@@ -71,7 +71,8 @@ void run(const TileArguments& a, UnfinishedFiles& unfinished) {
 
 void add_tile(CommandLine& command, UnfinishedFiles& unfinished) {
   auto a = std::make_shared<TileArguments>();
-  Options options = command.add_verb("tile", "Find the lines of one tile, or some, of what hsr split has made", examples);
+  Options options =
+      command.add_verb("tile", "Find the lines and fills of one tile, or some, of what hsr split has made", examples);
   options.add("JOB", a->job, "JOB", "The directory that hsr split has made").required();
   options.add_several("N", a->numbers, "Numbers of tiles, from 1 on").required();
   a->common.add_threads_to(options);

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view tile_magic = "hsr-tile/1\n", part_magic = "hsr-part/1\n";
+constexpr std::string_view tile_magic = "hsr-tile/1\n", part_magic = "hsr-part/2\n";
 constexpr std::size_t hash_size = 32;
 
 Json json_of(const Point3& p) { return {p.x, p.y, p.z}; }
@@ -92,7 +92,8 @@ Json json_of_job(const TileJob& job) {
             {"stages", job.lines.stages},
             {"coplanar", job.coplanar},
             {"hidden", job.hidden},
-            {"complete", job.is_complete}}},
+            {"complete", job.is_complete},
+            {"fill", job.has_fills}}},
           {"sides", std::move(sides)},
           {"splits", std::move(splits)},
           {"tiles", std::move(tiles)}};
@@ -142,6 +143,7 @@ TileRequest TileJob::request() const {
   request.scene = lines.scene_options();
   request.scene.coplanar = coplanar == "last" ? Coplanar::last : Coplanar::first;
   request.only_visible = !is_complete;
+  request.fragments = has_fills;
   return request;
 }
 
@@ -180,6 +182,7 @@ TileJob read_job(const std::string& directory) {
     job.coplanar = lines.at("coplanar");
     job.hidden = lines.at("hidden");
     job.is_complete = lines.at("complete");
+    job.has_fills = lines.value("fill", false);
     for (const Json& s : json.at("sides")) job.image.sides.push_back({point_of(s.at(0)), point_of(s.at(1))});
     for (const Json& s : json.at("splits")) job.image.splits.push_back({s.at(0), s.at(1)});
     for (const Json& t : json.at("tiles")) job.tiles.push_back({t.at("faces"), t.at("bytes"), t.at("hash")});

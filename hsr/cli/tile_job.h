@@ -17,7 +17,7 @@ namespace hsr::cli {
 using namespace internal;
 
 /// One scene in tiles, as it lies in a directory: job.json says all that the tiles have in common, tile-N has the faces of a tile, and
-/// part-N its lines, once they are found. See docs/tiles.md, "Files".
+/// part-N its lines and fills, once they are found. See docs/tiles.md, "Files".
 struct TileJob {
   struct Tile {
     std::uint64_t faces = 0, bytes = 0;
@@ -32,6 +32,7 @@ struct TileJob {
   LineArguments lines;
   std::string coplanar, hidden = "none";
   bool is_complete = false;  ///< with what is hidden, as JSON has it
+  bool has_fills = false;    ///< with what is seen of each face
   ImageTiles image;
   std::vector<Tile> tiles;
 

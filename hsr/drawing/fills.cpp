@@ -35,37 +35,55 @@ class CornerPlacer {
     if (const auto known = projection_.rounded(at)) return *known;
     return Projection::rounded(exact(p, facet));
   }
+  /// In perspective by the plane through the target square to the view: the sight of a corner may be parallel to the plane of a facet
+  /// that is only united with its own.
+  std::array<Rational, 2> exact(const MapPoint& p, FacetId facet) const {
+    const View& view = projection_.view();
+    if (!view.is_perspective()) return projection_.exact(exact_point(projection_.mesh(), view, facet, p));
+    return projection_.exact(exact_point(projection_.mesh(), view, Plane::near(view.viewpoint.at, view.target, 1), p));
+  }
 
  private:
   static HomogeneousPoint cross(const HomogeneousPoint& a, const HomogeneousPoint& b) {
     return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
   }
   HomogeneousPoint line(const MapLine& l) const { return cross(projection_.at(VertexId(l.u)), projection_.at(VertexId(l.v))); }
-  std::array<Rational, 2> exact(const MapPoint& p, FacetId facet) const {
-    return projection_.exact(exact_point(projection_.mesh(), projection_.view(), facet, p));
-  }
 
   const Projection& projection_;
 };
+
+bool is_within(const PaperFrame& frame, const std::vector<HomogeneousPoint>& points) {
+  return std::all_of(points.begin(), points.end(), [&](const HomogeneousPoint& p) {
+    const Wide x = p.x.middle / p.w.middle, y = p.y.middle / p.w.middle;
+    return x >= frame.left && x <= frame.right && y >= frame.top && y <= frame.bottom;
+  });
+}
+
+/// Whether one side of the frame has all of them beyond it, certainly.
+bool is_beyond(const PaperFrame& frame, const std::vector<HomogeneousPoint>& points) {
+  const auto all = [&](const auto& is_there) { return std::all_of(points.begin(), points.end(), is_there); };
+  return all([&](const HomogeneousPoint& p) { return (p.x / p.w).high() < frame.left; }) ||
+         all([&](const HomogeneousPoint& p) { return (p.x / p.w).low() > frame.right; }) ||
+         all([&](const HomogeneousPoint& p) { return (p.y / p.w).high() < frame.top; }) ||
+         all([&](const HomogeneousPoint& p) { return (p.y / p.w).low() > frame.bottom; });
+}
 
 std::vector<PaperPoint> placed_ring(const Placement& placement, std::span<const MapCorner> corners, FacetId facet) {
   const CornerPlacer placer(placement.projection);
   std::vector<PaperPoint> points;
   std::vector<HomogeneousPoint> at;
-  bool inside = true;
-  for (const MapCorner& c : corners) {
-    at.push_back(placer.at(c.at, facet));
-    if (!placement.frame) continue;
-    const Wide x = at.back().x.middle / at.back().w.middle, y = at.back().y.middle / at.back().w.middle;
-    inside = inside && x >= placement.frame->left && x <= placement.frame->right && y >= placement.frame->top &&
-             y <= placement.frame->bottom;
-  }
-  if (inside) {
+  at.reserve(corners.size());
+  for (const MapCorner& c : corners) at.push_back(placer.at(c.at, facet));
+  if (!placement.frame || is_within(*placement.frame, at)) {
     for (std::size_t k = 0; k < corners.size(); ++k) points.push_back(placer.rounded(corners[k].at, facet, at[k]));
-  } else {
+  } else if (!is_beyond(*placement.frame, at)) {
+    // By exact places: the last bit of an enclosure is that of the name of a corner, and one corner may have several.
     std::vector<std::array<Wide, 2>> ring;
-    ring.reserve(at.size());
-    for (const HomogeneousPoint& p : at) ring.push_back({p.x.middle / p.w.middle, p.y.middle / p.w.middle});
+    ring.reserve(corners.size());
+    for (const MapCorner& c : corners) {
+      const std::array<Rational, 2> p = placer.exact(c.at, facet);
+      ring.push_back({enclose(p[0]).middle, enclose(p[1]).middle});
+    }
     points = clipped(std::move(ring), *placement.frame);
   }
   drop_repeated(points);

@@ -192,6 +192,22 @@ Point3 anchor_of(const Mesh& mesh, const View& view, const VisibleLines& lines, 
   return mesh.points[lines.cuts[lines.lines[*i].first_cut].kind == Cut::Kind::start ? edge.a : edge.b];
 }
 
+/// The same of a drawing without hidden lines: the first vertex that is seen. Which hidden edges are listed, too, is told by whole bodies,
+/// and the centre is rounded from here.
+Point3 visible_anchor_of(const Mesh& mesh, const View& view, const VisibleLines& lines, std::span<const std::uint32_t> drawn) {
+  for (const std::uint32_t i : drawn) {
+    const Line& line = lines.lines[i];
+    if (line.is_intersection()) continue;
+    const Edge& edge = mesh.edges[line.edge];
+    for (std::uint32_t k = 0; k < line.intervals(); ++k) {
+      if (line.hidden(k)) continue;
+      if (lines.cuts[line.first_cut + k].kind == Cut::Kind::start) return mesh.points[edge.a];
+      if (lines.cuts[line.first_cut + k + 1].kind == Cut::Kind::end) return mesh.points[edge.b];
+    }
+  }
+  return view.frame.origin;
+}
+
 /// Half the angle's tangent times the distance of the frame.
 Wide half_of_frame(const View& view, double degrees) {
   if (!(degrees > 0) || !(degrees < 180))
@@ -299,7 +315,9 @@ std::vector<std::uint32_t> internal::bounding_lines(const Mesh& mesh, const View
 
 Placement internal::placement(const Mesh& mesh, const View& view, const VisibleLines& lines,
                               std::span<const std::uint32_t> drawn, const DrawingOptions& options) {
-  Placement result{Projection(mesh, view, anchor_of(mesh, view, lines, drawn)), 0, 0, 1, true, {}};
+  const Point3 anchor =
+      options.hidden == HiddenLines::none ? visible_anchor_of(mesh, view, lines, drawn) : anchor_of(mesh, view, lines, drawn);
+  Placement result{Projection(mesh, view, anchor), 0, 0, 1, true, {}};
   const bool framed = options.field_of_view && view.is_perspective();
   Page page = options.page;
   check_margin(page);

@@ -15,10 +15,25 @@
 
 namespace hsr::internal {
 
+/// Appends the sides of a fragment, ring by ring.
+inline void append_sides(const VisibleFragments& all, const Fragment& fragment, std::vector<MapSide>& sides) {
+  for (std::uint32_t r = fragment.first_ring; r < fragment.end_ring; ++r) {
+    const auto ring = all.rings[r];
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      sides.push_back({ring[k].line, ring[k].reversed, ring[k].at, ring[(k + 1) % ring.size()].at});
+  }
+}
+
 /// The fragments of neighbouring facets, as they come.
 struct FragmentParts {
   VisibleFragments found;
 
+  /// One of some that are linked.
+  void add(const VisibleFragments& all, const Fragment& fragment) {
+    const auto first = static_cast<std::uint32_t>(found.rings.size());
+    for (std::uint32_t r = fragment.first_ring; r < fragment.end_ring; ++r) found.rings.push_row(all.rings[r]);
+    found.fragments.push_back({fragment.facet, first, static_cast<std::uint32_t>(found.rings.size())});
+  }
   void add(FacetId facet, const Rings& rings) {
     const auto base_ring = static_cast<std::uint32_t>(found.rings.size());
     found.rings.append(rings.rings);

@@ -8,51 +8,12 @@
 #include "hsr/scene/facet.h"
 #include "hsr/scene/view_parts.h"
 #include "hsr/surfaces/fragment_parts.h"
+#include "hsr/surfaces/map_clipper.h"
 #include "hsr/surfaces/rings.h"
 
 namespace hsr::internal {
 
 namespace {
-
-/// Cuts parts of the map off at lines. One object per thread.
-class MapClipper {
- public:
-  explicit MapClipper(MapPredicates& map) : map_(map) {}
-
-  /// Leaves of the part of the map that the sides bound, which is on their left, what is on one side of the line: there a line just
-  /// beside it comes into the part where a side leads to it, and leaves it where one leads away.
-  void keep(const MapLine& line, Sign kept, std::vector<MapSide>& sides) {
-    std::vector<MapSide> left;
-    ends_.clear();
-    for (MapSide side : sides) {
-      const Sign from = map_.side(line, side.from) * kept, to = map_.side(line, side.to) * kept;
-      if (from != Sign::positive && to != Sign::positive) continue;
-      if (from == Sign::negative) side.from = MapPoint::crossing(line, side.line);
-      if (to == Sign::negative) side.to = MapPoint::crossing(line, side.line);
-      if (from != Sign::positive) ends_.push_back({side.from, -1});
-      if (to != Sign::positive) ends_.push_back({side.to, 1});
-      left.push_back(side);
-    }
-    // Along the line with what is kept on the left.
-    std::stable_sort(ends_.begin(), ends_.end(),
-                     [&](const End& x, const End& y) { return map_.order(line, x.at, y.at) * kept == Sign::negative; });
-    int within = 0;
-    for (std::size_t k = 0; k < ends_.size(); ++k) {
-      within += ends_[k].change;
-      if (within > 0 && map_.order(line, ends_[k].at, ends_[k + 1].at) != Sign::zero)
-        left.push_back({line, kept == Sign::negative, ends_[k].at, ends_[k + 1].at});
-    }
-    sides = std::move(left);
-  }
-
- private:
-  struct End {
-    MapPoint at;
-    int change;
-  };
-  MapPredicates& map_;
-  std::vector<End> ends_;
-};
 
 class CellFragments {
  public:
@@ -97,13 +58,11 @@ class CellFragments {
     const VisibleFragments& found = found_[k];
     std::vector<MapSide> sides;
     for (std::size_t f = first_[k][facet.value]; f < first_[k][facet.value + 1U]; ++f)
-      for (std::uint32_t r = found.fragments[f].first_ring; r < found.fragments[f].end_ring; ++r) {
-        const auto ring = found.rings[r];
-        for (std::size_t i = 0; i < ring.size(); ++i)
-          sides.push_back({ring[i].line.by_plane(cell.cell.plane), ring[i].reversed, ring[i].at.by_plane(cell.cell.plane),
-                           ring[(i + 1) % ring.size()].at.by_plane(cell.cell.plane)});
-      }
+      append_sides(found, found.fragments[f], sides);
     if (sides.empty()) return sides;
+    for (MapSide& side : sides)
+      side = {side.line.by_plane(cell.cell.plane), side.reversed, side.from.by_plane(cell.cell.plane),
+              side.to.by_plane(cell.cell.plane)};
     MapClipper clipper(map);
     for (const CellSide& side : cell.cell.sides) clipper.keep(MapLine::fold(side.u, side.v), side.kept, sides);
     if (scene_.view().far) keep_before_far(map, clipper, first_triangle(facet), sides);

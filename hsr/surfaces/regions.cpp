@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <utility>
 
 #include "geometry/disjoint_sets.h"
 #include "hsr/scene/box_tree.h"
 #include "hsr/scene/facet.h"
 #include "hsr/scene/view_parts.h"
+#include "hsr/surfaces/fragment_parts.h"
 #include "hsr/surfaces/rings.h"
 #include "hsr/visibility_map/map_predicates.h"
 
@@ -15,14 +18,6 @@ namespace hsr {
 using namespace internal;
 
 namespace {
-
-void append_sides(const VisibleFragments& all, const Fragment& fragment, std::vector<MapSide>& sides) {
-  for (std::uint32_t r = fragment.first_ring; r < fragment.end_ring; ++r) {
-    const auto ring = all.rings[r];
-    for (std::size_t k = 0; k < ring.size(); ++k)
-      sides.push_back({ring[k].line, ring[k].reversed, ring[k].at, ring[(k + 1) % ring.size()].at});
-  }
-}
 
 /// For each fragment the group that it is united with: a facet, or the number of its colour.
 std::vector<std::uint32_t> groups_of(MapPredicates& map, const VisibleFragments& fragments, const std::vector<Colour>& colours,
@@ -59,10 +54,6 @@ std::vector<std::uint32_t> groups_of(MapPredicates& map, const VisibleFragments&
   return group;
 }
 
-}  // namespace
-
-namespace {
-
 /// Of each region that fragments make together, the faces that they belong to.
 std::vector<std::vector<std::uint32_t>> faces_of_regions(const Mesh& mesh, const VisibleFragments& fragments,
                                                          std::span<const std::uint32_t> group, const Rings& rings) {
@@ -77,6 +68,23 @@ std::vector<std::vector<std::uint32_t>> faces_of_regions(const Mesh& mesh, const
     of.erase(std::unique(of.begin(), of.end()), of.end());
   }
   return faces;
+}
+
+/// In the order of the first fragment of each: which facets were looked at together, as their boxes touch, makes no difference.
+/// @param first_fragment by region
+Regions in_order(Regions all, const std::vector<std::uint32_t>& first_fragment) {
+  std::vector<std::uint32_t> order(all.regions.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](auto i, auto j) { return first_fragment[i] < first_fragment[j]; });
+  Regions sorted;
+  for (const std::uint32_t k : order) {
+    Region& region = sorted.regions.emplace_back(std::move(all.regions[k]));
+    const std::uint32_t begin = region.first_ring, end = region.end_ring;
+    region.first_ring = static_cast<std::uint32_t>(sorted.rings.size());
+    for (std::uint32_t r = begin; r < end; ++r) sorted.rings.push_row(all.rings[r]);
+    region.end_ring = static_cast<std::uint32_t>(sorted.rings.size());
+  }
+  return sorted;
 }
 
 }  // namespace
@@ -97,6 +105,7 @@ Regions regions_of(const SceneView& scene, const VisibleFragments& fragments, co
   std::vector<std::uint32_t> order(group.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return group[i] < group[j]; });
+  std::vector<std::uint32_t> first_fragment;  // by region
   for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
     std::vector<MapSide> sides;
     std::vector<std::uint32_t> owners;
@@ -110,12 +119,13 @@ Regions regions_of(const SceneView& scene, const VisibleFragments& fragments, co
     std::vector<std::vector<std::uint32_t>> faces =
         faces_of_regions(mesh, fragments, std::span(order).subspan(i, end - i), rings);
     for (std::size_t k = 0; k < faces.size(); ++k) {
-      const Fragment& first = fragments.fragments[order[i + rings.owner_of_region[k]]];
+      first_fragment.push_back(order[i + rings.owner_of_region[k]]);
+      const Fragment& first = fragments.fragments[first_fragment.back()];
       out.regions.push_back(
           {colour_of(first), first.facet, std::move(faces[k]), base + rings.first_ring[k], base + rings.first_ring[k + 1]});
     }
   }
-  return out;
+  return merge == Merge::coplanar ? in_order(std::move(out), first_fragment) : out;
 }
 
 }  // namespace hsr

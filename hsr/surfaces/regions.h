@@ -30,6 +30,8 @@ struct Regions {
 
 /// The fragments as regions of colour, united with their neighbours as asked for, each with the faces that it is made of.
 ///
+///   (1) none, coplanar: in the order of the fragments, of those that a region is made of the first; colour: colour by colour
+///
 /// @param colours by FaceId
 /// Exact: yes. Cost: none: O(n); else that of link_rings() for the sides of one colour or plane together; coplanar: and of the
 /// pairs of facets whose boxes touch.

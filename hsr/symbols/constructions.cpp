@@ -32,6 +32,14 @@ struct Given {
 Plane plane_of(const Mesh& mesh, const View& view, const Cut& cut) { return cut_plane(Given{mesh, view}, cut); }
 
 std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, FacetId facet, const MapPoint& p) {
+  if (p.is_vertex) {
+    const auto& own = mesh.triangles[first_triangle(facet)];
+    if (p.vertex == own[0] || p.vertex == own[1] || p.vertex == own[2]) return rational(mesh.points[p.vertex]);
+  }
+  return exact_point(mesh, view, Given{mesh, view}.face_plane(facet), p);
+}
+
+std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, const Plane& plane, const MapPoint& p) {
   const Given given{mesh, view};
   const auto view_plane = [&](const MapLine& line) {
     if (line.kind == MapLine::Kind::edge) return ViewPlane::of(given.sight_plane(VertexId(line.u), VertexId(line.v)));
@@ -41,13 +49,9 @@ std::array<Rational, 3> exact_point(const Mesh& mesh, const View& view, FacetId 
     if (line.kind == MapLine::Kind::fold) return ViewPlane::of(given.fold_plane(static_cast<std::uint8_t>(line.u), v));
     return ViewPlane::of(given.cutting_plane(v).line_with(given.face_plane(TriangleId(line.u))));
   };
-  if (p.is_vertex) {
-    const auto& own = mesh.triangles[first_triangle(facet)];
-    if (p.vertex == own[0] || p.vertex == own[1] || p.vertex == own[2]) return rational(mesh.points[p.vertex]);
-  }
   const Camera camera{view.viewpoint, view.target};
-  if (!p.is_vertex) return exact_point(camera, view_plane(p.l), view_plane(p.m), given.face_plane(facet));
-  return exact_point(camera, mesh.points[p.vertex], given.face_plane(facet));
+  if (p.is_vertex) return exact_point(camera, mesh.points[p.vertex], plane);
+  return exact_point(camera, view_plane(p.l), view_plane(p.m), plane);
 }
 
 }  // namespace hsr

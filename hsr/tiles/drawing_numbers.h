@@ -10,6 +10,7 @@ inline void give_numbers(Drawing& drawing, const ModelPart& part) {
   for (auto& edge : drawing.edges)
     for (std::uint32_t& point : edge) point = part.points[point];
   for (std::uint32_t& face : drawing.faces) face = part.faces[face];
+  for (std::uint32_t& face : drawing.fills.faces) face = part.faces[face];
 }
 
 }  // namespace hsr::internal

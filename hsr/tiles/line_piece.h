@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/mesh.h"
 #include "hsr/lines/line_options.h"
 #include "hsr/symbols/cut.h"
+#include "hsr/symbols/map_point.h"
 #include "hsr/tiles/model_part.h"
 
 namespace hsr::internal {
@@ -42,12 +45,13 @@ struct LinePiece {
   bool is_intersection() const { return a == no_number; }
 };
 
-/// Lines in pieces, and what of the model these need to be understood.
+/// Lines in pieces and fragments of faces, and what of the model these need to be understood.
 struct TilePart {
   std::uint32_t tile = 0;
   ModelPart model;
   std::vector<LinePiece> pieces;
   std::vector<NamedCut> cuts;
+  std::string fragments;    ///< of the faces that are seen there, by name: see tile_fragments.h
   std::uint64_t pairs = 0;  ///< edge-triangle pairs that were tested
 };
 
@@ -60,6 +64,15 @@ class Names {
 
   /// The view plane of a side.
   Cut side(std::uint32_t k) const { return {Cut::Kind::sight, 0, first_side_point_ + 2 * k, first_side_point_ + 2 * k + 1}; }
+
+  /// Its line in the map, and which side of tiles a line is.
+  MapLine side_line(std::uint32_t k) const {
+    return {MapLine::Kind::edge, first_side_point_ + 2 * k, first_side_point_ + 2 * k + 1};
+  }
+  std::optional<std::uint32_t> side_of(const MapLine& line) const {
+    if (line.kind != MapLine::Kind::edge || line.u < first_side_point_) return {};
+    return (line.u - first_side_point_) / 2;
+  }
 
   std::uint32_t number(VertexId v) const { return part_.points[v.value]; }
   NamedTriangle name(TriangleId t) const;

@@ -1,120 +1,19 @@
 #include "hsr/tiles/tile_bytes.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "geometry/error.h"
-#include "hsr/tiles/ascending_numbers.h"
+#include "hsr/tiles/byte_stream.h"
 
 namespace hsr::internal {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "files of tiles are little-endian");
-
-class Writer {
- public:
-  template <class T>
-  void add(const T& x) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    bytes_.append(reinterpret_cast<const char*>(&x), sizeof x);
-  }
-  template <class T>
-  void add(const std::vector<T>& list) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    add(static_cast<std::uint64_t>(list.size()));
-    bytes_.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T));
-  }
-  void add(std::string_view text) {
-    add(static_cast<std::uint64_t>(text.size()));
-    bytes_ += text;
-  }
-  /// Ascending numbers, as how far each is from the one before: mostly one byte.
-  void add_ascending(const std::vector<std::uint32_t>& numbers) {
-    add(static_cast<std::uint64_t>(numbers.size()));
-    std::uint32_t last = 0;
-    for (const std::uint32_t n : numbers) append_gap(bytes_, n - std::exchange(last, n));
-  }
-  /// In floats where these are the same numbers.
-  void add(const std::vector<Point3>& points) {
-    const auto is_float = [](double x) { return static_cast<double>(static_cast<float>(x)) == x; };
-    const bool are_floats = std::all_of(points.begin(), points.end(),
-                                        [&](const Point3& p) { return is_float(p.x) && is_float(p.y) && is_float(p.z); });
-    add(static_cast<std::uint64_t>(points.size()));
-    add(static_cast<std::uint8_t>(are_floats ? 1 : 0));
-    for (const Point3& p : points)
-      for (int axis = 0; axis < 3; ++axis) are_floats ? add(static_cast<float>(p[axis])) : add(p[axis]);
-  }
-  std::string take() { return std::move(bytes_); }
-
- private:
-  std::string bytes_;
-};
-
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
-
-  template <class T>
-  T get() {
-    T x;
-    std::memcpy(&x, taken(sizeof x), sizeof x);
-    return x;
-  }
-  template <class T>
-  void get(std::vector<T>& list) {
-    const auto count = get<std::uint64_t>();
-    if (count > bytes_.size() / sizeof(T)) refuse();
-    list.resize(count);
-    const char* from = taken(count * sizeof(T));
-    if (count > 0) std::memcpy(list.data(), from, count * sizeof(T));
-  }
-  void get_ascending(std::vector<std::uint32_t>& numbers) {
-    const auto count = get<std::uint64_t>();
-    if (count > bytes_.size()) refuse();
-    numbers.reserve(count);
-    std::uint32_t last = 0;
-    for (std::uint64_t k = 0; k < count; ++k) numbers.push_back(last += gap_of([&] { return get<std::uint8_t>(); }, refuse));
-  }
-  void get(std::vector<Point3>& points) {
-    const auto count = get<std::uint64_t>();
-    const bool are_floats = get<std::uint8_t>() != 0;
-    if (count > bytes_.size() / (are_floats ? 12 : 24)) refuse();
-    const auto number = [&] { return are_floats ? static_cast<double>(get<float>()) : get<double>(); };
-    points.reserve(count);
-    for (std::uint64_t k = 0; k < count; ++k) {
-      const double x = number(), y = number();
-      points.push_back({x, y, number()});
-    }
-  }
-  std::string_view text() {
-    const auto size = get<std::uint64_t>();
-    if (size > bytes_.size()) refuse();
-    return {taken(size), size};
-  }
-  void end() const {
-    if (!bytes_.empty()) refuse();
-  }
-  [[noreturn]] static void refuse() { throw InputError("found bytes of another layout, expected a file that hsr has written"); }
-
- private:
-  const char* taken(std::size_t n) {
-    if (n > bytes_.size()) refuse();
-    const char* const at = bytes_.data();
-    bytes_.remove_prefix(n);
-    return at;
-  }
-  std::string_view bytes_;
-};
-
 /// Start, end and near take no numbers.
 bool has_numbers(Cut::Kind kind) { return kind != Cut::Kind::start && kind != Cut::Kind::end && kind != Cut::Kind::near; }
 
-void add(Writer& out, const NamedCut& cut) {
+void add(ByteWriter& out, const NamedCut& cut) {
   out.add(static_cast<std::uint8_t>(cut.kind));
   out.add(cut.axis);
   if (!has_numbers(cut.kind)) return;
@@ -122,9 +21,9 @@ void add(Writer& out, const NamedCut& cut) {
   out.add(cut.v);
 }
 
-NamedCut cut_of(Reader& in) {
+NamedCut cut_of(ByteReader& in) {
   const auto kind = in.get<std::uint8_t>();
-  if (kind > static_cast<std::uint8_t>(Cut::Kind::fold)) Reader::refuse();
+  if (kind > static_cast<std::uint8_t>(Cut::Kind::fold)) ByteReader::refuse();
   NamedCut cut{static_cast<Cut::Kind>(kind), in.get<std::uint8_t>(), 0, 0};
   if (!has_numbers(cut.kind)) return cut;
   cut.u = in.get<std::uint32_t>();
@@ -142,7 +41,7 @@ enum Flag : std::uint8_t {
   intersection = 64,
 };
 
-void add(Writer& out, const LinePiece& p, const std::vector<NamedCut>& cuts) {
+void add(ByteWriter& out, const LinePiece& p, const std::vector<NamedCut>& cuts) {
   const auto flag = [](bool is, Flag f) { return is ? f : 0; };
   out.add(static_cast<std::uint8_t>(flag(p.is_ghost, ghost) | flag(p.is_behind, behind) | flag(p.starts_hidden, starts_hidden) |
                                     flag(p.is_only_bound, only_bound) | flag(p.goes_on_before, goes_on_before) |
@@ -163,10 +62,10 @@ void add(Writer& out, const LinePiece& p, const std::vector<NamedCut>& cuts) {
   for (std::uint32_t k = p.first_cut; k < p.end_cut; ++k) add(out, cuts[k]);
 }
 
-LinePiece piece_of(Reader& in, std::vector<NamedCut>& cuts) {
+LinePiece piece_of(ByteReader& in, std::vector<NamedCut>& cuts) {
   LinePiece p;
   const auto flags = in.get<std::uint8_t>(), edge_class = in.get<std::uint8_t>();
-  if (edge_class >= edge_class_count) Reader::refuse();
+  if (edge_class >= edge_class_count) ByteReader::refuse();
   p.is_ghost = (flags & ghost) != 0;
   p.is_behind = (flags & behind) != 0;
   p.starts_hidden = (flags & starts_hidden) != 0;
@@ -199,7 +98,7 @@ bool are_all_triangles(const Polygons& polygons) {
 void check(const ModelPart& part) {
   const auto ascend = [](const std::vector<std::uint32_t>& numbers) {
     for (std::size_t k = 1; k < numbers.size(); ++k)
-      if (numbers[k - 1] >= numbers[k]) Reader::refuse();
+      if (numbers[k - 1] >= numbers[k]) ByteReader::refuse();
   };
   ascend(part.points);
   ascend(part.faces);
@@ -212,13 +111,13 @@ void check(const ModelPart& part) {
       polygons.first.back() != polygons.corners.size() || !is_list_of(polygons.is_ghost.size(), faces) ||
       !is_list_of(part.model.face_colour.size(), faces) || !is_list_of(part.model.face_object.size(), faces) ||
       !is_list_of(part.model.face_material.size(), faces) || !is_list_of(part.model.segment_object.size(), wires))
-    Reader::refuse();
+    ByteReader::refuse();
 }
 
 }  // namespace
 
 std::string bytes_of(const ModelPart& part) {
-  Writer out;
+  ByteWriter out;
   const Polygons& polygons = part.model.polygons;
   out.add_ascending(part.points);
   out.add(part.model.points);
@@ -238,7 +137,7 @@ std::string bytes_of(const ModelPart& part) {
 }
 
 ModelPart model_part_of(std::string_view bytes) {
-  Reader in(bytes);
+  ByteReader in(bytes);
   ModelPart part;
   Polygons& polygons = part.model.polygons;
   in.get_ascending(part.points);
@@ -265,23 +164,25 @@ ModelPart model_part_of(std::string_view bytes) {
 }
 
 std::string bytes_of(const TilePart& part) {
-  Writer out;
+  ByteWriter out;
   out.add(part.tile);
   out.add(part.pairs);
   out.add(std::string_view(bytes_of(part.model)));
   out.add(static_cast<std::uint64_t>(part.pieces.size()));
   for (const LinePiece& p : part.pieces) add(out, p, part.cuts);
+  out.add(std::string_view(part.fragments));
   return out.take();
 }
 
 TilePart tile_part_of(std::string_view bytes) {
-  Reader in(bytes);
+  ByteReader in(bytes);
   TilePart part;
   part.tile = in.get<std::uint32_t>();
   part.pairs = in.get<std::uint64_t>();
   part.model = model_part_of(in.text());
   const auto count = in.get<std::uint64_t>();
   for (std::uint64_t k = 0; k < count; ++k) part.pieces.push_back(piece_of(in, part.cuts));
+  part.fragments = in.text();
   in.end();
   return part;
 }

@@ -10,56 +10,27 @@
 #include "hsr/lines/triangle_occlusion.h"
 #include "hsr/lines/visible_lines.h"
 #include "hsr/scene/view_parts.h"
+#include "hsr/surfaces/visible_fragments.h"
 #include "hsr/symbols/cut_plane.h"
+#include "hsr/tiles/tile_fragments.h"
+#include "hsr/tiles/used_parts.h"
 
 namespace hsr::internal {
 
 namespace {
 
-/// Which faces, wires and points of the tile its pieces speak of.
-class Used {
- public:
-  explicit Used(const ModelPart& part) : part_(part), faces_(part.faces.size(), 0), points_(part.points.size(), 0) {}
-
-  void add(TriangleId t, const Mesh& mesh) { faces_[mesh.face_of[t].value] = 1; }
-  void add(VertexId v) { points_[v.value] = 1; }
-  void add_wires_along(const Edge& e) { wires_.push_back({e.a.value, e.b.value}); }
-  ModelPart part(const Mesh& mesh) {
-    std::sort(wires_.begin(), wires_.end());
-    std::vector<std::uint32_t> segments;
-    const auto& all = part_.model.polygons.segments;
-    for (std::uint32_t k = 0; k < all.size() && !wires_.empty(); ++k) {
-      const std::uint32_t a = mesh.merged[VertexId(all[k][0])].value, b = mesh.merged[VertexId(all[k][1])].value;
-      if (std::binary_search(wires_.begin(), wires_.end(), std::array{std::min(a, b), std::max(a, b)})) segments.push_back(k);
-    }
-    const std::vector<std::uint32_t> faces = numbers(faces_), points = numbers(points_);
-    return part_of(part_, {faces, segments, points});
-  }
-
- private:
-  static std::vector<std::uint32_t> numbers(const std::vector<char>& is_used) {
-    std::vector<std::uint32_t> all;
-    for (std::uint32_t i = 0; i < is_used.size(); ++i)
-      if (is_used[i] != 0) all.push_back(i);
-    return all;
-  }
-
-  const ModelPart& part_;
-  std::vector<char> faces_, points_;
-  std::vector<std::array<std::uint32_t, 2>> wires_;
-};
-
 class TileClipper {
  public:
-  TileClipper(const ModelPart& part, const Mesh& mesh, const SceneView& scene, const std::vector<TileBound>& bounds,
-              bool only_visible)
-      : mesh_(mesh),
+  /// @param used is told what of the model the pieces name
+  TileClipper(const Names& names, const SceneView& scene, const std::vector<TileBound>& bounds, bool only_visible,
+              UsedParts& used)
+      : mesh_(scene.mesh()),
         projected_(scene.parts().projected()),
-        names_(part, mesh),
+        names_(names),
         bounds_(bounds),
         only_visible_(only_visible),
         occlusion_(projected_),
-        used_(part) {
+        used_(used) {
     for (const TileBound& b : bounds_) planes_.push_back(cut_plane(projected_, names_.side(b.side)));
   }
 
@@ -103,10 +74,7 @@ class TileClipper {
       piece.end_cut = static_cast<std::uint32_t>(part_.cuts.size());
     }
   }
-  TilePart take() {
-    part_.model = used_.part(mesh_);
-    return std::move(part_);
-  }
+  TilePart take() { return std::move(part_); }
 
  private:
   Breakpoint place(const Cut& cut) {
@@ -222,12 +190,12 @@ class TileClipper {
 
   const Mesh& mesh_;
   const ProjectedMesh& projected_;
-  Names names_;
+  const Names& names_;
   const std::vector<TileBound>& bounds_;
   std::vector<Plane> planes_;
   bool only_visible_;
   TriangleOcclusion occlusion_;
-  Used used_;
+  UsedParts& used_;
   std::vector<Breakpoint> places_;
   TilePart part_;
   VisibleLines bounding_;
@@ -265,6 +233,36 @@ void add_edges_of_nothing(Mesh& mesh, std::vector<Edge>& more) {
   first_side.push_back(mesh.first_side.back());
   mesh.edges = std::move(edges);
   mesh.first_side = std::move(first_side);
+}
+
+}  // namespace
+
+namespace {
+
+struct TileLines {
+  VisibleLines lines;  // those that are asked for
+  std::vector<EdgeId> in_doubt;
+  std::optional<VisibleLines> every_line;  // where they bound the fragments
+};
+
+/// As hsr draw finds them: fragments are bounded by the lines of all edges, and where these serve, the drawing takes some of them.
+TileLines found_lines(const SceneView& scene, const TileRequest& request) {
+  TileLines found;
+  if (request.fragments && request.lines.method != LineMethod::roberts && scene.labels().shape.empty() &&
+      fragments_use_lines(scene)) {
+    LineOptions every = request.lines;
+    every.classes.fill(true);
+    every.diagonals = true;
+    found.every_line = visible_lines_and_doubts(scene, every, found.in_doubt);
+    // Of an edge in doubt the class may be one that is not asked for.
+    if (found.in_doubt.empty()) {
+      found.lines = lines_of_classes(scene.mesh(), *found.every_line, request.lines.classes);
+      return found;
+    }
+    found.every_line.reset();
+  }
+  found.lines = visible_lines_and_doubts(scene, request.lines, found.in_doubt);
+  return found;
 }
 
 }  // namespace
@@ -311,28 +309,37 @@ TilePart lines_of_tile(const ModelPart& part, const View& view, const ImageTiles
   SceneOptions options = request.scene;
   options.hidden_lines = !request.only_visible;
   const SceneView scene(Scene::of(mesh, labels_of(part.model)), view, options);
-  std::vector<EdgeId> in_doubt;
-  const VisibleLines lines = visible_lines_and_doubts(scene, request.lines, in_doubt);
+  const TileLines found = found_lines(scene, request);
   const std::vector<TileBound> bounds = tiles.bounds(tile);
-  TileClipper clipper(part, mesh, scene, bounds, request.only_visible);
+  const Names names(part, mesh);
+  UsedParts used(part);
+  TileClipper clipper(names, scene, bounds, request.only_visible, used);
   const auto is_nothing = [&](EdgeId e) {
     if (!e.is_valid()) return false;
     const Edge& edge = mesh.edges[e];
     return !edge.of_face && !edge.diagonal && !edge.wire && !edge.ghost;
   };
-  for (const EdgeId e : in_doubt)
+  for (const EdgeId e : found.in_doubt)
     if (const Edge& edge = mesh.edges[e]; !is_nothing(e) && clipper.may_be_in_tile(edge))
       throw InputError(
           "edge " + std::to_string(part.points[edge.a.value]) + " " + std::to_string(part.points[edge.b.value]) +
           ": as many faces coincide all around it, and only whole bodies tell whether these touch, expected a drawing "
           "without hidden lines, or hsr draw in one piece");
-  for (const Line& line : lines.lines)
-    if (!is_nothing(line.edge)) clipper.add(lines, line);
-  if (request.only_visible) clipper.add_bounds(view, lines);
-  TilePart found = clipper.take();
-  found.tile = tile;
-  found.pairs = lines.pairs;
-  return found;
+  for (const Line& line : found.lines.lines)
+    if (!is_nothing(line.edge)) clipper.add(found.lines, line);
+  if (request.only_visible) clipper.add_bounds(view, found.lines);
+  TilePart result = clipper.take();
+  if (request.fragments) {
+    FragmentOptions of_fragments;
+    if (found.every_line) of_fragments.lines = &*found.every_line;
+    of_fragments.stop = request.lines.stop;
+    result.fragments =
+        bytes_of(fragments_in_tile(scene, visible_fragments(scene, of_fragments), bounds, names), mesh, names, used);
+  }
+  result.model = used.part(mesh);
+  result.tile = tile;
+  result.pairs = found.lines.pairs;
+  return result;
 }
 
 }  // namespace hsr::internal

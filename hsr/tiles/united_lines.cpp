@@ -14,6 +14,7 @@
 #include "hsr/scene/projected_mesh.h"
 #include "hsr/symbols/cut_plane.h"
 #include "hsr/tiles/tile_lines.h"
+#include "hsr/tiles/united_fragments.h"
 
 namespace hsr::internal {
 
@@ -162,12 +163,7 @@ class PieceUniter {
   void check_end(const PieceOfLine& of, const Cut& cut, bool goes_on) const {
     if (goes_on && (!only_visible_ || is_side(cut))) refuse(of);
   }
-  [[noreturn]] void refuse(const PieceOfLine& of) const {
-    const std::uint32_t tile = parts_[of.part].tile;
-    throw TileMismatch(tile, "tile " + std::to_string(tile) +
-                                 ": found a line that goes on beyond its side, where no other tile has it: a tile is "
-                                 "missing, old or of another scene");
-  }
+  [[noreturn]] void refuse(const PieceOfLine& of) const { throw TileMismatch(parts_[of.part].tile, "line"); }
 
   Line begun(const LinePiece& of) {
     Line line;
@@ -265,6 +261,7 @@ UnitedTiles united_tiles(std::vector<TilePart> parts, const View& view, const Im
   });
   for (VisibleLines& some : lines) append(result.lines, std::move(some));
   for (const TilePart& part : parts) result.lines.pairs += part.pairs;
+  result.fragments = united_fragments(parts, names, projected);
   return result;
 }
 

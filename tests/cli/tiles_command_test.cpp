@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
@@ -85,36 +86,57 @@ void check_fails(const Outcome& outcome, const std::vector<std::string>& words) 
   for (const std::string& word : words) CHECK(outcome.text.find(word) != std::string::npos);
 }
 
+/// What draw writes with options of the scene and of the page, and what comes of tiles: split has the first, join the others.
+struct ByteCase {
+  int tiles;
+  std::string of_scene, of_page;
+  bool with_json;
+};
+
+void check_same_bytes(const Directory& d, const std::string& model, const ByteCase& c) {
+  INFO(c.of_scene << " | " << c.of_page << ", " << c.tiles << " tiles");
+  const bool has_unit = c.of_scene.find("--unit") != std::string::npos;
+  const Outcome drawn = run("draw " + model + " -q" + outputs(d / "one", c.with_json) + " " +
+                            (has_unit ? c.of_scene.substr(0, c.of_scene.find("--unit")) : c.of_scene) + " " + c.of_page);
+  INFO(drawn.text);
+  REQUIRE(drawn.status == 0);
+  make_job(d / "job", model, c.tiles, c.of_scene + (c.with_json ? " --json" : ""));
+  make_parts(d / "job", c.tiles);
+  const Outcome joined = run("join " + (d / "job") + " -q" + outputs(d / "many", c.with_json) + " " + c.of_page);
+  INFO(joined.text);
+  REQUIRE(joined.status == 0);
+  for (const std::string& f : formats)
+    if (f != "json" || c.with_json) CHECK(contents(d / "one." + f) == contents(d / "many." + f));
+}
+
 }  // namespace
 
 TEST_CASE("a scene that was split is drawn byte for byte as in one piece, in every format", "[cli][tiles]") {
   const Directory d;
   const std::string model = write(d / "town.obj", town(5));
-  struct Case {
-    int tiles;
-    std::string of_scene, of_page;
-    bool with_json;
-  };
-  for (const Case& c : {Case{1, "", "", false}, Case{5, "", "--page A3 --scale 1:200 --pen visible=0.35", false},
-                        Case{7, "--hidden dashed", "", true}, Case{4, "--view top --edges all", "--sort pen", true},
-                        Case{9, "--eye -30,-40,60 --target 20,20,0", "--fit-arcs 0.1", false},
-                        Case{6, "--eye 20,20,9 --fov 80 --hidden solid", "--margin 5", true},
-                        Case{3, "--view front --coplanar last --ghost ground", "--min-length 2", false},
-                        Case{8, "--direction 1,2,3 --method roberts --only houses --unit m", "--scale 1:500 --unit m", true}}) {
-    INFO(c.of_scene << " | " << c.of_page << ", " << c.tiles << " tiles");
-    const bool has_unit = c.of_scene.find("--unit") != std::string::npos;
-    const Outcome drawn = run("draw " + model + " -q" + outputs(d / "one", c.with_json) + " " +
-                              (has_unit ? c.of_scene.substr(0, c.of_scene.find("--unit")) : c.of_scene) + " " + c.of_page);
-    INFO(drawn.text);
-    REQUIRE(drawn.status == 0);
-    make_job(d / "job", model, c.tiles, c.of_scene + (c.with_json ? " --json" : ""));
-    make_parts(d / "job", c.tiles);
-    const Outcome joined = run("join " + (d / "job") + " -q" + outputs(d / "many", c.with_json) + " " + c.of_page);
-    INFO(joined.text);
-    REQUIRE(joined.status == 0);
-    for (const std::string& f : formats)
-      if (f != "json" || c.with_json) CHECK(contents(d / "one." + f) == contents(d / "many." + f));
-  }
+  for (const ByteCase& c :
+       {ByteCase{1, "", "", false}, ByteCase{5, "", "--page A3 --scale 1:200 --pen visible=0.35", false},
+        ByteCase{7, "--hidden dashed", "", true}, ByteCase{4, "--view top --edges all", "--sort pen", true},
+        ByteCase{9, "--eye -30,-40,60 --target 20,20,0", "--fit-arcs 0.1", false},
+        ByteCase{6, "--eye 20,20,9 --fov 80 --hidden solid", "--margin 5", true},
+        ByteCase{3, "--view front --coplanar last --ghost ground", "--min-length 2", false},
+        ByteCase{8, "--direction 1,2,3 --method roberts --only houses --unit m", "--scale 1:500 --unit m", true}})
+    check_same_bytes(d, model, c);
+}
+
+TEST_CASE("a scene that was split is filled byte for byte as in one piece, in every format", "[cli][tiles][fills]") {
+  const Directory d;
+  const std::string model = write(d / "town.obj", town(5));
+  for (const ByteCase& c :
+       {ByteCase{1, "--fill", "", false}, ByteCase{2, "--fill", "--merge coplanar", false},
+        ByteCase{3, "--fill --hidden dashed", "--merge colour", true}, ByteCase{7, "--fill", "--shade none --page A3", true},
+        ByteCase{4, "--fill --view top --edges all", "--shade none --merge colour", false},
+        ByteCase{7, "--fill --eye -30,-40,60 --target 20,20,0", "", true},
+        ByteCase{9, "--fill --eye 20,20,9 --fov 80 --hidden solid", "--merge coplanar --margin 5", true},
+        ByteCase{6, "--fill --eye 20,20,9 --fov 70", "--merge colour", false},
+        ByteCase{3, "--fill --view front --coplanar last --ghost ground", "--min-length 2", false},
+        ByteCase{8, "--fill --direction 1,2,3 --method roberts --only houses", "--merge coplanar", true}})
+    check_same_bytes(d, model, c);
 }
 
 TEST_CASE("GNU parallel does the tiles by the line in docs/tiles.md", "[cli][tiles]") {
@@ -143,7 +165,7 @@ TEST_CASE("small models in tiles have the bytes that they have in one piece", "[
   for (const auto& entry : fs::recursive_directory_iterator(models)) {
     const std::string path = entry.path().string();
     if (!entry.is_regular_file() || entry.file_size() > 60000) continue;
-    const std::string view = compared % 2 == 0 ? "" : "--view front --hidden dashed";
+    const std::string view = std::array{"", "--view front --hidden dashed", "--fill", "--fill --view front"}[compared % 4];
     const Outcome split = run("split '" + path + "' -q -o " + (d / "job") + " --tiles 3 " + view);
     if (split.status == 2) continue;  // no model, a broken one, or one with surfaces
     INFO(path << "\n" << split.text);
@@ -204,6 +226,33 @@ TEST_CASE("join says which part is missing, not whole, of another tile or of ano
   CHECK(contents(d / "x.svg") == drawing);
 }
 
+TEST_CASE("join says the same of parts with fills", "[cli][tiles][fills][fault]") {
+  const Directory d;
+  const std::string model = write(d / "town.obj", town(3)), job = d / "job", part = job + "/part-2",
+                    join = "join " + job + " -o " + (d / "x.svg");
+  make_job(job, model, 3, "--fill");
+  make_parts(job, 3);
+  REQUIRE(run(join).status == 0);
+  const std::string whole = contents(part), drawing = contents(d / "x.svg");
+  fs::remove(d / "x.svg");
+  fs::remove(part);
+  check_fails(run(join), {"part-2: missing", "tile 2"});
+  write(part, whole.substr(0, whole.size() - 1));
+  check_fails(run(join), {"part-2: not whole"});
+  fs::copy_file(job + "/part-3", part, fs::copy_options::overwrite_existing);
+  check_fails(run(join), {"part-2: of tile 3"});
+  // Of the same tile without fills.
+  make_job(d / "lines", model, 3);
+  make_parts(d / "lines", 3);
+  fs::copy_file(d / "lines/part-2", part, fs::copy_options::overwrite_existing);
+  check_fails(run(join), {"part-2: of another job"});
+  CHECK(!fs::exists(d / "x.svg"));
+  REQUIRE(run("tile " + job + " -q 1 2 3").status == 0);
+  CHECK(contents(part) == whole);
+  REQUIRE(run(join).status == 0);
+  CHECK(contents(d / "x.svg") == drawing);
+}
+
 TEST_CASE("a tile whose faces were changed, and a job that was, are refused", "[cli][tiles][fault]") {
   const Directory d;
   const std::string model = write(d / "town.obj", town(2)), job = d / "job";
@@ -224,7 +273,6 @@ TEST_CASE("a tile whose faces were changed, and a job that was, are refused", "[
 TEST_CASE("what tiles cannot do is refused in one line before any work", "[cli][tiles]") {
   const Directory d;
   const std::string model = write(d / "town.obj", town(1)), split = "split " + model + " -o " + (d / "job") + " ";
-  check_refused(run(split + "--fill"), {"--fill", "fills are not split", "hsr draw"});
   check_refused(run(split + "--section z=1"), {"--section", "hsr draw"});
   check_refused(run(split + "--tolerance 0.1"), {"--tolerance"});
   check_refused(run(split + "--crease 30,20"), {"--crease"});
@@ -236,6 +284,7 @@ TEST_CASE("what tiles cannot do is refused in one line before any work", "[cli][
   check_refused(run("tile " + (d / "job") + " 2"), {"N: found \"2\""});
   make_parts(d / "job", 1);
   check_refused(run("join " + (d / "job") + " -o " + (d / "x.json")), {"--json"});
+  check_refused(run("join " + (d / "job") + " --merge colour -o " + (d / "x.svg")), {"has no fills", "--fill", "--merge"});
 }
 
 TEST_CASE("tiles that are killed at any moment and begun again give the same bytes", "[cli][tiles][fault]") {

@@ -81,10 +81,11 @@ scenes::TestScene fans() {
   return scene;
 }
 
-Drawing filled(const scenes::TestScene& scene, const std::vector<Colour>& colours, Merge merge) {
+Drawing filled(const scenes::TestScene& scene, const std::vector<Colour>& colours, Merge merge,
+               const DrawingOptions& options = {}) {
   const Mesh mesh = scene.mesh();
   const Regions regions = regions_of(mesh, scene.view, visible_fragments(mesh, scene.view), colours, merge);
-  Drawing drawing = draw(mesh, scene.view, visible_lines(mesh, scene.view), {}, &regions);
+  Drawing drawing = draw(mesh, scene.view, visible_lines(mesh, scene.view), options, &regions);
   drawing.polylines.clear();
   return drawing;
 }
@@ -287,6 +288,20 @@ TEST_CASE("merging unites what is of one colour, and in one plane", "[drawing][f
   CHECK(three.fills.faces.size() == 3);
   const std::string text = svg(two);
   CHECK(text.find("fill=\"#c80909\"") != std::string::npos);
+}
+
+TEST_CASE("a frame cuts what is united with a floor and as high as the eye", "[drawing][fills][D9]") {
+  // The sight of the wall's upper corners is parallel to the plane of the floor, of which the region is told to be.
+  scenes::TestScene scene;
+  scene.add_face({Point3{-9, 0, 0}, Point3{9, 0, 0}, Point3{9, 9, 0}, Point3{-9, 9, 0}});
+  scene.add_face({Point3{-9, 9, 0}, Point3{9, 9, 0}, Point3{9, 9, 4}, Point3{-9, 9, 4}});
+  scene.view = perspective_view({0, -9, 4}, {0, 9, 4}, {0, 0, 1}, 0.001);
+  DrawingOptions options;
+  options.field_of_view = 30;
+  const Drawing one = filled(scene, std::vector<Colour>(2, Colour{9, 9, 9, 255}), Merge::colour, options);
+  REQUIRE(one.fills.fills.size() == 1);
+  CHECK(one.fills.rings[0].size() == 4);  // the lower half of the frame
+  CHECK(one.fills.faces.size() == 2);
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ FragmentText fragment_text(const Mesh& mesh, const View& view, const VisibleFrag
   FragmentText out;
   out.face = mesh.face_of[first_triangle(f.facet)].value;
   out.text = "{\"face\": ";
-  append_integer(out.text, out.face);
+  append_integer(out.text, options.face_numbers.empty() ? out.face : options.face_numbers[out.face]);
   if (options.objects != nullptr)
     append_object(out.text, options.objects->object_of(std::array{mesh.face_of[first_triangle(f.facet)]}));
   out.text += ", \"rings\": [";
