@@ -84,12 +84,10 @@ class Teller : public ShadowObserver {
     for (const Cut& cut : cuts) at.push_back(exact_parameter(mesh_, picture_.scene().view, support, cut).to_double());
     std::vector<TraceBar> visible;
     std::vector<TraceLine> lines;
-    double sum = 0;
     for (std::uint32_t k = 0; k + 1 < at.size(); ++k) {
       lines.push_back({place(at[k]), place(at[k + 1]), line.hidden(k)});
       if (line.hidden(k)) continue;
       visible.push_back({at[k], at[k + 1], -1});
-      sum += at[k + 1] - at[k];
     }
     const bool is_point = at.empty();
     TraceStep& step = run_.step("result", "result",
