@@ -425,6 +425,13 @@ TEST_CASE("an order that is none is refused in one line", "[cli][order]") {
   refused(head + R"([{"points": [[0, 0, 0], [1, 0, "a"], [1, 1, 1]]}]})", {"piece 0, point 1", "p/q"});
   refused(head + R"([{"points": [[0, 0, 0], [1, 0, "1/0"], [1, 1, 1]]}]})", {"piece 0, point 1", "1/0"});
   refused(head + R"([{"points": [[0, 0, 0], [1, 0, 1e999], [1, 1, 1]]}]})", {"finite"});
+  for (const char* frame : {R"("right": [0, 0, 0], "up": [0, 1, 0])", R"("right": [1, 0, 0], "up": [2, 0, 0])",
+                            R"("right": [1, 0, 0], "up": [0, 0, 1])"})
+    refused(std::string(R"({"format": "hsr-order/1", "view": {"eye": [0, 0, 1, 0], "target": [0, 0, 0], "up": [0, 1, 0],
+                        "frame": {"origin": [0, 0, 0], )") +
+                frame + R"(}}, "pieces": [
+                        {"points": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}, {"wire": [0, 1], "points": [[0, 0, 0], [2, 0, -1]]}]})",
+            {"view: frame", "crosses"});
   refused(head + R"([{"face": -1, "points": [[0, 0, 0], [1, 0, 0], [1, 1, 1]]}]})", {"piece 0: face", "-1"});
 }
 

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
+#include "geometry/rational_vector.h"
 #include "hsr/io/read/json_depth.h"
 #include "hsr/io/read/read.h"
 #include "hsr/io/read/source.h"
@@ -96,8 +97,16 @@ class OrderReader {
     if (v.contains("frame")) {
       const Json& f = v["frame"];
       out.frame = {point(f, "origin"), point(f, "right"), point(f, "up")};
+      if (!crosses_paper(out)) refuse("view: frame", f, "a plane that the line of sight in its middle crosses");
     }
     return out;
+  }
+
+  /// Whether the line of sight through the frame's origin crosses the frame's plane.
+  static bool crosses_paper(const View& view) {
+    const RationalVector at = rational(view.viewpoint.at), o = rational(view.frame.origin);
+    const RationalVector normal = cross(rational(view.frame.right), rational(view.frame.up));
+    return dot(normal, view.is_perspective() ? minus(o, at) : at).sign() != Sign::zero;
   }
 
   Coplanar coplanar(const Json& x) const {
