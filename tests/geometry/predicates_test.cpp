@@ -8,7 +8,6 @@
 #include "geometry/arithmetics.h"
 #include "geometry/constructed_point.h"
 #include "geometry/exact_meet.h"
-#include "geometry/exact_meet.h"
 #include "geometry/plane_filter.h"
 #include "geometry/polynomials.h"
 
