@@ -94,8 +94,8 @@ const ExactMeet& BspParts::exact_meet(FacetId facet, const BspBounds::Corner& co
   if (meets_.empty()) {
     meets_.resize(places);
     bit_range_.emplace();
-    for (const auto& corners : projected_.mesh().triangles)
-      for (const VertexId v : corners) bit_range_->add(projected_.point(v));
+    for (const Edge& e : projected_.mesh().edges)
+      for (const VertexId v : {e.a, e.b}) bit_range_->add(projected_.point(v));
   }
   const std::uint64_t name = (facet.value * 0x9e3779b97f4a7c15ULL ^ corner.a) * 0x9e3779b97f4a7c15ULL ^ corner.b;
   KnownMeet& known = meets_[name * 0x9e3779b97f4a7c15ULL >> 54U];

@@ -89,7 +89,7 @@ class BspParts {
     std::optional<ExactMeet> meet;
   };
   std::vector<KnownMeet> meets_;       // each in a place by its name, where it stays until another comes there
-  std::optional<BitRange> bit_range_;  // of all corners of triangles, once it is needed
+  std::optional<BitRange> bit_range_;  // of the ends of all edges, once it is needed
   std::vector<Sign> signs_;            // of the corners of a part, and the values
   std::vector<ErrorBounded> values_;
   std::vector<Corner> crossings_;
