@@ -142,7 +142,7 @@ std::string wrong_with(const Model& model, const View& view, const std::function
     if (whole.json != united.json) return difference(whole.json, united.json);
     if (whole.svg != united.svg) return difference(whole.svg, united.svg);
   } catch (const InputError& e) {
-    const std::string text = e.what();
+    std::string text = e.what();
     if (text.find("as many faces coincide") != std::string::npos) return {};
     if (text.starts_with("scale: ") || text.starts_with("tiles: the picture")) return {};
     return text;
