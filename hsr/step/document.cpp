@@ -16,13 +16,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 #include <istream>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <streambuf>
+#include <utility>
 
 #include "geometry/error.h"
+#include "hsr/step/fault_guard.h"
 
 namespace hsr::internal {
 
@@ -106,12 +109,7 @@ void expect_numbers(const std::string& path, std::string_view bytes) {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) { throw InputError(path + ": " + what); }
 
-}  // namespace
-
-BrepDocument read_step_document(const std::string& path, std::string_view bytes) {
-  expect_numbers(path, bytes);
-  const std::scoped_lock lock(one_at_a_time);
-  say_nothing();
+BrepDocument transferred_step(const std::string& path, std::string_view bytes) {
   try {
     STEPCAFControl_Reader reader;
     reader.SetColorMode(true);
@@ -141,9 +139,7 @@ BrepDocument read_step_document(const std::string& path, std::string_view bytes)
   }
 }
 
-BrepDocument read_iges_document(const std::string& path) {
-  const std::scoped_lock lock(one_at_a_time);
-  say_nothing();
+BrepDocument transferred_iges(const std::string& path) {
   try {
     IGESCAFControl_Reader reader;
     reader.SetColorMode(true);
@@ -161,6 +157,26 @@ BrepDocument read_iges_document(const std::string& path) {
     refuse(path, "found IGES that Open CASCADE cannot read (" + std::string(failure.DynamicType()->Name()) +
                      "), expected sections S, G, D, P and T");
   }
+}
+
+/// One after the other, as Open CASCADE's settings are those of the whole program.
+BrepDocument survived(const std::string& path, const std::function<BrepDocument()>& read) {
+  const std::scoped_lock lock(one_at_a_time);
+  say_nothing();
+  std::optional<BrepDocument> document;
+  survive_faults(path, [&] { document = read(); });
+  return *std::move(document);
+}
+
+}  // namespace
+
+BrepDocument read_step_document(const std::string& path, std::string_view bytes) {
+  expect_numbers(path, bytes);
+  return survived(path, [&] { return transferred_step(path, bytes); });
+}
+
+BrepDocument read_iges_document(const std::string& path) {
+  return survived(path, [&] { return transferred_iges(path); });
 }
 
 }  // namespace hsr::internal

@@ -17,6 +17,7 @@
 
 #include "geometry/error.h"
 #include "geometry/index.h"
+#include "hsr/step/fault_guard.h"
 #include "hsr/step/part_builder.h"
 #include "hsr/step/shape_mesh.h"
 
@@ -78,9 +79,11 @@ std::vector<std::optional<Colour>> colours_of(const TDF_Label& label, const Topo
 
 PlacedShapes::PlacedShapes(std::string path, BrepDocument document) : path_(std::move(path)), document_(std::move(document)) {
   try {
-    add_parts();
-    for (const DefinedShape& d : definitions_) find_tangent_edges(d.shape);
-    measure();
+    survive_faults(path_, [&] {
+      add_parts();
+      for (const DefinedShape& d : definitions_) find_tangent_edges(d.shape);
+      measure();
+    });
   } catch (const Standard_Failure& failure) {
     throw InputError(path_ + ": found a shape that Open CASCADE cannot take apart (" + failure.DynamicType()->Name() +
                      "), expected surfaces or solids");
@@ -134,7 +137,9 @@ Model PlacedShapes::tessellated(double chord) const {
   try {
     PartBuilder builder(path_, document_.format);
     std::vector<ShapeMesh> meshes;
-    for (const DefinedShape& d : definitions_) meshes.push_back(mesh_of(d.shape, d.faces, chord));
+    survive_faults(path_, [&] {
+      for (const DefinedShape& d : definitions_) meshes.push_back(mesh_of(d.shape, d.faces, chord));
+    });
     for (const PlacedShape& part : parts_) builder.add(part, definitions_[part.definition], meshes[part.definition]);
     Model model = builder.finish();
     model.unit = document_.millimetres;

@@ -320,6 +320,15 @@ TEST_CASE("files that are no STEP are refused in one line", "[step]") {
   const std::size_t point = no_number.find("CARTESIAN_POINT"), number = no_number.find("(0.", point);
   no_number.replace(number + 1, 2, "NaN");
   CHECK(refusal("a.step", no_number).find(": found \"NaN\", expected a finite number") != std::string::npos);
+  // Open CASCADE follows pointers to what is missing.
+  std::string no_vectors = text;
+  for (std::size_t at = no_vectors.find("= VECTOR("); at != std::string::npos; at = no_vectors.find("= VECTOR(")) {
+    const std::size_t begin = no_vectors.rfind('#', at), end = no_vectors.find(';', at) + 1;
+    no_vectors.erase(begin, end - begin);
+  }
+  for (int again = 0; again < 2; ++again)
+    CHECK(refusal("a.step", no_vectors).starts_with("a.step: found something on which Open CASCADE fails (signal "));
+  CHECK(read_brep("a.step", text).tessellated(0.1).polygons.size() > 0);
   const std::string word = "CYLINDRICAL_SURFACE";
   text.replace(text.find(word), word.size(), "CYLINDRICAL_SURFAXE");
   const Model model = read_brep("a.step", text).tessellated(0.1);
