@@ -23,16 +23,29 @@ extern "C" void on_fault(int signal) {
     if (faults[k] == signal) sigaction(signal, &before[k], nullptr);
 }
 
-/// Once, and for good: threads come and go.
-void install() {
-  static std::once_flag is_installed;
-  std::call_once(is_installed, [] {
+/// The handler is there while some thread is in a guarded call; else faults are our host's.
+class Handler {
+ public:
+  Handler() {
+    const std::scoped_lock lock(mutex_);
+    if (users_++ > 0) return;
     struct sigaction action = {};
     action.sa_handler = on_fault;
     action.sa_flags = SA_ONSTACK | SA_NODEFER;
     for (std::size_t k = 0; k < faults.size(); ++k) sigaction(faults[k], &action, &before[k]);
-  });
-}
+  }
+  Handler(const Handler&) = delete;
+  Handler& operator=(const Handler&) = delete;
+  ~Handler() {
+    const std::scoped_lock lock(mutex_);
+    if (--users_ > 0) return;
+    for (std::size_t k = 0; k < faults.size(); ++k) sigaction(faults[k], &before[k], nullptr);
+  }
+
+ private:
+  inline static std::mutex mutex_;
+  inline static int users_ = 0;
+};
 
 /// Where the handler runs where the stack has come to its end, as it does in entities that are nested without end.
 class OtherStack {
@@ -55,7 +68,7 @@ class OtherStack {
 }  // namespace
 
 void survive_faults(const std::string& path, const std::function<void()>& function) {
-  install();
+  const Handler handler;
   const OtherStack other_stack;
   sigjmp_buf here;
   sigjmp_buf* const outer = way_back;
