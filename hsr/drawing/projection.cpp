@@ -121,6 +121,8 @@ HomogeneousPoint Projection::bounded_at(const SupportingLine& edge, const Cut& c
                                         const HomogeneousPoint& b) const {
   const ErrorBounded bounded =
       bounded_parameter_of_cut(plane_of(mesh_, view_, cut), mesh_.points[edge.a], mesh_.points[edge.b]);
+  // Where the picture's frame cuts a line its middle is used without asking for the error.
+  if (!(bounded.error < 0x1p-40)) return at(edge, cut);
   const Enclosure t(bounded.value, bounded.error);
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
 }
