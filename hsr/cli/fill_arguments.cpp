@@ -26,6 +26,8 @@ Regions FillArguments::regions(const SceneView& scene, const Model& model, const
   return regions_of(scene, fragments, face_colours(model, scene.mesh(), scene.view(), shading), which);
 }
 
+bool shows_fills(Format format) { return format != Format::dxf && format != Format::hpgl; }
+
 std::vector<std::string> notes_on_formats_without_fills(const std::vector<Output>& outputs) {
   std::vector<std::string> notes;
   for (const Format format : {Format::dxf, Format::hpgl})

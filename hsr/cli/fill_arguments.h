@@ -22,6 +22,8 @@ struct FillArguments {
   Regions regions(const SceneView& scene, const Model& model, const VisibleFragments& fragments) const;
 };
 
+/// Whether files of a format show fills.
+bool shows_fills(Format format);
 /// What is missing in files of formats that have no fills, a note for each.
 std::vector<std::string> notes_on_formats_without_fills(const std::vector<Output>& outputs);
 

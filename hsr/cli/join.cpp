@@ -188,8 +188,7 @@ std::string JoinCommand::summary_of(Format format, const std::string& bytes) con
   const std::string page = fmt::format("{}, {}, {}", paper_size(drawing_->width, drawing_->height),
                                        scale_text(drawing_->scale, drawing_options_.unit, a_.page, is_perspective),
                                        counted(drawing_->polylines.size(), "polyline"));
-  const bool shows_fills = job_.has_fills && format != Format::dxf && format != Format::hpgl;
-  return shows_fills ? page + ", " + counted(drawing_->fills.fills.size(), "filled area") : page;
+  return job_.has_fills && shows_fills(format) ? page + ", " + counted(drawing_->fills.fills.size(), "filled area") : page;
 }
 
 void JoinCommand::write() {

@@ -134,7 +134,7 @@ class FragmentReader {
       case Given::near:
         return MapLine::near(triangle());
       case Given::side_of_tiles:
-        return names_.side_line(in_.get_small());
+        return names_.side_line(names_.checked_side(in_.get_small()));
       case Given::same:
         return last_.line;
       case Given::before:

@@ -65,6 +65,14 @@ NamedCut Names::name(const Cut& cut) const {
   return name;
 }
 
+std::uint32_t Names::checked_side(std::uint32_t k) const {
+  const std::size_t sides = (mesh_.points.size() - first_side_point_) / 2;
+  if (k >= sides)
+    throw InputError("side " + std::to_string(k) + " of tiles: found in a part, expected one of the " + std::to_string(sides) +
+                     " of its job");
+  return k;
+}
+
 VertexId Names::vertex(std::uint32_t number) const { return VertexId(place(part_.points, number, "point")); }
 
 TriangleId Names::triangle(const NamedTriangle& name) const {
@@ -77,7 +85,7 @@ TriangleId Names::triangle(const NamedTriangle& name) const {
 }
 
 Cut Names::cut(const NamedCut& name) const {
-  if (name.is_side()) return side(name.v);
+  if (name.is_side()) return side(checked_side(name.v));
   Cut cut{name.kind, name.axis, 0, 0};
   const Named by = named_by(name.kind);
   if (by == Named::triangle) cut.u = triangle({name.v, name.u}).value;

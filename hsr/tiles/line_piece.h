@@ -65,6 +65,8 @@ class Names {
   /// The view plane of a side.
   Cut side(std::uint32_t k) const { return {Cut::Kind::sight, 0, first_side_point_ + 2 * k, first_side_point_ + 2 * k + 1}; }
 
+  /// A number of a side that was read. @throws InputError where there is no such side
+  std::uint32_t checked_side(std::uint32_t k) const;
   /// Its line in the map, and which side of tiles a line is.
   MapLine side_line(std::uint32_t k) const {
     return {MapLine::Kind::edge, first_side_point_ + 2 * k, first_side_point_ + 2 * k + 1};
