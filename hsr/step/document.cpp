@@ -163,8 +163,14 @@ BrepDocument transferred_iges(const std::string& path) {
 BrepDocument survived(const std::string& path, const std::function<BrepDocument()>& read) {
   const std::scoped_lock lock(one_at_a_time);
   say_nothing();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");  // another file may have failed with its own
   std::optional<BrepDocument> document;
-  survive_faults(path, [&] { document = read(); });
+  try {
+    survive_faults([&] { document = read(); });
+  } catch (const Standard_Failure& failure) {
+    refuse(path, "found something on which Open CASCADE fails (" + std::string(failure.DynamicType()->Name()) +
+                     "), expected a file without missing or broken entities");
+  }
   return *std::move(document);
 }
 

@@ -1,11 +1,12 @@
+// As Debian's Open CASCADE is built: what it calls back is found in its own list of handlers, which a jump past it would leave behind.
+#define OCC_CONVERT_SIGNALS
 #include "hsr/step/fault_guard.h"
 
+#include <OSD_SIGSEGV.hxx>
+#include <Standard_ErrorHandler.hxx>
 #include <array>
-#include <csetjmp>
 #include <csignal>
 #include <mutex>
-
-#include "geometry/error.h"
 
 namespace hsr::internal {
 
@@ -13,12 +14,12 @@ namespace {
 
 constexpr std::array<int, 4> faults = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
 
-thread_local sigjmp_buf* way_back = nullptr;
+thread_local bool is_guarded = false;
 std::array<struct sigaction, faults.size()> before;
 
 /// Outside of a guarded call the fault is as it was without us: the instruction is tried again under the action that was there.
 extern "C" void on_fault(int signal) {
-  if (way_back != nullptr) siglongjmp(*way_back, signal);
+  if (is_guarded) OSD_SIGSEGV::NewInstance("fault of the processor")->Jump();
   for (std::size_t k = 0; k < faults.size(); ++k)
     if (faults[k] == signal) sigaction(signal, &before[k], nullptr);
 }
@@ -67,24 +68,19 @@ class OtherStack {
 
 }  // namespace
 
-void survive_faults(const std::string& path, const std::function<void()>& function) {
+void survive_faults(const std::function<void()>& function) {
   const Handler handler;
   const OtherStack other_stack;
-  sigjmp_buf here;
-  sigjmp_buf* const outer = way_back;
-  if (const int fault = sigsetjmp(here, 1); fault != 0) {
-    way_back = outer;
-    throw InputError(path + ": found something on which Open CASCADE fails (signal " + std::to_string(fault) +
-                     "), expected a file without missing or broken entities");
-  }
-  way_back = &here;
+  const bool was_guarded = is_guarded;
+  is_guarded = true;
   try {
+    OCC_CATCH_SIGNALS
     function();
   } catch (...) {
-    way_back = outer;
+    is_guarded = was_guarded;
     throw;
   }
-  way_back = outer;
+  is_guarded = was_guarded;
 }
 
 }  // namespace hsr::internal

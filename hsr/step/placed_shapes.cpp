@@ -79,7 +79,7 @@ std::vector<std::optional<Colour>> colours_of(const TDF_Label& label, const Topo
 
 PlacedShapes::PlacedShapes(std::string path, BrepDocument document) : path_(std::move(path)), document_(std::move(document)) {
   try {
-    survive_faults(path_, [&] {
+    survive_faults([&] {
       add_parts();
       for (const DefinedShape& d : definitions_) find_tangent_edges(d.shape);
       measure();
@@ -137,7 +137,7 @@ Model PlacedShapes::tessellated(double chord) const {
   try {
     PartBuilder builder(path_, document_.format);
     std::vector<ShapeMesh> meshes;
-    survive_faults(path_, [&] {
+    survive_faults([&] {
       for (const DefinedShape& d : definitions_) meshes.push_back(mesh_of(d.shape, d.faces, chord));
     });
     for (const PlacedShape& part : parts_) builder.add(part, definitions_[part.definition], meshes[part.definition]);

@@ -1,5 +1,6 @@
 #include "hsr/step/step.h"
 
+#include <Standard_Failure.hxx>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "geometry/vector3.h"
 #include "hsr/drawing/drawing.h"
 #include "hsr/lines/visible_lines.h"
+#include "hsr/step/fault_guard.h"
 #include "tests/io/read/temporary_directory.h"
 #include "tests/step/shapes.h"
 
@@ -304,6 +306,27 @@ std::string refusal(const std::string& path, const std::string& bytes) {
   return "nothing was refused";
 }
 
+/// A file without its entities of a kind.
+std::string without(std::string text, const std::string& kind) {
+  for (std::size_t at = text.find(kind); at != std::string::npos; at = text.find(kind)) {
+    const std::size_t begin = text.rfind('#', at), end = text.find(';', at) + 1;
+    text.erase(begin, end - begin);
+  }
+  return text;
+}
+
+int depth_of_calls(const volatile int* above) {
+  const volatile int here = *above + 1;
+  return here < 0 ? here : depth_of_calls(&here) + here;
+}
+
+TEST_CASE("a stack that comes to its end within Open CASCADE is refused as other faults are", "[step]") {
+  const volatile int start = 0;
+  CHECK_THROWS_AS(internal::survive_faults([&] { static_cast<void>(depth_of_calls(&start)); }), Standard_Failure);
+  CHECK_THROWS_AS(internal::survive_faults([] { throw PreconditionError("within"); }), PreconditionError);
+  CHECK_NOTHROW(internal::survive_faults([] {}));
+}
+
 TEST_CASE("files that are no STEP are refused in one line", "[step]") {
   CHECK(refusal("a.step", "") == "a.step: found an empty file, expected a model");
   const std::string no_step =
@@ -321,14 +344,19 @@ TEST_CASE("files that are no STEP are refused in one line", "[step]") {
   no_number.replace(number + 1, 2, "NaN");
   CHECK(refusal("a.step", no_number).find(": found \"NaN\", expected a finite number") != std::string::npos);
   // Open CASCADE follows pointers to what is missing.
-  std::string no_vectors = text;
-  for (std::size_t at = no_vectors.find("= VECTOR("); at != std::string::npos; at = no_vectors.find("= VECTOR(")) {
-    const std::size_t begin = no_vectors.rfind('#', at), end = no_vectors.find(';', at) + 1;
-    no_vectors.erase(begin, end - begin);
-  }
+  const std::string no_vectors = without(text, "= VECTOR(");
   for (int again = 0; again < 2; ++again)
-    CHECK(refusal("a.step", no_vectors).starts_with("a.step: found something on which Open CASCADE fails (signal "));
+    CHECK(refusal("a.step", no_vectors) == "a.step: found no shape with a size, expected surfaces or solids");
   CHECK(read_brep("a.step", text).tessellated(0.1).polygons.size() > 0);
+  // One that fails leaves no unit behind.
+  shapes::write_iges(shapes::plate(), directory.file("plate.igs"));
+  const double size = read_brep(directory.file("plate.igs")).size();
+  shapes::write_step(shapes::plate(), directory.file("inch.step"), "INCH");
+  std::ifstream inch_file(directory.file("inch.step"));
+  const std::string inch(std::istreambuf_iterator<char>(inch_file), {});
+  CHECK(refusal("inch.step", without(inch, "= VECTOR(")) ==
+        "inch.step: found no shape with a size, expected surfaces or solids");
+  CHECK(read_brep(directory.file("plate.igs")).size() == size);
   const std::string word = "CYLINDRICAL_SURFACE";
   text.replace(text.find(word), word.size(), "CYLINDRICAL_SURFAXE");
   const Model model = read_brep("a.step", text).tessellated(0.1);
